@@ -18,6 +18,8 @@
 
 #include "expect_refusals.h"
 #include "mesh_checks.h"
+#include "plumb/io/mesh/gltf_codecs.h"
+#include "plumb/io/mesh/gltf_extensions.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/picture/scene_glb.h"
@@ -331,6 +333,492 @@ TEST(GltfReader, says_what_it_passes_over) {
   EXPECT_EQ(file.mesh.face_count(), 3U);
   EXPECT_EQ(file.notes, (std::vector<std::string>{"passed over: skins, morph targets",
                                                   "1 triangle with two equal corners left out"}));
+  d = tetrahedron_document();
+  d.json["scenes"].push_back(Json::object());
+  EXPECT_EQ(read(glb(d)).notes, std::vector<std::string>{"passed over: other scenes"});
+}
+
+// A file without triangles says why.
+TEST(GltfReader, refusals_name_what_was_passed_over) {
+  Document d = tetrahedron_document();
+  d.json["meshes"][0]["primitives"][0]["mode"] = 0;
+  expect_refused(glb(d), "no triangles are placed; passed over: lines and points");
+}
+
+// ---------------------------------------------------------------- accessors
+
+/// Appends bytes to the buffer as a view of their own, and returns its number.
+std::size_t add_view(Document& d, const std::string& bytes) {
+  d.json["bufferViews"].push_back(
+      {{"buffer", 0}, {"byteOffset", d.buffer.size()}, {"byteLength", bytes.size()}});
+  d.buffer += bytes;
+  d.json["buffers"][0]["byteLength"] = d.buffer.size();
+  return d.json["bufferViews"].size() - 1;
+}
+/// Appends numbers as an accessor, and returns its number.
+template <class Number>
+std::size_t add_accessor(Document& d, const std::vector<Number>& numbers, int component,
+                         const char* type, std::size_t parts) {
+  const std::size_t view = add_view(d, bytes_of(numbers));
+  d.json["accessors"].push_back({{"bufferView", view},
+                                 {"componentType", component},
+                                 {"count", numbers.size() / parts},
+                                 {"type", type}});
+  return d.json["accessors"].size() - 1;
+}
+
+template <class Index>
+Json sparse(Document& d, const std::vector<Index>& indices, int component,
+            const std::string& values) {
+  const std::size_t at = add_view(d, bytes_of(indices)), to = add_view(d, values);
+  return {{"count", indices.size()},
+          {"indices", {{"bufferView", at}, {"componentType", component}}},
+          {"values", {{"bufferView", to}}}};
+}
+
+// With and without elements below it, a sparse accessor has the elements that it lists.
+TEST(GltfReader, sparse_accessors) {
+  const auto expect_read = [](Document d, const Json& replaced) {
+    d.json["accessors"][0]["sparse"] = replaced;
+    EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
+    EXPECT_TRUE(read(glb(d)).notes.empty());
+    d.json["accessors"][0].erase("bufferView");
+    EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
+    EXPECT_TRUE(read(glb(d)).notes.empty());
+  };
+  const std::vector<float> moved(kCorners.begin() + 3, kCorners.end());
+  Document d = tetrahedron_document();
+  std::memset(d.buffer.data() + 12, 0x3f, 36);  // What is replaced is none of the corners.
+  expect_read(d, sparse<std::uint8_t>(d, {1, 2, 3}, 5121, bytes_of(moved)));
+  expect_read(d, sparse<std::uint16_t>(d, {1, 2, 3}, 5123, bytes_of(moved)));
+  expect_read(d, sparse<std::uint32_t>(d, {1, 2, 3}, 5125, bytes_of(moved)));
+  // Indices may be sparse, too.
+  d = tetrahedron_document();
+  std::memset(d.buffer.data() + 48, 1, 4);
+  d.json["accessors"][1]["sparse"] =
+      sparse<std::uint16_t>(d, {0, 1}, 5123, bytes_of<std::uint16_t>({0, 2}));
+  EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
+}
+
+TEST(GltfReader, refuses_hostile_sparse_accessors) {
+  Document d = tetrahedron_document();
+  d.json["accessors"][0]["sparse"] =
+      sparse<std::uint16_t>(d, {1, 4}, 5123, bytes_of(std::vector<float>(6)));
+  expect_refused(glb(d), "accessors[0]: sparse: no element 4");
+  const auto refuse_with = [&](const char* path, const Json& value, const char* message) {
+    Document other = d;
+    other.json["accessors"][0]["sparse"][Json::json_pointer(path)] = value;
+    SCOPED_TRACE(path);
+    expect_refused(glb(other), message);
+  };
+  refuse_with("/count", 3, "3 elements are not in its bufferView");
+  refuse_with("/count", std::size_t{1} << 53U, "elements are not in its bufferView");
+  refuse_with("/count", "2", "count is no count");
+  refuse_with("/indices/componentType", 5126, "componentType 5126");
+  refuse_with("/indices/bufferView", 9, "bufferViews[9]: there is none");
+  refuse_with("/indices/byteOffset", 1, "elements are not in its bufferView");
+  refuse_with("/values/byteOffset", 1, "elements are not in its bufferView");
+  refuse_with("/values", 7, "sparse needs indices and values");
+  // Zeros cost memory: no more than what a file of its length may have.
+  d.json["accessors"][0].erase("bufferView");
+  for (const std::size_t count : {std::size_t{1} << 20U, std::size_t{1} << 53U}) {
+    d.json["accessors"][0]["count"] = count;
+    expect_refused(glb(d), std::to_string(count) + " elements without a bufferView");
+  }
+}
+
+// As glTF says, elements without bytes are zeros; a note says so, because some extension may have
+// meant others.
+TEST(GltfReader, elements_without_bytes_are_zeros) {
+  Document d = tetrahedron_document();
+  d.json["accessors"][0].erase("bufferView");
+  const MeshFile file = read(glb(d));
+  EXPECT_EQ(file.mesh.face_count(), 0U);
+  EXPECT_EQ(file.notes, (std::vector<std::string>{
+                            "4 triangles with two equal corners left out",
+                            "accessors without a bufferView, whose elements are zeros: 1"}));
+}
+
+/// What the specification says that a component stands for.
+template <class Number>
+double meant(Number c, bool is_normalized) {
+  if (!is_normalized) return c;
+  const double value = static_cast<double>(c) / std::numeric_limits<Number>::max();
+  return value < -1 ? -1 : value;
+}
+
+template <class Number>
+void expect_quantised(int component) {
+  constexpr Number kLeast = std::numeric_limits<Number>::min();
+  constexpr Number kMost = std::numeric_limits<Number>::max();
+  const std::vector<Number> numbers{0, 1, 0, kMost, 0, 3, kLeast, kMost, 5, 77, 99, kMost};
+  for (const bool is_normalized : {false, true}) {
+    Document d = tetrahedron_document();
+    std::vector<Number> rows;  // Elements begin at multiples of 4 bytes.
+    const std::size_t stride = (3 * sizeof(Number) + 3) / 4 * 4;
+    for (std::size_t v = 0; v < 4; ++v) {
+      rows.insert(rows.end(), numbers.begin() + 3 * v, numbers.begin() + 3 * v + 3);
+      rows.resize((v + 1) * stride / sizeof(Number), 42);
+    }
+    const std::size_t accessor = add_accessor(d, rows, component, "VEC3", stride / sizeof(Number));
+    d.json["bufferViews"][2]["byteStride"] = stride;
+    d.json["accessors"][accessor]["normalized"] = is_normalized;
+    d.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = accessor;
+    d.json["extensionsUsed"] = {"KHR_mesh_quantization"};
+    d.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+    PolygonMesh mesh;
+    for (std::size_t v = 0; v < 4; ++v) {
+      mesh.points.push_back({meant(numbers[3 * v], is_normalized),
+                             meant(numbers[3 * v + 1], is_normalized),
+                             meant(numbers[3 * v + 2], is_normalized)});
+    }
+    for (std::size_t i = 0; i < kFaces.size(); i += 3) {
+      mesh.add_face(std::vector<std::uint32_t>(kFaces.begin() + i, kFaces.begin() + i + 3));
+    }
+    Context context;
+    weld_vertices(mesh, context);
+    EXPECT_TRUE(is_same(read(glb(d)).mesh, mesh)) << component << is_normalized;
+    EXPECT_TRUE(read(glb(d)).notes.empty());
+  }
+}
+
+TEST(GltfReader, quantised_coordinates) {
+  expect_quantised<std::int8_t>(5120);
+  expect_quantised<std::uint8_t>(5121);
+  expect_quantised<std::int16_t>(5122);
+  expect_quantised<std::uint16_t>(5123);
+}
+
+// ---------------------------------------------------------------- extensions
+
+/// The node 0 with these instances.
+void set_instances(Document& d, const Json& attributes) {
+  d.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
+}
+
+// Instances are what nodes below their node would be: moved, turned and scaled, one of them
+// mirrored.
+TEST(GltfReader, instances_are_copies) {
+  Document d = tetrahedron_document();
+  d.json["nodes"][0]["matrix"] = {2, 0, 0, 0, 0, 1, 0, 0, 1, 0, 1, 0, 5, 0, 0, 1};
+  Document nodes = d;
+  const std::vector<float> moves{0, 0, 0, 5, 0, 0, 0, .25, -9};
+  const std::vector<float> scales{1, 1, 1, 1, -1, 1, 3, .5, 2};
+  const std::vector<std::int8_t> turns{0, 0, 0, 127, 127, 0, 0, 127, 3, -4, 5, -128};
+  nodes.json["nodes"][0]["children"] = {1, 2, 3};
+  nodes.json["nodes"][0].erase("mesh");
+  for (std::size_t i = 0; i < 3; ++i) {
+    Json node{{"mesh", 0}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      node["translation"].push_back(moves[3 * i + k]);
+      node["scale"].push_back(scales[3 * i + k]);
+    }
+    for (std::size_t k = 0; k < 4; ++k) node["rotation"].push_back(meant(turns[4 * i + k], true));
+    nodes.json["nodes"].push_back(node);
+  }
+  const std::size_t move = add_accessor(d, moves, 5126, "VEC3", 3);
+  const std::size_t scale = add_accessor(d, scales, 5126, "VEC3", 3);
+  const std::size_t turn = add_accessor(d, turns, 5120, "VEC4", 4);
+  d.json["accessors"][turn]["normalized"] = true;
+  set_instances(d, {{"TRANSLATION", move}, {"ROTATION", turn}, {"SCALE", scale}, {"_ID", 1}});
+  d.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  const MeshFile file = read(glb(d));
+  EXPECT_EQ(file.mesh.face_count(), 12U);
+  EXPECT_TRUE(is_same(file.mesh, read(glb(nodes)).mesh));
+  EXPECT_TRUE(file.notes.empty());
+  // Attributes that move nothing leave the mesh where it is.
+  set_instances(d, {{"_ID", 1}});
+  EXPECT_EQ(read(glb(d)).mesh.face_count(), 4U);
+  d.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = Json::object();
+  EXPECT_EQ(read(glb(d)).mesh.face_count(), 4U);
+}
+
+TEST(GltfReader, refuses_hostile_instances) {
+  Document d = tetrahedron_document();
+  const std::size_t moves = add_accessor(d, std::vector<float>(6), 5126, "VEC3", 3);
+  const std::size_t turns = add_accessor(d, std::vector<float>{0, 0, 0, 1}, 5126, "VEC4", 4);
+  set_instances(d, {{"TRANSLATION", moves}, {"ROTATION", turns}});
+  expect_refused(glb(d), "nodes[0]: attributes of instances differ in number");
+  set_instances(d, {{"TRANSLATION", turns}});
+  expect_refused(glb(d), "type is not VEC3");
+  set_instances(d, {{"TRANSLATION", 9}});
+  expect_refused(glb(d), "accessors[9]: there is none");
+  set_instances(d, {{"ROTATION", add_accessor(d, std::vector<float>(4), 5126, "VEC4", 4)}});
+  expect_refused(glb(d), "nodes[0]: no rotation of instance 0");
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  set_instances(d, {{"SCALE", add_accessor<float>(d, {1, nan, 1}, 5126, "VEC3", 3)}});
+  expect_refused(glb(d), "not finite");
+  // A large mesh in many places is charged.
+  for (int i = 0; i < 200; ++i) {
+    d.json["meshes"][0]["primitives"].push_back(d.json["meshes"][0]["primitives"][0]);
+  }
+  set_instances(d, {{"TRANSLATION", add_accessor(d, std::vector<float>(9000), 5126, "VEC3", 3)}});
+  Limits limits;
+  limits.max_memory_bytes = 16U << 20U;
+  EXPECT_THROW(read(glb(d), limits), Error);
+}
+
+// Hidden nodes are as if they were not there, with all below them; a note names them.
+TEST(GltfReader, hidden_nodes_are_left_out) {
+  Document d = tetrahedron_document();
+  d.json["nodes"] = Json::parse(R"([{"mesh": 0}, {"mesh": 0, "children": [2]},
+      {"mesh": 0, "translation": [9, 0, 0], "extensions": {"KHR_node_visibility":
+          {"visible": true}}}])");
+  d.json["scenes"][0]["nodes"] = {0, 1};
+  d.json["extensionsUsed"] = {"KHR_node_visibility"};
+  EXPECT_EQ(read(glb(d)).mesh.face_count(), 12U);
+  EXPECT_TRUE(read(glb(d)).notes.empty());
+  d.json["nodes"][1]["extensions"]["KHR_node_visibility"]["visible"] = false;
+  const MeshFile file = read(glb(d));
+  EXPECT_TRUE(is_same(file.mesh, expected()));
+  EXPECT_EQ(file.notes, std::vector<std::string>{"hidden nodes, left out with all below them: 1"});
+  d.json["nodes"][0]["extensions"]["KHR_node_visibility"]["visible"] = false;
+  expect_refused(glb(d), "no triangles are placed; hidden nodes, left out with all below them");
+}
+
+TEST(GltfReader, extensions_are_known_by_their_effect) {
+  for (const char* name : {"KHR_materials_unlit", "KHR_texture_transform", "KHR_lights_punctual",
+                           "KHR_xmp_json_ld", "EXT_texture_webp", "EXT_structural_metadata"}) {
+    EXPECT_EQ(effect_of_extension(name), GltfEffect::None) << name;
+  }
+  for (const char* name : {"EXT_mesh_gpu_instancing", "KHR_mesh_quantization"}) {
+    EXPECT_EQ(effect_of_extension(name), GltfEffect::Read) << name;
+  }
+  EXPECT_EQ(effect_of_extension("MSFT_lod"), GltfEffect::Shape);
+  for (const char* name : {"", "ACME_melts_models", "KHR_", "materials"}) {
+    EXPECT_EQ(effect_of_extension(name), GltfEffect::Unknown) << name;
+  }
+}
+
+// What changes nothing is not named; what may change the shape is named once, or refused.
+TEST(GltfReader, names_extensions_that_may_change_the_shape) {
+  Document d = tetrahedron_document();
+  d.json["extensionsUsed"] = {"KHR_xmp_json_ld", "MSFT_lod",          "ACME_melts_models",
+                              "MSFT_lod",        "ACME_melts_models", "KHR_materials_unlit",
+                              "ACME\x1b[2Jx"};
+  EXPECT_EQ(read(glb(d)).notes,
+            (std::vector<std::string>{
+                "extensions that change the shape, passed over: MSFT_lod (only the finest level of "
+                "detail)",
+                "extensions that are not known, passed over: 'ACME_melts_models', 'ACME...'"}));
+  for (int i = 0; i < 1000; ++i) d.json["extensionsUsed"].push_back("X" + std::to_string(i));
+  EXPECT_LT(read(glb(d)).notes.back().size(), 200U);
+  d.json["extensionsUsed"] = Json::array();
+  d.json["extensionsRequired"] = {"KHR_xmp_json_ld", "KHR_mesh_quantization", "KHR_audio_emitter",
+                                  "KHR_draco_mesh_compression"};
+  EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
+  EXPECT_TRUE(read(glb(d)).notes.empty());
+}
+
+// ---------------------------------------------------------------- compressed
+
+std::string from_base64(const std::string& text) {
+  Context context;
+  return bytes_of_uri("data:;base64," + text, {}, context);
+}
+
+// The tetrahedron as draco_encoder writes it: by edgebreaker, sequentially, and sequentially
+// without quantisation.
+const std::array<const char*, 3> kDracoStreams{
+    "RFJBQ08CAgEBAAAABAQAAwAAAS8BARAB/"
+    "wAAAQAJAwAAAgEBAQADAwEQATADAFCCJJEEAAAAAP8AAAAAAAAAAAAAAAAAAAAAAIA/"
+    "CA==",
+    "RFJBQ08CAgEAAAAEBAEAAQIAAgMAAwECAQMBAQAJAwAAAgABAQADAwEgASADACCEUCIBAAAAAP8AAAAAAAAAAAAAAAAAAA"
+    "AAAIA/"
+    "CA==",
+    "RFJBQ08CAgEAAAAEBAEAAQIAAgMAAwECAQMBAQAJAwAAAAAAAAAAAAAAAAAAAAAAAAAAAIA/"
+    "AAAAAAAAgD8AAAAAAAAAAAAAAAAA"
+    "AAAAAACAPw=="};
+
+Document draco_document(const std::string& stream) {
+  Document d = tetrahedron_document();
+  const std::size_t view = add_view(d, stream);
+  for (std::size_t a : {0, 1}) d.json["accessors"][a].erase("bufferView");
+  d.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
+  d.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  d.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  return d;
+}
+
+/// Whether two meshes have the same triangles, whatever the order of vertices and triangles.
+bool has_same_triangles(const PolygonMesh& a, const PolygonMesh& b) {
+  const auto triangles = [](const PolygonMesh& mesh) {
+    std::vector<std::vector<std::array<double, 3>>> all;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      auto& face = all.emplace_back();
+      for (const std::uint32_t v : mesh.face(f)) {
+        face.push_back({mesh.points[v].x, mesh.points[v].y, mesh.points[v].z});
+      }
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  return triangles(a) == triangles(b);
+}
+
+TEST(GltfReader, draco) {
+  if (!has_draco()) GTEST_SKIP() << "plumb is built without Draco (libdraco-dev)";
+  for (const char* stream : kDracoStreams) {
+    Document d = draco_document(from_base64(stream));
+    EXPECT_TRUE(has_same_triangles(read(glb(d)).mesh, expected()));
+    EXPECT_TRUE(read(glb(d)).notes.empty());
+    d.json["meshes"][0]["primitives"].push_back(d.json["meshes"][0]["primitives"][0]);
+    EXPECT_EQ(read(glb(d)).mesh.face_count(), 8U) << "a stream that two primitives name";
+  }
+}
+
+TEST(GltfReader, refuses_hostile_draco) {
+  if (!has_draco()) GTEST_SKIP() << "plumb is built without Draco (libdraco-dev)";
+  expect_refused(glb(draco_document("DRACO")), "bufferViews[2]: compressed by Draco: its bytes");
+  expect_refused(glb(draco_document(std::string(100, 'x'))), "no mesh of Draco");
+  for (const char* text : kDracoStreams) {
+    const std::string stream = from_base64(text);
+    Document d = draco_document(stream);
+    Json& draco = d.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"];
+    draco["attributes"]["POSITION"] = 7;
+    expect_refused(glb(d), "no attribute 7 of 3 numbers");
+    draco["attributes"] = 7;
+    expect_refused(glb(d), "compressed without attributes");
+    // Whatever becomes of the bytes, it is a mesh or an error.
+    for (std::size_t i = 0; i < stream.size(); ++i) {
+      EXPECT_THROW(read(glb(draco_document(stream.substr(0, i)))), Error) << i;
+      for (const char byte : {'\x00', '\x01', '\x7f', '\xff'}) {
+        std::string changed = stream;
+        changed[i] = byte;
+        try {
+          read(glb(draco_document(changed)));
+        } catch (const Error& error) {
+          EXPECT_EQ(error.place().file, "some.file");
+        }
+      }
+    }
+  }
+  // Numbers of triangles that its bytes cannot hold; those that they can are charged.
+  std::string many = from_base64(kDracoStreams[0]);
+  many.replace(13, 1, "\xff\xff\xff\xff\x04");
+  expect_refused(glb(draco_document(many)), "triangles are not in its bytes");
+  many = from_base64(kDracoStreams[0]);
+  many.replace(13, 1, "\xff\xff\x04");
+  Limits limits;
+  limits.max_memory_bytes = 4U << 20U;
+  try {
+    read(glb(draco_document(many)), limits);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+  }
+}
+
+// Positions and triangles of the tetrahedron as gltfpack writes them.
+const char* const kMeshoptPositions =
+    "oAAAAQ8AAAD//wEPAAAAfn0AAAE8AAAA//"
+    "8BPAAAAH59AAABAwAAAP8BAwAAAH4AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
+    "AAAA==";
+const char* const kMeshoptTriangles = "4fAQEwEAdodWZ3iphmWJaJgBaQAA";
+
+Document meshopt_document(const std::string& name, std::string positions, std::string triangles) {
+  Document d = tetrahedron_document();
+  d.buffer = positions + triangles;
+  d.json["buffers"] = {{{"byteLength", d.buffer.size()}},
+                       {{"byteLength", 72}, {"extensions", {{name, {{"fallback", true}}}}}}};
+  d.json["bufferViews"] = Json::parse(R"([{"buffer": 1, "byteLength": 48, "byteStride": 12},
+                                          {"buffer": 1, "byteOffset": 48, "byteLength": 24}])");
+  d.json["bufferViews"][0]["extensions"][name] = {{"buffer", 0},
+                                                  {"byteLength", positions.size()},
+                                                  {"byteStride", 12},
+                                                  {"count", 4},
+                                                  {"mode", "ATTRIBUTES"}};
+  d.json["bufferViews"][1]["extensions"][name] = {{"buffer", 0},
+                                                  {"byteOffset", positions.size()},
+                                                  {"byteLength", triangles.size()},
+                                                  {"byteStride", 2},
+                                                  {"count", 12},
+                                                  {"mode", "TRIANGLES"}};
+  return d;
+}
+Document meshopt_document(const std::string& name) {
+  return meshopt_document(name, from_base64(kMeshoptPositions), from_base64(kMeshoptTriangles));
+}
+
+TEST(GltfReader, meshopt) {
+  if (!has_meshopt()) GTEST_SKIP() << "plumb is built without meshoptimizer (libmeshoptimizer-dev)";
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    Document d = meshopt_document(name);
+    d.json["extensionsRequired"] = {name};
+    EXPECT_TRUE(has_same_triangles(read(glb(d)).mesh, expected()));
+    EXPECT_TRUE(read(glb(d)).notes.empty());
+  }
+}
+
+TEST(GltfReader, refuses_hostile_meshopt) {
+  if (!has_meshopt()) GTEST_SKIP() << "plumb is built without meshoptimizer (libmeshoptimizer-dev)";
+  const std::string name = "EXT_meshopt_compression";
+  const auto refuse_with = [&](std::size_t view, const char* member, const Json& value,
+                               const char* message) {
+    Document d = meshopt_document(name);
+    d.json["bufferViews"][view]["extensions"][name][member] = value;
+    SCOPED_TRACE(member + std::to_string(view));
+    expect_refused(glb(d), message);
+  };
+  refuse_with(0, "mode", "OTHER", "its mode is not read");
+  refuse_with(0, "mode", "INDICES", "does not suit its mode");
+  refuse_with(0, "mode", "TRIANGLES", "does not suit its mode");
+  refuse_with(1, "mode", "INDICES", "this version of it is not read");
+  refuse_with(0, "filter", "OCTAHEDRAL", "its filter is not read");
+  refuse_with(0, "filter", "COLOR", "its filter is not read");
+  refuse_with(0, "count", 5, "is not that of its compressed elements");
+  refuse_with(0, "byteStride", 0, "is not that of its compressed elements");
+  refuse_with(0, "byteStride", 6, "is not that of its compressed elements");
+  refuse_with(0, "byteLength", 78, "bytes are damaged");
+  refuse_with(0, "byteLength", 1000, "is longer than its buffer");
+  refuse_with(0, "buffer", 2, "buffers[2]: there is none");
+  Document d = meshopt_document(name);
+  d.json["bufferViews"][0]["byteLength"] = 12U << 20U;
+  d.json["bufferViews"][0]["extensions"][name]["count"] = 1U << 20U;
+  expect_refused(glb(d), "1048576 elements are not in 79 bytes");
+  const std::string positions = from_base64(kMeshoptPositions);
+  const std::string triangles = from_base64(kMeshoptTriangles);
+  const auto read_or_refuse = [&](const std::string& p, const std::string& t) {
+    try {
+      read(glb(meshopt_document(name, p, t)));
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().file, "some.file");
+    }
+  };
+  for (const char byte : {'\x00', '\x01', '\x7f', '\xff'}) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      std::string changed = positions;
+      changed[i] = byte;
+      read_or_refuse(changed, triangles);
+    }
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      std::string changed = triangles;
+      changed[i] = byte;
+      read_or_refuse(positions, changed);
+    }
+  }
+}
+
+// Data that are there uncompressed are read as they are, with the libraries and without.
+TEST(GltfReader, prefers_data_that_are_not_compressed) {
+  Document d = draco_document("no stream");
+  for (std::size_t a : {0, 1}) d.json["accessors"][a]["bufferView"] = a;
+  EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
+  d = tetrahedron_document();
+  d.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+  EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
+}
+
+TEST(GltfReader, says_what_to_do_without_the_libraries) {
+  if (!has_draco()) {
+    expect_refused(glb(draco_document("DRACO")), "install libdraco-dev and build plumb again, or");
+  }
+  if (!has_meshopt()) {
+    expect_refused(glb(meshopt_document("EXT_meshopt_compression")),
+                   "install libmeshoptimizer-dev and build plumb again, or");
+  }
 }
 
 TEST(GltfReader, refuses_missing_members) {
@@ -343,7 +831,6 @@ TEST(GltfReader, refuses_missing_members) {
   refuse_without("/buffers/0", "byteLength", "buffers[0]: needs byteLength");
   refuse_without("/bufferViews/0", "buffer", "bufferViews[0]: needs buffer");
   refuse_without("/bufferViews/1", "byteLength", "bufferViews[1]: needs byteLength");
-  refuse_without("/accessors/0", "bufferView", "accessors[0]: needs bufferView");
   refuse_without("/accessors/0", "componentType", "accessors[0]: needs componentType");
   refuse_without("/accessors/1", "count", "accessors[1]: needs count");
   refuse_without("/accessors/1", "type", "accessors[1]: type is not SCALAR");
@@ -368,9 +855,11 @@ TEST(GltfReader, refuses_hostile_documents) {
   expect_refused("/accessors/0/byteOffset", 1, "elements are not in");
   expect_refused("/accessors/0/byteOffset", huge, "elements are not in");
   expect_refused("/accessors/0/byteOffset", 47, "elements are not in");
-  expect_refused("/accessors/0/componentType", 5123, "componentType 5123 is not read");
+  expect_refused("/accessors/0/componentType", 5125, "componentType 5125 is not read");
+  expect_refused("/accessors/0/componentType", 5124, "componentType 5124 is not read");
   expect_refused("/accessors/0/type", "VEC2", "type is not VEC3");
-  expect_refused("/accessors/0/sparse", Json::object(), "sparse");
+  expect_refused("/accessors/0/sparse", Json::object(), "sparse needs indices and values");
+  expect_refused("/accessors/0/sparse", 7, "sparse is no object");
   expect_refused("/accessors/0/bufferView", 2, "bufferViews[2]: there is none");
   expect_refused("/accessors/1/componentType", 5122, "componentType 5122");
   expect_refused("/accessors/1/count", 11, "11 corners");
@@ -397,10 +886,10 @@ TEST(GltfReader, refuses_hostile_documents) {
   expect_refused("/nodes/0/children", 1, "children is no list");
   expect_refused("/scene", 1, "scenes[1]: there is none");
   expect_refused("/scenes/0/nodes", {0, 0}, "hangs in two places");
-  expect_refused("/extensionsRequired", {"KHR_draco_mesh_compression"}, "KHR_draco");
   expect_refused("/extensionsRequired", {"x" + std::string(100000, 'y')}, "xyyyyyyy");
   expect_refused("/extensionsRequired", {"KHR\x1b[2Jx"}, "'KHR...'");
   expect_refused("/extensionsRequired", {7}, "cannot be read: ''");
+  expect_refused("/extensionsRequired", {"CESIUM_RTC"}, "export the file without it");
   expect_refused("/asset/version", "1.0", "asset: does not say version 2");
   expect_refused("/asset/version", 2, "asset: does not say version 2");
   expect_refused("/asset", "2.0", "asset: does not say version 2");

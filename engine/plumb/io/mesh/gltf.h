@@ -5,17 +5,20 @@
 //  2. nodes      visits the nodes of the scene that the document names, else of its first scene,
 //                else all nodes that are no children; each once
 //  3. triangles  lists triangles, strips and fans of their meshes, once per mesh (gltf_parts.h).
-//                Coordinates are floats, moved in doubles by the transforms of the node and those
-//                above it; a transform that mirrors turns triangles around
+//                Coordinates are floats, bytes or shorts, moved in doubles by the transforms of the
+//                node and those above it, and once for each copy of the mesh that the node places;
+//                a transform that mirrors turns triangles around. Accessors may be sparse, and data
+//                may be compressed if plumb is built with the libraries (gltf_codecs.h)
 //  4. weld       makes equal points one vertex (mesh_formats.h)
 //
-// Triangles with two equal corners are left out, with a note; so are lines, points, skins and morph
-// targets. Refused are sparse accessors, coordinates that are not floats, required extensions
-// except those of materials, textures and lights, and a file without triangles.
+// Triangles with two equal corners are left out, with a note; so are lines, points, skins, morph
+// targets, hidden nodes, other scenes, and used extensions that may change the shape
+// (gltf_extensions.h). Refused are such extensions if they are required, and a file without
+// triangles.
 //
 // Cost: O(bytes + n log n) for n triangles, counted as often as they are placed. Errors: those of
-// gltf_parts.h; "FILE: accessors[3]: what" for what the document says wrong: Syntax, BadIndex,
-// CountMismatch, BadShape, NumberOutOfRange; ResourceLimit; Cancelled.
+// gltf_parts.h and gltf_codecs.h; "FILE: accessors[3]: what" for what the document says wrong:
+// Syntax, BadIndex, CountMismatch, BadShape, NumberOutOfRange; ResourceLimit; Cancelled.
 #pragma once
 
 #include <string_view>

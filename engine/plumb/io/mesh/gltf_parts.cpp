@@ -35,10 +35,11 @@ std::optional<std::uint32_t> digit_of(char c) {
   return static_cast<std::uint32_t>(at);
 }
 
-/// Returns the bytes of base64 text, or no value if it is none.
+/// Returns the bytes of base64 text, or no value if it is none. The signs that fill up the last
+/// group may be missing.
 std::optional<std::string> from_base64(std::string_view text, Context& context) {
-  if (text.size() % 4 != 0) return {};
   for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
+  if (text.size() % 4 == 1) return {};
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   std::uint32_t group = 0;
@@ -205,8 +206,7 @@ std::uint64_t GltfTriangles::add_points(const GltfElements& positions, const Glt
   const bool moves = m != kGltfIdentity;
   for (std::size_t i = 0; i < positions.count; ++i) {
     if (i % kItemsPerCheckpoint == 0) context_.checkpoint("read", i, positions.count);
-    std::array<double, 3> p{};
-    for (std::size_t k = 0; k < 3; ++k) p[k] = positions.at<float>(i, k);
+    const std::array<double, 3> p = positions.numbers<3>(i);
     const std::array<double, 3> q = moves ? applied(m, p) : p;
     if (!std::isfinite(q[0]) || !std::isfinite(q[1]) || !std::isfinite(q[2])) {
       fail(ErrorCode::NumberOutOfRange, where,

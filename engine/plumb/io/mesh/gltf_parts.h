@@ -5,11 +5,13 @@
 // JSON. A buffer is the chunk of bytes, base64 in its name (data:), or a file in the same folder.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -114,8 +116,26 @@ inline GltfTransform from_parts(const std::array<double, 4>& turn,
 
 /// Component types, as accessors number them.
 struct GltfComponent {
-  static constexpr std::size_t kByte = 5121, kShort = 5123, kInteger = 5125, kFloat = 5126;
+  static constexpr std::size_t kSignedByte = 5120, kByte = 5121, kSignedShort = 5122, kShort = 5123,
+                               kInteger = 5125, kFloat = 5126;
 };
+
+/// Returns the bytes of a component; 0 if there is no such type.
+constexpr std::size_t component_bytes(std::size_t component) {
+  switch (component) {
+    case GltfComponent::kSignedByte:
+    case GltfComponent::kByte:
+      return 1;
+    case GltfComponent::kSignedShort:
+    case GltfComponent::kShort:
+      return 2;
+    case GltfComponent::kInteger:
+    case GltfComponent::kFloat:
+      return 4;
+    default:
+      return 0;
+  }
+}
 /// Modes, as primitives number them.
 struct GltfMode {
   static constexpr std::size_t kTriangles = 4, kStrip = 5, kFan = 6;
@@ -127,6 +147,7 @@ struct GltfElements {
   std::size_t stride = 0;
   std::size_t count = 0;
   std::size_t component = 0;
+  bool is_normalized = false;  ///< Integers stand for fractions of the largest one.
 
   template <class Number>
   Number at(std::size_t i, std::size_t part = 0) const {
@@ -137,6 +158,57 @@ struct GltfElements {
   std::uint32_t index(std::size_t i) const {
     if (component == GltfComponent::kByte) return at<std::uint8_t>(i);
     return component == GltfComponent::kShort ? at<std::uint16_t>(i) : at<std::uint32_t>(i);
+  }
+  /// Returns an element of N floats, bytes or shorts, as doubles. They are exact, except that
+  /// fractions are rounded once.
+  template <std::size_t N>
+  std::array<double, N> numbers(std::size_t i) const {
+    switch (component) {
+      case GltfComponent::kFloat:
+        return read<float, N>(i);
+      case GltfComponent::kSignedByte:
+        return integers<std::int8_t, N>(i);
+      case GltfComponent::kByte:
+        return integers<std::uint8_t, N>(i);
+      case GltfComponent::kSignedShort:
+        return integers<std::int16_t, N>(i);
+      default:
+        return integers<std::uint16_t, N>(i);
+    }
+  }
+
+ private:
+  template <class Number, std::size_t N>
+  std::array<double, N> read(std::size_t i) const {
+    std::array<double, N> all{};
+    for (std::size_t part = 0; part < N; ++part) all[part] = at<Number>(i, part);
+    return all;
+  }
+  /// A fraction is at least -1, although the range of integers is not symmetric.
+  template <class Number, std::size_t N>
+  std::array<double, N> integers(std::size_t i) const {
+    std::array<double, N> all = read<Number, N>(i);
+    constexpr double kLargest = std::numeric_limits<Number>::max();
+    if (is_normalized) {
+      for (double& value : all) value = std::max(value / kLargest, -1.0);
+    }
+    return all;
+  }
+};
+
+/// The copies of a mesh at a node (EXT_mesh_gpu_instancing). What is missing is as for nodes.
+struct GltfInstances {
+  std::size_t count = 1;
+  std::optional<GltfElements> turns, scales, moves;
+
+  /// Whether the rotation of a copy is no quaternion.
+  bool lacks_turn(std::size_t i) const {
+    return turns && turns->numbers<4>(i) == std::array<double, 4>{};
+  }
+  GltfTransform transform(std::size_t i) const {
+    return from_parts(turns ? turns->numbers<4>(i) : std::array<double, 4>{0, 0, 0, 1},
+                      scales ? scales->numbers<3>(i) : std::array<double, 3>{1, 1, 1},
+                      moves ? moves->numbers<3>(i) : std::array<double, 3>{});
   }
 };
 
@@ -158,6 +230,8 @@ class GltfTriangles {
       : name_(std::move(name)), context_(context), mesh_(context) {}
 
   void pass_over(std::string_view what) { mesh_.pass_over(what); }
+  /// Returns how many triangles were added.
+  std::size_t triangle_count() const { return mesh_.face_count(); }
   /// Adds a primitive. Requires at least 3 corners, and a number of corners that suits the mode.
   /// Throws "FILE: where: what": BadIndex, NumberOutOfRange, ResourceLimit; Cancelled.
   void add(const GltfPrimitive& p, const GltfTransform& placed, const std::string& where);

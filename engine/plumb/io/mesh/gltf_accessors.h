@@ -1,0 +1,97 @@
+// The numbers that accessors of glTF name: in views of buffers, in sparse lists that replace some
+// of them, and in compressed streams.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "plumb/base/context.h"
+#include "plumb/io/mesh/gltf_codecs.h"
+#include "plumb/io/mesh/gltf_document.h"
+#include "plumb/io/mesh/gltf_parts.h"
+
+namespace plumb {
+
+/// Elements are found on first use and kept: an accessor, a view or a compressed stream is read
+/// once, however many primitives name it. They point into memory of the document or of this object.
+class GltfAccessors {
+ public:
+  /// The document and the context must outlive it.
+  GltfAccessors(GltfDocument& document, Context& context)
+      : in_(document), context_(context), charge_(context) {}
+
+  /// Returns numbers that are indices, all of whose bytes exist. Throws "FILE: accessors[3]: what"
+  /// if the accessor has another type, or if its data are not there.
+  GltfElements indices(std::size_t accessor);
+  /// Returns points or quaternions, as floats, bytes or shorts. `type` is VEC3 or VEC4.
+  GltfElements vectors(std::size_t accessor, std::string_view type);
+
+  /// Whether an accessor names a view of a buffer that can be opened.
+  bool can_open(std::size_t accessor);
+
+  /// A mesh that is compressed as a whole (KHR_draco_mesh_compression).
+  struct Compressed {
+    GltfElements positions, corners;
+  };
+  /// Returns the triangles of a compressed mesh, which takes the place of `accessor`. `attribute`
+  /// is what the stream calls positions.
+  Compressed compressed(std::size_t view, std::size_t attribute, std::size_t accessor);
+
+  /// Returns how many accessors have no bytes at all: their elements are zeros.
+  std::size_t accessors_of_zeros() const { return accessors_of_zeros_; }
+
+ private:
+  using Id = GltfDocument::Id;
+
+  /// The members of an accessor.
+  struct Accessor {
+    Id object;
+    std::string type;
+    std::size_t component, count, offset;
+    std::optional<std::size_t> view;
+    bool is_normalized, is_sparse;
+  };
+  using ViewBytes = std::pair<std::string_view, std::size_t>;
+  /// A stream of Draco with what was asked of it.
+  struct Stream {
+    std::size_t attribute, component;
+    std::string positions, corners;
+  };
+
+  const Accessor& accessor_of(std::size_t accessor, const std::string& where);
+  const Accessor& vectors_of(std::size_t accessor, std::string_view type, const std::string& where);
+  [[noreturn]] void fail_component(std::size_t component, const std::string& where) const;
+  GltfElements elements(std::size_t accessor, const Accessor& a, std::size_t parts,
+                        const std::string& where);
+  GltfElements in_view(std::size_t view, std::size_t offset, GltfElements e, std::size_t bytes,
+                       const std::string& where);
+  const std::string& replaced(std::size_t accessor, const Accessor& a, std::size_t bytes,
+                              const std::string& where);
+  void replace_some(Id sparse, const Accessor& a, std::size_t bytes, const std::string& where,
+                    std::string& all);
+
+  const ViewBytes& view_bytes(std::size_t view);
+  ViewBytes found_view(std::size_t view);
+  std::string_view part_of_buffer(Id object, const std::string& where);
+  std::optional<Id> compression_of(Id view) const;
+  std::string_view decompressed(std::size_t view, Id compression, std::size_t length,
+                                const std::string& where);
+
+  GltfDocument& in_;
+  Context& context_;
+  MemoryCharge charge_;
+  std::size_t accessors_of_zeros_ = 0;
+  std::map<std::size_t, Accessor> accessors_;
+  std::map<std::size_t, ViewBytes> views_;
+  std::map<std::size_t, bool> can_open_view_;
+  std::map<std::size_t, std::string> replaced_;      // Per accessor that is sparse or of zeros.
+  std::map<std::size_t, std::string> decompressed_;  // Per view that meshopt compressed.
+  std::map<std::size_t, Stream> streams_;            // Per view that Draco compressed.
+};
+
+}  // namespace plumb
