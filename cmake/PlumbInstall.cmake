@@ -26,6 +26,8 @@ foreach(header ${plumb_public_headers} ${plumb_support_headers})
 endforeach()
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+# Who links plumb::io links the libraries that decompress glTF, too.
+get_property(plumb_codecs GLOBAL PROPERTY PLUMB_CODECS)
 install(EXPORT plumbTargets NAMESPACE plumb:: DESTINATION ${plumb_config_dir})
 configure_package_config_file(cmake/plumbConfig.cmake.in ${PROJECT_BINARY_DIR}/plumbConfig.cmake
   INSTALL_DESTINATION ${plumb_config_dir} NO_SET_AND_CHECK_MACRO)
@@ -43,6 +45,12 @@ if(TARGET plumb_testing_maps)
   install(FILES cmake/PlumbFuzz.cmake fuzz/replay_main.cpp DESTINATION ${plumb_config_dir} COMPONENT testing)
 endif()
 
+list(TRANSFORM plumb_codecs PREPEND " -l" OUTPUT_VARIABLE plumb_pc_codecs)
+list(JOIN plumb_pc_codecs "" plumb_pc_codecs)
+if(BUILD_SHARED_LIBS)
+  set(plumb_pc_private_codecs "${plumb_pc_codecs}")
+  set(plumb_pc_codecs "")
+endif()
 file(RELATIVE_PATH plumb_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/plumb.pc.in ${PROJECT_BINARY_DIR}/plumb.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/plumb.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
