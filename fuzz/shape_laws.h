@@ -33,7 +33,7 @@ inline std::string text_of(const PlaneText& ready) {
 
 inline Nef2 read_back(const std::string& text, PlaneFormat format) {
   Context context;
-  return read_plane_set(text, format, {"written"}, context);
+  return read_plane_set(text, format, {"written"}, context).set;
 }
 
 /// Read, written, read: the same set; written again: the same bytes.
@@ -134,7 +134,7 @@ template <class Read>
 std::optional<PlaneShapes> shapes_of(Read read, std::string_view text, bool exact_decimals) {
   Context context(limits_for(text.size()));
   try {
-    return read(text, ReadOptions{kFileName, exact_decimals}, context);
+    return read(text, ReadOptions{kFileName, exact_decimals}, context).shapes;
   } catch (const Error& error) {
     const bool is_expansion = error.code() == ErrorCode::ResourceLimit;
     require(!is_expansion || exact_decimals, "memory charged is in proportion to the input");

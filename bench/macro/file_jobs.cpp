@@ -108,7 +108,7 @@ void add_plane_sets(const Input<Nef2>& sets) {
       };
     };
     sets.add_reading(name, write, [format = format](const std::string& text, Context& own) {
-      return read_plane_set(text, format, {}, own);
+      return read_plane_set(text, format, {}, own).set;
     });
     sets.add_writing(name, write);
   }
@@ -131,7 +131,7 @@ void add_file_jobs(std::vector<Job>& jobs, const MacroOptions& options) {
   const std::string frame = "corpus/plane/frame.geojson";
   add_plane_sets({jobs, frame, true, [frame] {
                     Context context;
-                    return read_plane_set_file(frame, {}, {}, context);
+                    return read_plane_set_file(frame, {}, {}, context).set;
                   }});
   const std::size_t corners = options.size(100000, 1000);
   add_plane_sets({jobs, "a star", false,

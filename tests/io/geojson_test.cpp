@@ -16,7 +16,12 @@ namespace {
 
 PlaneShapes read(const std::string& text, bool exact_decimals = false, Limits limits = {}) {
   Context context(limits);
-  return read_geojson(text, {"some.file", exact_decimals}, context);
+  return read_geojson(text, {"some.file", exact_decimals}, context).shapes;
+}
+
+std::vector<std::string> notes_of(const std::string& text) {
+  Context context;
+  return read_geojson(text, {"some.file"}, context).notes;
 }
 
 std::string written(const PlaneShapes& shapes) {
@@ -52,9 +57,24 @@ TEST(GeoJsonReader, accepts_what_the_format_allows) {
         R"({"features":[{"type":"Feature","geometry":{"type":"GeometryCollection","geometries":[)" +
             kPoint + R"(]}}],"type":"FeatureCollection"})",
         R"({"a":1,"b":-1.5e3,"c":"x","d":[1,[2,{"e":3}]],"type":"Point","f":true,)"
-        R"("coordinates":[1,2],"g":null})"}},
+        R"("coordinates":[1,2],"g":null})",
+        // What is dropped may be anything that has an end.
+        R"({"type":"Point","coordinates":[1,2],"a":NaN,"b":[-Infinity,inf,nan,+1],"c":undefined})",
+        R"({"type":"Point","coordinates":[1,2,NaN]})",
+        R"({"type":"Point","coordinates":[1,2,null]})",
+        R"({"type":"Point","coordinates":[1,2,-inf,1e999999]})",
+        "{\"type\":\"Point\",\"coordinates\":[1,2],\"caf\xE9\":\"caf\xE9\t\n\"}",
+        R"({"type":"Point","coordinates":[1,2],"a":"\\\"\\\\","b":{"c":"]}","d":["\u12"]}})",
+        R"({"\u0074ype":"Po\u0069nt","coordinates":[1,2]})",
+        R"({"type":"MultiPoint","coordinates":[[],[1,2],[]]})",
+        // Sequences.
+        "\x1e" + kPoint + "\n", R"({"type":"Feature","geometry":null})" + kPoint,
+        kPoint + "\n\n" + R"({"type":"FeatureCollection","features":[]})" + "\r\n"}},
       {R"({"type":"MultiPoint","coordinates":[[1,2],[3,4]]})",
-       {R"({"type":"MultiPoint","coordinates":[[1,2],[3,4]]})"}},
+       {R"({"type":"MultiPoint","coordinates":[[1,2],[3,4]]})",
+        "\x1e" + kPoint + "\n\x1e" + R"({"type":"Point","coordinates":[3,4]})" + "\n",
+        R"({"type":"Feature","geometry":)" + kPoint + "}\n" +
+            R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[3,4]}})"}},
       {R"({"type":"LineString","coordinates":[[0,0],[1,1]]})",
        {R"({"type":"LineString","coordinates":[[0,0],[1,1]]})",
         R"({"type":"MultiLineString","coordinates":[[],[[0,0],[1,1]],[]]})"}},
@@ -95,6 +115,28 @@ TEST(GeoJsonReader, reads_numbers_by_the_rules_of_all_formats) {
   EXPECT_EQ(x("0.1", true), Rational(1, 10));
   EXPECT_EQ(x("1e4000", true), Rational("1" + std::string(4000, '0')));
   EXPECT_EQ(x(std::string(4000, '9'), false), Rational(std::string(4000, '9')));
+}
+
+TEST(GeoJsonReader, names_what_it_drops_once) {
+  const auto feature = [](const std::string& members) {
+    return R"({"type":"Feature",)" + members + R"("geometry":)" + kPoint + "}\n";
+  };
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {kPoint, {}},
+      {feature(R"("properties":{},"id":null,"bbox":[],)"), {}},
+      {feature(R"("properties":{"a":1},)") + feature(R"("properties":{"b":2},"id":7,)"),
+       {"passed over: 'properties', 'id'"}},
+      {R"({"type":"MultiPoint","coordinates":[[1,2,3],[1,2,4]],"crs":{"type":"name"}})",
+       {"passed over: 'crs', numbers of positions after x and y"}},
+      {R"({"type":"Point","coordinates":[1,2,null]})",
+       {"passed over: numbers of positions after x and y"}},
+  };
+  for (const auto& [text, notes] : cases) EXPECT_EQ(notes_of(text), notes) << text;
+  std::string many;
+  for (int i = 10; i < 99; ++i) many += feature("\"n" + std::to_string(i) + "\":1,");
+  ASSERT_EQ(notes_of(many).size(), 1U);
+  EXPECT_TRUE(notes_of(many)[0].starts_with("passed over: 'n10', 'n11', ")) << notes_of(many)[0];
+  EXPECT_TRUE(notes_of(many)[0].ends_with(", 'n21', other members")) << notes_of(many)[0];
 }
 
 TEST(GeoJsonReader, skips_what_is_deep) {

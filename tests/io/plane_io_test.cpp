@@ -23,7 +23,7 @@ constexpr std::uint64_t kSeeds = 300;
 
 Nef2 read(const std::string& text, bool exact_decimals = false) {
   Context context;
-  return read_plane_set(text, guess_plane_format(text), {"some.file", exact_decimals}, context);
+  return read_plane_set(text, guess_plane_format(text), {"some.file", exact_decimals}, context).set;
 }
 
 PlaneText prepared(const Nef2& set, PlaneFormat format) {
@@ -107,7 +107,7 @@ TEST(PlaneShapes, hold_the_points_that_their_twin_holds) {
     Dice dice(seed);
     const std::string text = testing::any_wkt(dice);
     Context context;
-    const PlaneShapes shapes = read_wkt(text, {}, context);
+    const PlaneShapes shapes = read_wkt(text, {}, context).shapes;
     const testing::ShapeTwin twin(shapes);
     const Nef2 set = to_set(shapes, context);
     for (const testing::ExactPoint& p : testing::telling_points(shapes, 60)) {
@@ -243,7 +243,7 @@ TEST(Nef2Reader, reads_the_quadrant_of_the_documentation) {
   const Nef2 upper = Nef2::half_plane({{0, 0}, {1, 0}}, {0, 1}, Boundary::Closed);
   EXPECT_EQ(read(testing::kQuadrant), right * upper);
   Context context;
-  EXPECT_EQ(read_plane_set_file("corpus/plane/quadrant.nef2", {}, {}, context), right * upper);
+  EXPECT_EQ(read_plane_set_file("corpus/plane/quadrant.nef2", {}, {}, context).set, right * upper);
 }
 
 TEST(Nef2Reader, refuses_hostile_texts_with_their_place) {
@@ -312,6 +312,7 @@ TEST(PlaneFormat, is_told_by_the_extension_or_the_text) {
   EXPECT_EQ(plane_format_of("wkt"), std::nullopt);
   EXPECT_EQ(plane_format_of("-"), std::nullopt);
   EXPECT_EQ(guess_plane_format(" \n{}"), PlaneFormat::GeoJson);
+  EXPECT_EQ(guess_plane_format("\x1e{}\n"), PlaneFormat::GeoJson);
   EXPECT_EQ(guess_plane_format("\xEF\xBB\xBFplumb-nef2 1"), PlaneFormat::Nef2);
   EXPECT_EQ(guess_plane_format("# x\nPOINT EMPTY"), PlaneFormat::Wkt);
   EXPECT_EQ(guess_plane_format(""), PlaneFormat::Wkt);
@@ -319,12 +320,29 @@ TEST(PlaneFormat, is_told_by_the_extension_or_the_text) {
   EXPECT_EQ(plane_format_of("a.txt", "{}"), PlaneFormat::GeoJson);
 }
 
+TEST(ReadPlaneSet, says_that_a_file_with_content_is_the_empty_set) {
+  const auto notes_of = [](const std::string& text) {
+    Context context;
+    return read_plane_set(text, guess_plane_format(text), {}, context).notes;
+  };
+  const std::vector<std::string> nothing{
+      "the file has no point, line or polygon, so the set is empty"};
+  EXPECT_EQ(notes_of("POLYGON EMPTY"), nothing);
+  EXPECT_EQ(notes_of(R"({"type":"FeatureCollection","features":[]})"), nothing);
+  EXPECT_EQ(notes_of(R"({"type":"Feature","geometry":null})"), nothing);
+  EXPECT_EQ(notes_of("POLYGON ((0 0, 1 0, 0 1, 0 0, 1 0, 0 1, 0 0))"),
+            std::vector<std::string>{
+                "the rings of the file enclose nothing by the even-odd rule, so the set is empty"});
+  EXPECT_TRUE(notes_of("POINT (1 2)").empty());
+  EXPECT_TRUE(notes_of("plumb-nef2 1\n0 0 0 0 0\n").empty());
+}
+
 TEST(ReadPlaneSetFile, gives_back_the_memory_of_the_text) {
   Limits limits;
   limits.max_memory_bytes = 1 << 20;
   Context context(limits);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_FALSE(read_plane_set_file("corpus/plane/star.wkt", {}, {}, context).is_empty());
+    EXPECT_FALSE(read_plane_set_file("corpus/plane/star.wkt", {}, {}, context).set.is_empty());
   }
   EXPECT_THROW(read_plane_set_file("no/such.wkt", {}, {}, context), Error);
 }

@@ -16,7 +16,12 @@ namespace {
 
 PlaneShapes read(const std::string& text, bool exact_decimals = false, Limits limits = {}) {
   Context context(limits);
-  return read_wkt(text, {"some.file", exact_decimals}, context);
+  return read_wkt(text, {"some.file", exact_decimals}, context).shapes;
+}
+
+std::vector<std::string> notes_of(const std::string& text) {
+  Context context;
+  return read_wkt(text, {"some.file"}, context).notes;
 }
 
 std::string written(const PlaneShapes& shapes) {
@@ -38,25 +43,49 @@ TEST(WktReader, accepts_what_the_format_allows) {
         "POINT Z (1 2 3)", "POINT M (1 2 3)", "point zm (1 2 3 4)", "MULTIPOINT (1 2)",
         "MULTIPOINT ((1 2))", "MULTIPOINT (EMPTY, 1 2)", "GEOMETRYCOLLECTION (POINT (1 2))",
         "GEOMETRYCOLLECTION (POINT EMPTY, GEOMETRYCOLLECTION (POINT (1 2)))",
-        "GEOMETRYCOLLECTION Z (POINT Z (1 2 3))", "POINT EMPTY POINT (1 2)"}},
+        "GEOMETRYCOLLECTION Z (POINT Z (1 2 3))", "POINT EMPTY POINT (1 2)",
+        // Dialects: PostGIS, SQL Server, GeoSPARQL, JTS, C libraries.
+        "SRID=4326;POINT(1 2)", "srid=-1 ; point (1 2);", "POINT (1 2 3)", "POINT (1 2 3 4)",
+        "POINTZ (1 2 3)", "pointm(1 2 3)", "PointZM (1 2 3 4)", "POINT Z (1 2 NaN)",
+        "POINT (1 2 NULL 4)", "POINT ZM (1 2 -inf +Infinity)", "POINT M (1 2 -nan(ind))",
+        "POINT (1 2 1.#QNAN)", "POINT Z (1 2 1e999999)", "MULTIPOINT Z ((1 2 3))",
+        "MULTIPOINTZ (1 2 3)", "GEOMETRYCOLLECTION Z (POINT (1 2 3))",
+        "GEOMETRYCOLLECTIONM (POINTM (1 2 3), POINT EMPTY)",
+        "<http://www.opengis.net/def/crs/OGC/1.3/CRS84> POINT (1 2)",
+        "<urn:ogc:def:crs:OGC::CRS84>POINT (1 2)", ";;POINT (1 2);", "MULTIPOINT ((), (1 2))",
+        "POINT () POINT (1 2)", "TIN EMPTY; POINT (1 2)"}},
       {"MULTIPOINT ((1 2), (3 4))\n",
        {"MULTIPOINT (1 2, 3 4)", "MULTIPOINT ((1 2), 3 4)", "POINT (1 2)\nPOINT (3 4)\n",
-        "POINT (1 2) POINT (3 4)", "POINT(1 2)POINT(3 4)",
+        "POINT (1 2) POINT (3 4)", "POINT(1 2)POINT(3 4)", "POINT (1 2);POINT (3 4);\n",
+        "SRID=1;POINT (1 2)\nSRID=2;POINT (3 4)", "POINT Z (1 2 3) POINT (3 4)",
         "GEOMETRYCOLLECTION (POINT (1 2), POINT (3 4))"}},
       {"LINESTRING (0 0, 1 1, 0 0)\n",
        {"linestring (0 0,1 1 , 0 0)", "MULTILINESTRING ((0 0, 1 1, 0 0))",
-        "MULTILINESTRING (EMPTY, (0 0, 1 1, 0 0))"}},
+        "MULTILINESTRING (EMPTY, (0 0, 1 1, 0 0))", "MULTICURVE ((0 0, 1 1, 0 0))",
+        "MULTICURVE Z (LINESTRING Z (0 0 7, 1 1 7, 0 0 7))", "LINEARRING (0 0, 1 1, 0 0)",
+        "LINESTRING (0 0 1 2, 1 1 3 4, 0 0 5 6)"}},
       {"POLYGON ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1))\n",
        {"POLYGON((0 0,3 0,0 3,0 0),(1 1,2 1,1 2,1 1))",
         "POLYGON (EMPTY, (0 0, 3 0, 0 3, 0 0), EMPTY, (1 1, 2 1, 1 2, 1 1))",
         "MULTIPOLYGON (((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1)))",
-        "MULTIPOLYGON (EMPTY, ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1)), EMPTY)"}},
+        "MULTIPOLYGON (EMPTY, ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1)), EMPTY)",
+        "MULTISURFACE (((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1)))",
+        "MULTISURFACE (EMPTY, POLYGON ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1)))",
+        "POLYGON((0 0 5,3 0 6,0 3 7,0 0 5),(1 1 0,2 1 0,1 2 0,1 1 0))",
+        "POLYGONZ((0 0 5,3 0 6,0 3 7,0 0 5),(1 1 0,2 1 0,1 2 0,1 1 0))"}},
       {"MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)), ((5 5, 6 5, 5 6, 5 5)))\n",
-       {"POLYGON ((0 0, 1 0, 0 1, 0 0)) POLYGON ((5 5, 6 5, 5 6, 5 5))"}},
+       {"POLYGON ((0 0, 1 0, 0 1, 0 0)) POLYGON ((5 5, 6 5, 5 6, 5 5))",
+        "TRIANGLE ((0 0, 1 0, 0 1, 0 0)); TRIANGLE ((5 5, 6 5, 5 6, 5 5))",
+        "TIN (((0 0, 1 0, 0 1, 0 0)), ((5 5, 6 5, 5 6, 5 5)))",
+        "TIN Z (((0 0 7, 1 0 7, 0 1 7.0, 0 0 7)), TRIANGLE Z ((5 5 7, 6 5 nan, 5 6 7, 5 5 7)))",
+        "TIN M (((0 0 1, 1 0 2, 0 1 3, 0 0 4)), ((5 5 6, 6 5 7, 5 6 8, 5 5 9)))",
+        "POLYHEDRALSURFACE (((0 0 7, 1 0 7, 0 1 7, 0 0 7)), ((5 5 7, 6 5 7, 5 6 7, 5 5 7)))",
+        "TIN (((0 0 1, 1 0 1, 0 1 1, 0 0 1))) TIN (((5 5 2, 6 5 2, 5 6 2, 5 5 2)))"}},
       {"GEOMETRYCOLLECTION EMPTY\n",
        {"POINT EMPTY", "LINESTRING empty", "POLYGON EMPTY", "MULTIPOINT EMPTY",
         "MULTILINESTRING EMPTY", "MULTIPOLYGON EMPTY", "GEOMETRYCOLLECTION EMPTY", "POINT Z EMPTY",
-        "MULTIPOLYGON (EMPTY, (EMPTY))"}},
+        "MULTIPOLYGON (EMPTY, (EMPTY))", "POINT ()", "POLYGON ()", "POLYGON (())", "TIN Z EMPTY",
+        "MULTIPOLYGON (((), ()), EMPTY)", "GEOMETRYCOLLECTION ()", "LINEARRING EMPTY"}},
       {"GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1, 0 0)), LINESTRING (0 0, 5 5), POINT (7 8))\n",
        {"POINT (7 8)\nLINESTRING (0 0, 5 5)\nPOLYGON ((0 0, 1 0, 0 1, 0 0))"}},
   };
@@ -64,6 +93,33 @@ TEST(WktReader, accepts_what_the_format_allows) {
     for (const std::string& text : texts) {
       EXPECT_EQ(written(read(text)), expected) << text;
     }
+  }
+}
+
+TEST(WktReader, names_what_it_drops_once) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
+      {"POINT (1 2)", {}},
+      {"MULTIPOINT (EMPTY, (1 2)); LINEARRING EMPTY", {}},
+      {"POINT Z EMPTY", {}},
+      {"MULTIPOINT (1 2 3, 4 5 6)", {"passed over: heights (Z)"}},
+      {"POINT M (1 2 3) POINTM (4 5 nan)", {"passed over: measures (M)"}},
+      {"SRID=1;POINT ZM (1 2 3 4)\n<http://a/b> POINT (1 2)",
+       {"passed over: coordinate reference systems, heights (Z), measures (M)"}},
+      {"LINEARRING (0 0, 1 0, 0 1, 0 0) LINEARRING (0 0, 1 0, 0 1, 0 0)",
+       {"a LINEARRING is a line without an inside; a POLYGON has its inside"}},
+  };
+  for (const auto& [text, notes] : cases) EXPECT_EQ(notes_of(text), notes) << text;
+}
+
+TEST(WktReader, knows_how_its_dialects_begin) {
+  for (const std::string text :
+       {"POINT (1 2)", "polygonz((", "Tin", "CircularString (0 0", "COMPOUNDCURVEZM (", "FULLGLOBE",
+        "SRID=4326;x", "srid=", "<http://a>", "<urn:b>POINT", "GEOMETRYCOLLECTION"}) {
+    EXPECT_TRUE(begins_like_wkt(text)) << text;
+  }
+  for (const std::string text : {"", "POINTS (1 2)", "v 1 2 3", "OFF", "<?xml?>", "<svg>",
+                                 "solid t", "1 2", "SRI", "(0 0)", "M", "mtllib a.mtl"}) {
+    EXPECT_FALSE(begins_like_wkt(text)) << text;
   }
 }
 

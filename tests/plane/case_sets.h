@@ -10,7 +10,7 @@ namespace plumb::testing {
 
 inline Nef2 set_of_wkt(const std::string& wkt) {
   Context context;
-  return read_plane_set(wkt, PlaneFormat::Wkt, {"case"}, context);
+  return read_plane_set(wkt, PlaneFormat::Wkt, {"case"}, context).set;
 }
 
 inline constexpr const char* kSquare = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))";

@@ -141,7 +141,7 @@ OperationRoom reader_operations() {
     texts->push_back(contents(path));
     const PlaneFormat format = plane_format_of(path).value();
     room.operations.push_back({path, [texts, i = texts->size() - 1, format](Context& own) {
-                                 return digest_of(read_plane_set((*texts)[i], format, {}, own),
+                                 return digest_of(read_plane_set((*texts)[i], format, {}, own).set,
                                                   own);
                                }});
   }

@@ -44,7 +44,7 @@ std::uint64_t digest_of(const MapOverlay& overlay) {
 
 Nef2 plane_set(const char* text, PlaneFormat format) {
   Context context;
-  return read_plane_set(text, format, {}, context);
+  return read_plane_set(text, format, {}, context).set;
 }
 
 PointTable2 points_of(std::initializer_list<Point2> points) {

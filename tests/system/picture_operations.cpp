@@ -52,7 +52,8 @@ struct Shown {
                     context);
     overlay = overlay_map(map, context);
     set = read_plane_set("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (2 2, 2 4, 4 4, 2 2))",
-                         PlaneFormat::Wkt, {}, context);
+                         PlaneFormat::Wkt, {}, context)
+              .set;
     for (const char* path : {"corpus/solids/tetrahedron.off", "corpus/solids/l-block.off"}) {
       solids.push_back(read_solid_file(path, {}, context).set);
     }

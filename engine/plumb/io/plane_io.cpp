@@ -284,7 +284,8 @@ std::optional<PlaneFormat> plane_format_of(const std::string& path) {
 PlaneFormat guess_plane_format(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  // Record separators are between values of JSON (RFC 8142).
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\x1e"), text.size()));
   if (text.starts_with('{') || text.starts_with('[')) return PlaneFormat::GeoJson;
   return text.starts_with("plumb-") ? PlaneFormat::Nef2 : PlaneFormat::Wkt;
 }
@@ -294,26 +295,42 @@ PlaneFormat plane_format_of(const std::string& path, std::string_view text) {
   return named ? *named : guess_plane_format(text);
 }
 
-Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
-                    Context& context) {
+namespace {
+
+/// Makes a set of shapes. A file that has content and describes the empty set says so.
+PlaneRead set_of(PlaneFile file, Context& context) {
+  PlaneRead read{to_set(file.shapes, context), std::move(file.notes)};
+  if (file.shapes.empty()) {
+    read.notes.emplace_back("the file has no point, line or polygon, so the set is empty");
+  } else if (read.set.is_empty()) {
+    read.notes.emplace_back(
+        "the rings of the file enclose nothing by the even-odd rule, so the set is empty");
+  }
+  return read;
+}
+
+}  // namespace
+
+PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
+                         Context& context) {
   switch (format) {
     case PlaneFormat::Nef2:
-      return read_nef2(text, options, context);
+      return {read_nef2(text, options, context), {}};
     case PlaneFormat::GeoJson:
-      return to_set(read_geojson(text, options, context), context);
+      return set_of(read_geojson(text, options, context), context);
     default:
-      return to_set(read_wkt(text, options, context), context);
+      return set_of(read_wkt(text, options, context), context);
   }
 }
 
-Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
-                         ReadOptions options, Context& context) {
+PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
+                              ReadOptions options, Context& context) {
   options.name = input_name(path);
   const std::string text = read_input(path, context);
   if (!format) format = plane_format_of(path, text);
-  Nef2 set = read_plane_set(text, *format, options, context);
+  PlaneRead read = read_plane_set(text, *format, options, context);
   context.release_memory(text.size());
-  return set;
+  return read;
 }
 
 std::string PlaneLosses::closing() const {

@@ -6,7 +6,7 @@
 // lines and points.
 //
 // Reading: WKT and GeoJSON cannot state which boundary points belong to the set. A set that is read
-// from such a file is closed.
+// from such a file is closed. Notes name the contents of a file that a set cannot hold.
 //
 // Writing: .nef2 represents every set exactly. WKT and GeoJSON represent only polygons, lines and
 // points, and the writer rounds their coordinates to doubles. If a set has properties that such a
@@ -73,6 +73,14 @@ struct PlaneShapes {
   void end_line() { line_begin.push_back(static_cast<std::uint32_t>(line_corners.size())); }
 };
 
+/// Shapes read from a WKT or GeoJSON file.
+struct PlaneFile {
+  PlaneShapes shapes;  ///< The shapes as the file lists them.
+  /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
+  /// that are not in `shapes`.
+  std::vector<std::string> notes;
+};
+
 /// Returns the set for which the shapes stand. First, each polygon whose rings meet at points other
 /// than common corners is resolved by a sweep of its own. Then one sweep handles all polygons
 /// together. A polygon needs no sweep of its own if its rings meet only at common corners, for
@@ -94,26 +102,35 @@ enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2 };
 /// and .json for GeoJson, and .nef2 for Nef2. Returns nullopt for any other extension.
 std::optional<PlaneFormat> plane_format_of(const std::string& path);
 
-/// Returns the format that the text seems to have. A text that begins with "{" or "[" is GeoJSON. A
-/// text that begins with "plumb-" is .nef2. Any other text is WKT.
+/// Returns the format that the text seems to have. A text that begins with "{" or "[", or with a
+/// record separator before them, is GeoJSON. A text that begins with "plumb-" is .nef2. Any other
+/// text is WKT.
 PlaneFormat guess_plane_format(std::string_view text);
 
 /// Returns the format that the extension of `path` names. If the extension names no format, returns
 /// the format that the text seems to have.
 PlaneFormat plane_format_of(const std::string& path, std::string_view text);
 
+/// A set read from a file.
+struct PlaneRead {
+  Nef2 set;  ///< The set that the file describes.
+  /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
+  /// that are not in `set`, and that `set` is empty although the file is not an empty .nef2.
+  std::vector<std::string> notes;
+};
+
 /// Returns the set that `text` describes in the given format. Throws the errors of the reader of
 /// this format, as its header states them (wkt.h, geojson.h, nef2_format.h).
-Nef2 read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options = {},
-                    Context& context = unlimited_context());
+PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options = {},
+                         Context& context = unlimited_context());
 
 /// Reads the file `path`, or standard input if `path` is "-", and returns its set. If `format` is
 /// not given, the extension of `path` determines the format. If the extension names no format, the
 /// format is guessed by guess_plane_format(). `options.name` is ignored. The text is no longer
 /// charged to `context` when the function returns. Throws the errors of read_plane_set(). Also
 /// throws if the file cannot be read.
-Nef2 read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
-                         ReadOptions options = {}, Context& context = unlimited_context());
+PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
+                              ReadOptions options = {}, Context& context = unlimited_context());
 
 /// The properties of a set that a written file does not represent.
 struct PlaneLosses {

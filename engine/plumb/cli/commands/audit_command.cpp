@@ -80,7 +80,7 @@ Flaw audit_text(const std::string& path, const std::string& text, const ReadOpti
   }
   const PlaneFormat format = plane_format_of(path, text);
   if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
-  return audit(read_plane_set(text, format, options, context).complex(), AuditForm::Minimal,
+  return audit(read_plane_set(text, format, options, context).set.complex(), AuditForm::Minimal,
                context);
 }
 

@@ -102,14 +102,9 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
 }
 
 struct PlaneInput {
-  struct Read {
-    Nef2 set;
-    std::vector<std::string> notes;
-  };
-
   void declare(CLI::App&) {}
-  Read load(const std::string& file, const CommonOptions& options, Context& context) const {
-    return {read_plane_set_file(file, {}, {.exact_decimals = options.exact_decimals}, context), {}};
+  PlaneRead load(const std::string& file, const CommonOptions& options, Context& context) const {
+    return read_plane_set_file(file, {}, {.exact_decimals = options.exact_decimals}, context);
   }
 };
 

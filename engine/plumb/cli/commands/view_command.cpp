@@ -108,8 +108,7 @@ class View : public CommandBody {
       case FileKind::PlaneSet: {
         session.expect({reading_plane(), drawing_plane(), writing()});
         session.begin("read");
-        const PlaneFormat format = plane_format_of(file, bytes);
-        const Nef2 set = read_plane_set(bytes, format, options, context);
+        const Nef2 set = read_plane(file, bytes, session);
         session.begin("draw");
         return picture_of(set, picture, title);
       }

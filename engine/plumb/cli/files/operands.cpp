@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
@@ -20,6 +19,7 @@
 #include "plumb/cli/session/command.h"
 #include "plumb/io/mesh/stl.h"
 #include "plumb/io/mesh_io.h"
+#include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/scene_reader.h"
 #include "plumb/io/solid_io.h"
@@ -34,9 +34,6 @@
 namespace plumb {
 namespace {
 
-constexpr std::array<std::string_view, 7> kShapes{
-    "POINT",           "LINESTRING",   "POLYGON",           "MULTIPOINT",
-    "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION"};
 constexpr std::string_view kBlank = " \t\r";
 
 /// Returns the first line that is neither blank nor a comment.
@@ -49,16 +46,6 @@ std::string_view first_line(std::string_view text) {
     if (!line.empty() && line.front() != '#') return line;
   }
   return {};
-}
-
-bool is_shape(std::string_view line) {
-  std::string word;
-  for (const char c : line) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (std::isalpha(byte) == 0 || word.size() > 20) break;
-    word += static_cast<char>(std::toupper(byte));
-  }
-  return std::ranges::find(kShapes, word) != kShapes.end();
 }
 
 /// Returns the position behind the string that begins at `at`.
@@ -110,7 +97,9 @@ FileKind kind_of_file(const std::string& path, std::string_view bytes) {
   if (plane_format_of(path)) return FileKind::PlaneSet;
   if (is_binary_stl(bytes) || is_gltf_text(bytes)) return FileKind::Solid;
   const std::string_view line = first_line(bytes);
-  if (is_shape(line) || guess_plane_format(bytes) != PlaneFormat::Wkt) return FileKind::PlaneSet;
+  if (begins_like_wkt(line) || guess_plane_format(bytes) != PlaneFormat::Wkt) {
+    return FileKind::PlaneSet;
+  }
   const bool is_number = !line.empty() && '0' <= line.front() && line.front() <= '9';
   return is_number && count_words(line) == 2 ? FileKind::Map : FileKind::Solid;
 }
@@ -147,6 +136,14 @@ std::string readable(const Rational& value) {
   const auto digits = std::ranges::count_if(exact, [](char c) { return '0' <= c && c <= '9'; });
   return (is_ordinary ? format_double(nearest) : decimal_text(value, kDigits)) +
          " (rounded; the exact number has " + std::to_string(digits) + " digits, --json has them)";
+}
+
+Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session) {
+  const PlaneFormat format = plane_format_of(file, bytes);
+  const ReadOptions options{input_name(file), session.options().exact_decimals};
+  PlaneRead read = read_plane_set(bytes, format, options, session.context());
+  for (const std::string& note : read.notes) session.note(options.name + ": " + note);
+  return std::move(read.set);
 }
 
 void SolidInput::declare(CLI::App& app) {
@@ -202,9 +199,7 @@ Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session
 Nef2 SolidInput::read_plane(const std::string& file, const std::string& bytes,
                             Session& session) const {
   if (!is_plain()) throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
-  const PlaneFormat format = plane_format_of(file, bytes);
-  const ReadOptions options{input_name(file), session.options().exact_decimals};
-  return read_plane_set(bytes, format, options, session.context());
+  return cli::read_plane(file, bytes, session);
 }
 
 namespace {

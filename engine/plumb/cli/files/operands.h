@@ -24,8 +24,9 @@ enum class FileKind : std::uint8_t {
 };
 
 /// Returns the kind by the extension; if that names none, by how the file begins: a .nef, binary
-/// STL (by its length), JSON of glTF, other JSON (GeoJSON) or .nef2, a word of WKT; two numbers on
-/// the first line are a map. Everything else is taken for a mesh.
+/// STL (by its length), JSON of glTF, other JSON (GeoJSON) or .nef2, a word of WKT or what its
+/// dialects put before one; two numbers on the first line are a map. Everything else is taken for a
+/// mesh.
 FileKind kind_of_file(const std::string& path, std::string_view bytes);
 
 }  // namespace plumb
@@ -42,7 +43,10 @@ Rational read_number_argument(const std::string& text, const std::string& name, 
 /// thousands of digits): then the nearest double, and how many digits the exact number has.
 std::string readable(const Rational& value);
 
-// How commands read solids.
+// How commands read sets of the plane, and solids.
+
+/// Returns a set of the plane, whose file has been read, and prints its notes.
+Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session);
 
 /// Throws Error{UnknownFormat} for maps and sets of the plane, which would be refused as meshes for
 /// their first words.

@@ -1,37 +1,33 @@
 // Reading and writing of GeoJSON (RFC 7946).
 //
-// The reader is a state machine over events: a stack of open objects, each with the members seen so
-// far, and for the coordinates of each object the levels of nested lists. Members come in any
-// order, so coordinates may be read before their type is known. Therefore positions are collected
-// with the ends of the lists around them, and the depth at which numbers occur is fixed by the
-// first one; when the object ends its type says whether these lists are points, lines or rings.
-// Nesting is limited, lists cost no recursion, and numbers are read from the text again, so they
-// are exact where decimals are asked for exactly. Format: docs/formats.md, section GeoJSON.
-// Tested by tests/io/geojson_test.cpp.
+// The reader is a state machine over tokens: a stack of open objects, each with the members seen so
+// far, and for the coordinates of an object the levels of nested lists. Members come in any order,
+// so coordinates may be read before their type is known. Therefore positions are collected with the
+// ends of the lists around them, and the depth at which numbers occur is fixed by the first one;
+// when the object ends its type says whether these lists are points, lines or rings. Members
+// without a meaning are skipped as soon as their name is read, without a look at what they hold.
+// Nesting is limited, lists cost no recursion, and nothing is allocated per geometry. Format:
+// docs/formats.md, section GeoJSON.
+// Tested by tests/io/geojson_test.cpp and tests/io/json_scanner_test.cpp.
 #include "plumb/io/plane/geojson.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "plumb/io/plane/shape_text.h"
-#include "plumb/io/text/json_reader.h"
+#include "plumb/io/text/json_scanner.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
 namespace {
 
-// Numbers are read from the text again. The parser must only not refuse a large one that
-// record_reader.h reads exactly.
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, long double>;
-
 constexpr std::size_t kMostNestedObjects = 64;
+constexpr std::size_t kMostNamesNoted = 12;
 
 /// Members with a meaning; the first four say what an object holds.
 enum class Member : std::uint8_t { Coordinates, Geometries, Geometry, Features, Type, Other };
@@ -72,20 +68,31 @@ bool is_geometry(const Type& type) {
   return type.content == Member::Coordinates || type.content == Member::Geometries;
 }
 
-/// Coordinates of a geometry, whose type may not be known yet.
+/// Coordinates of a geometry, whose type may not be known yet. The lists keep their memory from one
+/// geometry to the next.
 struct Coordinates {
   struct ListEnd {
     std::uint32_t position;
     const char* place;  ///< Its closing bracket.
   };
   const char* place = nullptr;
-  int level = -1;    ///< Number of open lists, less one.
-  int deepest = -1;  ///< Greatest level of a list so far.
-  int depth = -1;    ///< Level of the positions; -1 if there is none yet.
-  int numbers = 0;   ///< Numbers read of the current position.
+  const char* empty = nullptr;  ///< End of the first list without items at the deepest level.
+  int level = -1;               ///< Number of open lists, less one.
+  int deepest = -1;             ///< Greatest level of a list so far.
+  int depth = -1;               ///< Level of the positions; -1 if there is none yet.
+  int numbers = 0;              ///< Numbers read of the current position.
   std::uint32_t first = 0;
   std::vector<ListEnd> lists;         ///< Ends of lists of positions; empty ones are left out.
   std::vector<std::size_t> polygons;  ///< Ends of lists of such lists, as indices into `lists`.
+
+  void restart(const char* start, std::uint32_t first_position) {
+    place = start;
+    empty = nullptr;
+    level = deepest = depth = -1;
+    first = first_position;
+    lists.clear();
+    polygons.clear();
+  }
 };
 
 /// What an object may be.
@@ -98,7 +105,6 @@ struct Object {
   Member member = Member::Other;  ///< The member whose value is being read.
   bool is_in_list = false;        ///< Whether the reader is among the objects of that member.
   unsigned seen = 0;              ///< A bit per member.
-  Coordinates coordinates = {};
 
   static constexpr unsigned bit(Member member) { return 1U << static_cast<unsigned>(member); }
   bool has(Member m) const { return (seen & bit(m)) != 0; }
@@ -111,247 +117,252 @@ std::size_t most_positions(std::string_view text) {
   return std::min(static_cast<std::size_t>(ends), text.size() / 6);
 }
 
-class GeoJsonHandler : public nlohmann::json_sax<Json> {
+/// Whether the value of a member says that there is none.
+bool is_nothing(std::string_view value) {
+  return value == "null" || value == "{}" || value == "[]";
+}
+
+class GeoJsonReader {
  public:
-  GeoJsonHandler(std::string_view text, const ReadOptions& options, Context& context)
-      : places_(text, options.name, context),
+  GeoJsonReader(std::string_view text, const ReadOptions& options, Context& context)
+      : json_(text, options.name, context),
         numbers_(context.limits(), options.exact_decimals, text.size()),
         shapes_(context, text.size()) {
     shapes_.expect(TextCursor(text, options.name), most_positions(text));
   }
 
-  PlaneShapes read() {
-    Json::sax_parse(places_.begin(), places_.end(), this);
-    places_.require_end();
-    return shapes_.take();
-  }
-
-  bool null() override { return take_scalar(Expected::ObjectOrNull); }
-  bool boolean(bool) override { return take_scalar(Expected::Anything); }
-  bool number_integer(number_integer_t) override { return take_number(); }
-  bool number_unsigned(number_unsigned_t) override { return take_number(); }
-  bool number_float(number_float_t, const string_t&) override { return take_number(); }
-  bool string(string_t& value) override;
-  bool binary(binary_t&) override { return false; }  // Does not occur in texts.
-  bool start_object(std::size_t) override;
-  bool key(string_t& name) override;
-  bool end_object() override;
-  bool start_array(std::size_t) override;
-  bool end_array() override;
-  bool parse_error(std::size_t position, const std::string& token,
-                   const nlohmann::detail::exception& error) override;
+  PlaneFile read();
 
  private:
-  enum class Expected : std::uint8_t { Object, ObjectOrNull, Array, String, Anything };
+  enum class Expected : std::uint8_t { Object, ObjectOrNull, Array, String };
 
+  void take(JsonToken token);
   Expected expected() const;
   [[noreturn]] void fail_expected() const;
-  bool take_scalar(Expected kind);
-  bool take_number();
-  void set_type(const std::string& name);
+  void require(Expected kind) const {
+    if (is_in_coordinates_ || expected() != kind) fail_expected();
+  }
+  void begin_object();
+  void end_object();
+  void begin_array();
+  void end_array();
+  void take_name();
+  void pass_over(std::string_view name);
+  void take_type();
+  void take_word(JsonToken token);
 
   void open_list();
-  void add_number();
+  void take_number();
+  bool take_no_number();
   void close_list();
   [[noreturn]] void fail_uneven() const;
 
   void finish(const Object& object);
   void check_members(const Object& object) const;
-  void add_coordinates(const Object& object);
-  void add_lists(const Type& type, const Coordinates& coordinates);
+  void add_coordinates(const Type& type);
+  void add_lists(const Type& type);
   void require_good(const std::string& flaw, const char* where) const {
     if (!flaw.empty()) fail(ErrorCode::BadShape, flaw, where);
   }
   [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const {
-    places_.fail(code, message, where);
+    json_.fail(code, message, where);
   }
 
-  JsonPlaces places_;
+  JsonScanner json_;
   NumberReader numbers_;
   ShapeCollector shapes_;
-  std::vector<Object> objects_;  // Open objects.
-  std::size_t skipped_ = 0;      // Number of open lists and objects without a meaning.
-  // Whether the reader is in the coordinates of the innermost object.
-  bool is_in_coordinates_ = false;
+  std::vector<Object> objects_;                 // Open objects.
+  Coordinates coordinates_;                     // Of the object that had coordinates last.
+  bool is_in_coordinates_ = false;              // Whether the reader is among them.
+  bool has_more_numbers_ = false;               // Whether a position had more than x and y.
+  std::vector<std::string_view> passed_names_;  // Names of members that were skipped.
   ReadNumber x_, y_;
 };
 
-bool GeoJsonHandler::parse_error(std::size_t position, const std::string&,
-                                 const nlohmann::detail::exception& error) {
-  places_.fail_syntax(position, error.id, error.what());
+PlaneFile GeoJsonReader::read() {
+  for (JsonToken token = json_.next(); token != JsonToken::End; token = json_.next()) take(token);
+  if (has_more_numbers_) shapes_.pass_over("numbers of positions after x and y");
+  return shapes_.take();
+}
+
+void GeoJsonReader::take(JsonToken token) {
+  switch (token) {
+    case JsonToken::BeginObject:
+      return begin_object();
+    case JsonToken::EndObject:
+      return end_object();
+    case JsonToken::BeginArray:
+      return begin_array();
+    case JsonToken::EndArray:
+      return end_array();
+    case JsonToken::Name:
+      return take_name();
+    case JsonToken::String:
+      return take_type();
+    case JsonToken::Number:
+      return take_number();
+    default:
+      return take_word(token);
+  }
 }
 
 // ---------------------------------------------------------------- structure
 
-GeoJsonHandler::Expected GeoJsonHandler::expected() const {
+GeoJsonReader::Expected GeoJsonReader::expected() const {
   if (objects_.empty() || objects_.back().is_in_list) return Expected::Object;
   switch (objects_.back().member) {
     case Member::Type:
       return Expected::String;
     case Member::Geometry:
       return Expected::ObjectOrNull;
-    case Member::Other:
-      return Expected::Anything;
     default:
       return Expected::Array;
   }
 }
 
-void GeoJsonHandler::fail_expected() const {
+void GeoJsonReader::fail_expected() const {
   constexpr std::array<std::string_view, 4> kNames{"an object", "an object or null", "an array",
                                                    "a string"};
   std::string message = "expected ";
   message +=
       is_in_coordinates_ ? "a number or an array" : kNames[static_cast<std::size_t>(expected())];
   if (!objects_.empty()) message += " in " + quoted_name(objects_.back().member);
-  fail(ErrorCode::Syntax, message, places_.token());
+  fail(ErrorCode::Syntax, message, json_.token());
 }
 
-bool GeoJsonHandler::take_scalar(Expected kind) {
-  places_.find_token();
-  if (skipped_ > 0) return true;
-  const Expected wanted = expected();
-  if (is_in_coordinates_ || (wanted != kind && wanted != Expected::Anything)) fail_expected();
-  return true;
-}
-
-bool GeoJsonHandler::string(string_t& value) {
-  take_scalar(Expected::String);
-  if (skipped_ == 0 && expected() == Expected::String) set_type(value);
-  return true;
-}
-
-bool GeoJsonHandler::take_number() {
-  places_.find_number();
-  if (skipped_ > 0) return true;
-  if (is_in_coordinates_) {
-    add_number();
-  } else if (expected() != Expected::Anything) {
-    fail_expected();
+/// Takes null, true, false or a word that is no JSON.
+void GeoJsonReader::take_word(JsonToken token) {
+  if (is_in_coordinates_ && take_no_number()) return;
+  const std::string_view word = json_.token_text();
+  if (token == JsonToken::Word && word != "true" && word != "false") {
+    fail(ErrorCode::Syntax, "not JSON: invalid literal " + quoted(word), json_.token());
   }
-  return true;
+  if (token != JsonToken::Null) fail_expected();
+  require(Expected::ObjectOrNull);
 }
 
-void GeoJsonHandler::set_type(const std::string& name) {
+void GeoJsonReader::take_type() {
+  require(Expected::String);
+  const std::string_view name = json_.string_text();
   const auto found = std::find_if(kTypes.begin(), kTypes.end(),
                                   [&](const Type& type) { return type.name == name; });
   if (found == kTypes.end()) {
     fail(ErrorCode::Syntax, "the type is none of GeoJSON's: Point .. FeatureCollection",
-         places_.token());
+         json_.token());
   }
   objects_.back().type = &*found;
 }
 
-bool GeoJsonHandler::start_object(std::size_t) {
-  places_.find_token();
+void GeoJsonReader::begin_object() {
   const Expected wanted = expected();
-  if (skipped_ > 0 || (!is_in_coordinates_ && wanted == Expected::Anything)) {
-    ++skipped_;
-    return true;
-  }
   if (is_in_coordinates_ || wanted == Expected::Array || wanted == Expected::String) {
     fail_expected();
   }
   if (objects_.size() > kMostNestedObjects) {
-    fail(ErrorCode::Syntax, "objects nested more than 64 deep", places_.token());
+    fail(ErrorCode::Syntax, "objects nested more than 64 deep", json_.token());
   }
   const Role role = objects_.empty()                             ? Role::Any
                     : objects_.back().member == Member::Features ? Role::Feature
                                                                  : Role::Geometry;
-  objects_.push_back({places_.token(), role});
-  return true;
+  objects_.push_back({json_.token(), role});
 }
 
-bool GeoJsonHandler::key(string_t& name) {
-  places_.find_token();
-  if (skipped_ > 0) return true;
+void GeoJsonReader::take_name() {
   Object& object = objects_.back();
+  const std::string_view name = json_.string_text();
   object.member = member_named(name);
-  if (object.member == Member::Other) return true;
+  if (object.member == Member::Other) return pass_over(name);
   if (object.has(object.member)) {
-    fail(ErrorCode::Syntax, quoted_name(object.member) + " is given twice", places_.token());
+    fail(ErrorCode::Syntax, quoted_name(object.member) + " is given twice", json_.token());
   }
   object.seen |= Object::bit(object.member);
-  return true;
 }
 
-bool GeoJsonHandler::end_object() {
-  places_.find_token();
-  if (skipped_ > 0) {
-    --skipped_;
-    return true;
-  }
+/// Skips a member without a meaning for shapes; the first ones of different names are noted.
+void GeoJsonReader::pass_over(std::string_view name) {
+  const std::string_view written = json_.token_text();
+  const bool is_worth_a_note = !is_nothing(json_.skip_value());
+  if (!is_worth_a_note || passed_names_.size() > kMostNamesNoted) return;
+  if (std::ranges::find(passed_names_, written) != passed_names_.end()) return;
+  passed_names_.push_back(written);
+  shapes_.pass_over(passed_names_.size() > kMostNamesNoted ? "other members" : quoted(name));
+}
+
+void GeoJsonReader::end_object() {
   finish(objects_.back());
   objects_.pop_back();
-  return true;
 }
 
-bool GeoJsonHandler::start_array(std::size_t) {
-  places_.find_token();
-  const Expected wanted = expected();
-  if (skipped_ > 0 || (!is_in_coordinates_ && wanted == Expected::Anything)) {
-    ++skipped_;
-  } else if (is_in_coordinates_) {
-    open_list();
-  } else if (wanted != Expected::Array) {
-    fail_expected();
-  } else if (objects_.back().member == Member::Coordinates) {
-    is_in_coordinates_ = true;
-    objects_.back().coordinates.place = places_.token();
-    objects_.back().coordinates.first = shapes_.position_count();
-    open_list();
-  } else {
-    objects_.back().is_in_list = true;
+void GeoJsonReader::begin_array() {
+  if (is_in_coordinates_) return open_list();
+  require(Expected::Array);
+  Object& object = objects_.back();
+  if (object.member != Member::Coordinates) {
+    object.is_in_list = true;
+    return;
   }
-  return true;
+  is_in_coordinates_ = true;
+  coordinates_.restart(json_.token(), shapes_.position_count());
+  open_list();
 }
 
-bool GeoJsonHandler::end_array() {
-  places_.find_token();
-  if (skipped_ > 0) {
-    --skipped_;
-  } else if (is_in_coordinates_) {
-    close_list();
-  } else {
-    objects_.back().is_in_list = false;
-  }
-  return true;
+void GeoJsonReader::end_array() {
+  if (is_in_coordinates_) return close_list();
+  objects_.back().is_in_list = false;
 }
 
 // ---------------------------------------------------------------- coordinates
 
-void GeoJsonHandler::fail_uneven() const {
-  fail(ErrorCode::BadShape, "coordinates are nested unevenly", places_.token());
+void GeoJsonReader::fail_uneven() const {
+  fail(ErrorCode::BadShape, "coordinates are nested unevenly", json_.token());
 }
 
-void GeoJsonHandler::open_list() {
-  Coordinates& c = objects_.back().coordinates;
+void GeoJsonReader::open_list() {
+  Coordinates& c = coordinates_;
   ++c.level;
-  c.deepest = std::max(c.deepest, c.level);
+  if (c.level > c.deepest) {
+    c.deepest = c.level;
+    c.empty = nullptr;
+  }
   c.numbers = 0;
   if (c.depth >= 0 && c.level > c.depth) fail_uneven();
 }
 
-void GeoJsonHandler::add_number() {
-  Coordinates& c = objects_.back().coordinates;
+void GeoJsonReader::take_number() {
+  if (!is_in_coordinates_) fail_expected();
+  Coordinates& c = coordinates_;
   if (c.depth < 0) c.depth = c.level;
   // A list deeper than this one has occurred: its numbers would be no position.
   if (c.level != c.depth || c.deepest > c.depth) fail_uneven();
   ++c.numbers;
-  if (c.numbers > 2) return;
-  numbers_.read(places_.cursor_at_token(), places_.token_text(), c.numbers == 1 ? x_ : y_);
+  if (c.numbers > 2) {
+    has_more_numbers_ = true;
+    return;
+  }
+  numbers_.read(json_.cursor_at_token(), json_.token_text(), c.numbers == 1 ? x_ : y_);
 }
 
-void GeoJsonHandler::close_list() {
-  Coordinates& c = objects_.back().coordinates;
+/// Takes null or a word such as NaN in place of a number after x and y, which is dropped anyway.
+bool GeoJsonReader::take_no_number() {
+  Coordinates& c = coordinates_;
+  if (c.level != c.depth || c.numbers < 2) return false;
+  ++c.numbers;
+  has_more_numbers_ = true;
+  return true;
+}
+
+void GeoJsonReader::close_list() {
+  Coordinates& c = coordinates_;
   const std::uint32_t count = shapes_.position_count();
-  if (c.level == c.depth) {
+  if (c.level == c.deepest && c.numbers == 0) {
+    if (c.empty == nullptr) c.empty = json_.token();
+  } else if (c.level == c.depth) {
     if (c.numbers < 2)
-      fail(ErrorCode::BadShape, "a position needs two numbers, x and y", places_.token());
-    shapes_.add_position(places_.cursor_at_token(), x_, y_);
+      fail(ErrorCode::BadShape, "a position needs two numbers, x and y", json_.token());
+    shapes_.add_position(json_.cursor_at_token(), x_, y_);
   } else if (c.level + 1 == c.depth) {
     const std::uint32_t before = c.lists.empty() ? c.first : c.lists.back().position;
-    if (count != before) c.lists.push_back({count, places_.token()});
+    if (count != before) c.lists.push_back({count, json_.token()});
   } else if (c.level + 2 == c.depth) {
     c.polygons.push_back(c.lists.size());
   }
@@ -360,12 +371,12 @@ void GeoJsonHandler::close_list() {
 
 // ---------------------------------------------------------------- finished objects
 
-void GeoJsonHandler::finish(const Object& object) {
+void GeoJsonReader::finish(const Object& object) {
   check_members(object);
-  if (object.type->content == Member::Coordinates) add_coordinates(object);
+  if (object.type->content == Member::Coordinates) add_coordinates(*object.type);
 }
 
-void GeoJsonHandler::check_members(const Object& object) const {
+void GeoJsonReader::check_members(const Object& object) const {
   if (object.type == nullptr) {
     fail(ErrorCode::Syntax, "an object without \"type\": is this GeoJSON?", object.place);
   }
@@ -385,9 +396,10 @@ void GeoJsonHandler::check_members(const Object& object) const {
   }
 }
 
-void GeoJsonHandler::add_coordinates(const Object& object) {
-  const Type& type = *object.type;
-  const Coordinates& c = object.coordinates;
+/// Adds the coordinates that were read last. They are those of the finished object: only an object
+/// that check_members() refuses has coordinates and other objects in it.
+void GeoJsonReader::add_coordinates(const Type& type) {
+  const Coordinates& c = coordinates_;
   const bool is_empty = c.depth < 0;
   if (is_empty ? c.deepest > type.depth : c.depth != type.depth) {
     fail(ErrorCode::BadShape,
@@ -396,14 +408,15 @@ void GeoJsonHandler::add_coordinates(const Object& object) {
          c.place);
   }
   if (is_empty) return;
-  if (type.is_points) {
-    shapes_.add_points(c.first, shapes_.position_count());
-  } else {
-    add_lists(type, c);
+  if (type.is_points) return shapes_.add_points(c.first, shapes_.position_count());
+  if (c.empty != nullptr) {
+    fail(ErrorCode::BadShape, "a position needs two numbers, x and y", c.empty);
   }
+  add_lists(type);
 }
 
-void GeoJsonHandler::add_lists(const Type& type, const Coordinates& c) {
+void GeoJsonReader::add_lists(const Type& type) {
+  const Coordinates& c = coordinates_;
   std::uint32_t first = c.first;
   auto polygon_end = c.polygons.begin();
   for (std::size_t i = 0; i < c.lists.size(); ++i) {
@@ -421,9 +434,9 @@ void GeoJsonHandler::add_lists(const Type& type, const Coordinates& c) {
 
 }  // namespace
 
-PlaneShapes read_geojson(std::string_view text, const ReadOptions& options, Context& context) {
+PlaneFile read_geojson(std::string_view text, const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
-  return GeoJsonHandler(text, options, context).read();
+  return GeoJsonReader(text, options, context).read();
 }
 
 namespace {

@@ -1,15 +1,16 @@
-// Reads and writes GeoJSON (RFC 7946; docs/formats.md, "GeoJSON"): a geometry, a Feature or a
-// FeatureCollection. Properties, ids, bounding boxes and other members are skipped; coordinates
-// beyond x and y are read and dropped; members may come in any order.
+// Reads and writes GeoJSON (RFC 7946; docs/formats.md, "GeoJSON"): geometries, Features and
+// FeatureCollections, one of them or a sequence (one a line, or with the record separators of RFC
+// 8142). Members may come in any order. Properties, ids, bounding boxes and other members are
+// skipped, whatever they hold; numbers of positions after x and y are dropped. A note names both.
 //
 // Main flow of read_geojson():
-//  1. parse    nlohmann-json splits the text into events (no recursion, no tree)
-//  2. follow   GeoJsonHandler follows them through objects, lists and coordinates; numbers are read
-//              again from the text by the rules of record_reader.h, with their place
+//  1. split    JsonScanner finds one token after the other (no recursion, no tree)
+//  2. follow   GeoJsonReader follows them through objects, lists and coordinates; numbers are read
+//              by the rules of record_reader.h, with their place
 //  3. finish   an object is judged when it ends, because only then is its type known
 //
 // Errors are thrown with the place (file, line, column): NotText, Syntax, NumberOutOfRange,
-// BadShape, ResourceLimit; Cancelled. Cost: O(bytes); memory is the shapes and the longest string.
+// BadShape, ResourceLimit; Cancelled. Cost: O(bytes); memory is the shapes.
 #pragma once
 
 #include <ostream>
@@ -21,8 +22,9 @@
 
 namespace plumb {
 
-/// Returns the shapes of a GeoJSON text. Their memory stays charged to `context`.
-PlaneShapes read_geojson(std::string_view text, const ReadOptions& options, Context& context);
+/// Returns the shapes of a GeoJSON text, with notes. The memory of the shapes stays charged to
+/// `context`.
+PlaneFile read_geojson(std::string_view text, const ReadOptions& options, Context& context);
 
 // Writes shapes as GeoJSON (RFC 7946).
 

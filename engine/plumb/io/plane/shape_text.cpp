@@ -1,45 +1,9 @@
 #include "plumb/io/plane/shape_text.h"
 
-#include "plumb/predicates/error.h"
+#include <algorithm>
+#include <utility>
 
 namespace plumb {
-namespace {
-
-constexpr std::uint32_t kStep = 4096;  // Positions between two checks of the context.
-constexpr std::uint64_t kMostPositions = 0xffff'fffe - kStep;
-// A position lies in the table, and as a corner in vectors that grow by doubling; while one grows,
-// old and new exist.
-constexpr std::uint64_t kCornerBytes = 3 * sizeof(std::uint32_t);
-
-}  // namespace
-
-void ShapeCollector::expect(const TextCursor& cursor, std::size_t positions) {
-  charge(cursor, positions * sizeof(Point2));
-  shapes_.points.reserve(positions);
-}
-
-/// Charges memory. A limit is reported at the place where it was met, like every other error.
-void ShapeCollector::charge(const TextCursor& cursor, std::uint64_t bytes) {
-  try {
-    context_.charge_memory(bytes, "the shapes");
-  } catch (const Error& error) {
-    cursor.fail(error.code(), error.message());
-  }
-}
-
-void ShapeCollector::add_position(const TextCursor& cursor, const ReadNumber& x,
-                                  const ReadNumber& y) {
-  if (position_count() == charged_positions_) {
-    if (charged_positions_ > kMostPositions) {
-      cursor.fail(ErrorCode::ResourceLimit, "more than 2^32 positions");
-    }
-    context_.checkpoint("read", cursor.bytes_read(), total_bytes_);
-    charge(cursor, kStep * kCornerBytes);
-    charged_positions_ += kStep;
-  }
-  if (const std::size_t bytes = exact_bytes(x, y)) charge(cursor, bytes);
-  push_point(shapes_.points, x, y);
-}
 
 std::string ShapeCollector::add_ring(std::uint32_t first, std::uint32_t last) {
   constexpr std::uint32_t kFewest = 4;
@@ -68,6 +32,19 @@ void ShapeCollector::add_points(std::uint32_t first, std::uint32_t last) {
 
 void ShapeCollector::end_polygon() {
   if (shapes_.polygon_begin.back() != shapes_.ring_count()) shapes_.end_polygon();
+}
+
+void ShapeCollector::pass_over(std::string_view what) {
+  if (std::ranges::find(passed_over_, what) == passed_over_.end()) passed_over_.emplace_back(what);
+}
+
+PlaneFile ShapeCollector::take() {
+  std::string note;
+  for (const std::string& what : passed_over_) {
+    note.append(note.empty() ? "passed over: " : ", ").append(what);
+  }
+  if (!note.empty()) notes_.insert(notes_.begin(), std::move(note));
+  return {std::move(shapes_), std::move(notes_)};
 }
 
 void ShapeWriter::write() {

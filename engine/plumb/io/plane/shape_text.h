@@ -1,4 +1,4 @@
-// What the readers and writers of WKT and GeoJSON have in common.
+// What the readers of WKT, GeoJSON and WKB, and the writers, have in common.
 #pragma once
 
 #include <cstdint>
@@ -6,29 +6,53 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb {
 
-/// Collects shapes, charged to a context.
+// Words of notes and errors.
+
+inline constexpr std::string_view kReferenceSystems = "coordinate reference systems";
+inline constexpr std::string_view kHeights = "heights (Z)";
+inline constexpr std::string_view kMeasures = "measures (M)";
+inline constexpr std::string_view kNoCurves =
+    "curves are not read, because edges are straight; replace them by short edges first "
+    "(ST_CurveToLine, or ogr2ogr -nlt CONVERT_TO_LINEAR)";
+inline constexpr std::string_view kSurfaceInSpace =
+    "a surface whose heights differ is no set of the plane; drop its heights (ST_Force2D) if it is "
+    "meant as seen from above, or write it as a mesh (.off)";
+
+/// Collects shapes, charged to a context. A limit is reported at the place of the `in` that a
+/// function is given: a TextCursor or a BinaryInput.
 class ShapeCollector {
  public:
   ShapeCollector(Context& context, std::size_t total_bytes)
       : context_(context), total_bytes_(total_bytes) {}
 
   /// Reserves memory for so many positions, charged at once. Requires counts that the file
-  /// supports. A limit is reported at `cursor`.
-  void expect(const TextCursor& cursor, std::size_t positions);
+  /// supports.
+  template <class Input>
+  void expect(const Input& in, std::size_t positions) {
+    charge(in, positions * sizeof(Point2));
+    shapes_.points.reserve(positions);
+  }
 
   /// Returns the number of positions read so far, which is the index of the next one.
   std::uint32_t position_count() const { return static_cast<std::uint32_t>(shapes_.points.size()); }
-  /// Adds a position that was read up to `cursor`, where a limit is reported.
-  void add_position(const TextCursor& cursor, const ReadNumber& x, const ReadNumber& y);
+  /// Adds a position that was read up to `in`.
+  template <class Input>
+  void add_position(const Input& in, const ReadNumber& x, const ReadNumber& y) {
+    if (position_count() == charged_positions_) begin_step(in);
+    if (const std::size_t bytes = exact_bytes(x, y)) charge(in, bytes);
+    push_point(shapes_.points, x, y);
+  }
 
   // Each of these takes the positions [first, last) and returns what is wrong with them, in which
   // case they are not added; else an empty string.
@@ -39,15 +63,41 @@ class ShapeCollector {
   /// Ends a polygon; does nothing without a ring.
   void end_polygon();
 
-  PlaneShapes take() { return std::move(shapes_); }
+  /// Names something of the file that shapes cannot hold: one note lists each of them once.
+  void pass_over(std::string_view what);
+  /// Adds another note.
+  void note(std::string sentence) { notes_.push_back(std::move(sentence)); }
+
+  /// Returns the shapes with the notes.
+  PlaneFile take();
 
  private:
-  void charge(const TextCursor& cursor, std::uint64_t bytes);
+  static constexpr std::uint32_t kStep = 4096;  ///< Positions between two checks of the context.
+  static constexpr std::uint64_t kMostPositions = 0xffff'fffe - kStep;
+  /// A position lies in the table, and as a corner in vectors that grow by doubling; while one
+  /// grows, old and new exist.
+  static constexpr std::uint64_t kCornerBytes = 3 * sizeof(std::uint32_t);
+
+  template <class Input>
+  void begin_step(const Input& in) {
+    if (charged_positions_ > kMostPositions) {
+      in.fail(ErrorCode::ResourceLimit, "more than 2^32 positions");
+    }
+    context_.checkpoint("read", in.bytes_read(), total_bytes_);
+    charge(in, kStep * kCornerBytes);
+    charged_positions_ += kStep;
+  }
+  template <class Input>
+  void charge(const Input& in, std::uint64_t bytes) {
+    with_place(in, [&] { context_.charge_memory(bytes, "the shapes"); });
+  }
 
   Context& context_;
   std::size_t total_bytes_;
   std::uint64_t charged_positions_ = 0;
   PlaneShapes shapes_;
+  std::vector<std::string> passed_over_;
+  std::vector<std::string> notes_;
 };
 
 // What the writers of WKT and GeoJSON have in common: both write shapes as nested lists.

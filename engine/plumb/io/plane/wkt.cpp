@@ -4,8 +4,11 @@
 // Collections are the only recursion and are limited in depth. The number of positions is bounded
 // by the commas and parentheses of the text, so the table is reserved and charged once before
 // reading. Flaws of a list (a ring that is not closed, a line of one position) are reported at its
-// closing parenthesis. Format: OGC 06-103r4, Simple feature access, part 1 (2011), section on
-// well-known text; docs/formats.md, section WKT.
+// closing parenthesis. Dialects differ in what stands around the geometries and behind x and y; all
+// of that is read and dropped, and what is dropped is named in a note. Curves are refused: edges of
+// sets are straight, and how fine a chain of edges has to be is not for a reader to say. Format: OGC
+// 06-103r4, Simple feature access, part 1 (2011), section on well-known text; docs/formats.md,
+// section WKT.
 // Tested by tests/io/wkt_test.cpp.
 #include "plumb/io/plane/wkt.h"
 
@@ -23,7 +26,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::string_view kMarks = "(),";
+constexpr std::string_view kMarks = "(),;>";
 constexpr int kMostNested = 64;
 
 constexpr char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -33,6 +36,59 @@ bool is_word(std::string_view token, std::string_view upper_case) {
                     [](char a, char b) { return upper(a) == b; });
 }
 
+bool is_mark(std::string_view token) { return kMarks.find(token.front()) != kMarks.npos; }
+
+bool starts_with_word(std::string_view text, std::string_view upper_case) {
+  return is_word(text.substr(0, upper_case.size()), upper_case);
+}
+
+constexpr std::array<std::string_view, 9> kCurves{
+    "CIRCULARSTRING",  "COMPOUNDCURVE", "CURVEPOLYGON", "CIRCLE",     "GEODESICSTRING",
+    "ELLIPTICALCURVE", "NURBSCURVE",    "CLOTHOID",     "SPIRALCURVE"};
+
+/// Whether a word names a curve, with Z or M at its end or without.
+bool is_curve(std::string_view word) {
+  return std::ranges::any_of(kCurves,
+                             [&](std::string_view c) { return starts_with_word(word, c); });
+}
+
+/// The whole globe in dialects of sets of the sphere.
+constexpr std::string_view kGlobe = "FULLGLOBE";
+
+/// The numbers of a position that follow x and y.
+struct More {
+  static constexpr int kUndecided = -1;  ///< As many as the first position has.
+  int numbers = kUndecided;
+  bool has_height = true;  ///< Whether the first one is Z, not M.
+};
+
+/// The words behind the name of a geometry that announce them.
+struct Dimension {
+  std::string_view name;
+  More more;
+};
+constexpr std::array<Dimension, 3> kDimensions{
+    {{"ZM", {2, true}}, {"Z", {1, true}}, {"M", {1, false}}}};
+
+/// Whether a token stands for a number that is missing: nan, inf and NULL in any case, with a sign,
+/// and 1.#QNAN and its like.
+bool is_no_number(std::string_view token) {
+  if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
+  return is_word(token, "NAN") || is_word(token, "INF") || is_word(token, "INFINITY") ||
+         is_word(token, "NULL") || token.starts_with("1.#");
+}
+
+/// Whether a number that is dropped may be written so. No value is made of it, so none is too large.
+bool looks_like_number(std::string_view token) {
+  return token.find_first_not_of("+-.0123456789/eE") == token.npos &&
+         token.find_first_of("0123456789") != token.npos;
+}
+
+bool are_equal(const ReadNumber& a, const ReadNumber& b) {
+  if (a.is_double() && b.is_double()) return a.as_double() == b.as_double();
+  return a.exact() == b.exact();
+}
+
 class WktReader {
  public:
   WktReader(std::string_view text, const ReadOptions& options, Context& context)
@@ -40,7 +96,10 @@ class WktReader {
         numbers_(context.limits(), options.exact_decimals, text.size()),
         shapes_(context, text.size()) {}
 
-  PlaneShapes read();
+  PlaneFile read();
+
+  /// Whether a word names a geometry that is read.
+  static bool is_geometry(std::string_view word) { return named(word).kind != nullptr; }
 
  private:
   using Body = void (WktReader::*)();
@@ -48,12 +107,26 @@ class WktReader {
     std::string_view name;
     Body body;
   };
-  static const std::array<Kind, 7> kKinds;
+  static const std::array<Kind, 13> kKinds;
+
+  /// What a word such as POINTZ names.
+  struct Named {
+    const Kind* kind;  ///< Null for another word.
+    More more;
+  };
 
   bool find_token();
   std::string_view take(std::string_view expected);
+  void take_mark(std::string_view mark);
   bool take_if(std::string_view upper_case);
+  bool is_at_list() { return find_token() && (next_ == "(" || is_word(next_, "EMPTY")); }
+
+  [[noreturn]] void fail_without_geometry() const;
+  void read_reference_system();
+  static const Kind* find_kind(std::string_view name);
+  static Named named(std::string_view word);
   const Kind& take_kind();
+  [[noreturn]] void fail_kind(std::string_view token) const;
   void take_dimension();
   template <class Item>
   void read_list(Item read_item);
@@ -61,14 +134,22 @@ class WktReader {
   void read_geometry();
   void read_point();
   void read_line();
+  void read_ring_as_line();
   void read_polygon();
   void read_ring();
   void read_points();
   void read_lines();
   void read_polygons();
+  void read_curves();
+  void read_surfaces();
+  void read_patches();
   void read_collection();
+  void read_member(Body body, std::string_view expected);
 
   void read_position();
+  void read_more(int index);
+  void skip_payload();
+  void read_height(std::string_view token);
   std::uint32_t read_positions();
   void require_good(const std::string& flaw) const;
 
@@ -77,18 +158,28 @@ class WktReader {
   ShapeCollector shapes_;
   std::string_view next_;       // The token looked at and not yet taken; empty if there is none.
   const char* last_ = nullptr;  // The token taken last.
-  int extra_numbers_ = 0;       // Numbers of a position besides x and y.
+  More more_;
   int nested_ = 0;
-  ReadNumber x_, y_, dropped_;
+  bool is_flat_ = false;     // Whether heights must be equal, for the faces of a surface.
+  bool has_height_ = false;  // Whether height_ is that of an earlier position of the surface.
+  bool drops_heights_ = false, drops_measures_ = false;
+  bool has_rings_as_lines_ = false;
+  ReadNumber x_, y_, height_, other_;
 };
 
-const std::array<WktReader::Kind, 7> WktReader::kKinds{{
+const std::array<WktReader::Kind, 13> WktReader::kKinds{{
     {"POINT", &WktReader::read_point},
     {"LINESTRING", &WktReader::read_line},
+    {"LINEARRING", &WktReader::read_ring_as_line},
     {"POLYGON", &WktReader::read_polygon},
+    {"TRIANGLE", &WktReader::read_polygon},
     {"MULTIPOINT", &WktReader::read_points},
     {"MULTILINESTRING", &WktReader::read_lines},
+    {"MULTICURVE", &WktReader::read_curves},
     {"MULTIPOLYGON", &WktReader::read_polygons},
+    {"MULTISURFACE", &WktReader::read_surfaces},
+    {"TIN", &WktReader::read_patches},
+    {"POLYHEDRALSURFACE", &WktReader::read_patches},
     {"GEOMETRYCOLLECTION", &WktReader::read_collection},
 }};
 
@@ -100,14 +191,28 @@ std::size_t most_positions_of_wkt(std::string_view text) {
   return std::min(static_cast<std::size_t>(ends), text.size() / 4);
 }
 
-PlaneShapes WktReader::read() {
-  if (!cursor_.next_line()) {
-    cursor_.fail(ErrorCode::CountMismatch,
-                 "the file has no content; expected a geometry such as POINT (1 2)");
-  }
+PlaneFile WktReader::read() {
+  if (!cursor_.next_line()) fail_without_geometry();
   shapes_.expect(cursor_, most_positions_of_wkt(cursor_.rest()));
-  while (find_token()) read_geometry();
+  bool has_geometry = false;
+  while (find_token()) {
+    if (take_if(";")) continue;
+    read_reference_system();
+    read_geometry();
+    has_geometry = true;
+  }
+  if (!has_geometry) fail_without_geometry();
+  if (drops_heights_) shapes_.pass_over(kHeights);
+  if (drops_measures_) shapes_.pass_over(kMeasures);
+  if (has_rings_as_lines_) {
+    shapes_.note("a LINEARRING is a line without an inside; a POLYGON has its inside");
+  }
   return shapes_.take();
+}
+
+void WktReader::fail_without_geometry() const {
+  cursor_.fail(ErrorCode::CountMismatch,
+               "the file has no content; expected a geometry such as POINT (1 2)");
 }
 
 /// Looks at the next token, on whatever line; returns false at the end of the text.
@@ -129,25 +234,80 @@ std::string_view WktReader::take(std::string_view expected) {
   return std::exchange(next_, {});
 }
 
+void WktReader::take_mark(std::string_view mark) {
+  const std::string expected = quoted(mark);
+  const std::string_view token = take(expected);
+  if (token != mark) cursor_.fail_token(token, expected);
+}
+
 bool WktReader::take_if(std::string_view upper_case) {
   if (!find_token() || !is_word(next_, upper_case)) return false;
   take(upper_case);
   return true;
 }
 
-const WktReader::Kind& WktReader::take_kind() {
+/// Reads what dialects put before a geometry: SRID=4326; (EWKT) or <URI> (GeoSPARQL).
+void WktReader::read_reference_system() {
+  constexpr std::string_view kSrid = "SRID=";
+  const bool is_uri = next_.starts_with('<');
+  if (!is_uri && !starts_with_word(next_, kSrid)) return;
   const std::string_view token = take("a geometry");
-  for (const Kind& kind : kKinds) {
-    if (is_word(token, kind.name)) return kind;
-  }
-  cursor_.fail_token(token,
-                     "POINT, LINESTRING, POLYGON, MULTIPOINT, MULTILINESTRING, MULTIPOLYGON or "
-                     "GEOMETRYCOLLECTION");
+  const std::string_view number = token.substr(std::min(kSrid.size(), token.size()));
+  const bool is_number = !number.empty() && number.find_first_not_of("-0123456789") == number.npos;
+  if (!is_uri && !is_number) cursor_.fail_token(token, "SRID=NUMBER;");
+  take_mark(is_uri ? ">" : ";");
+  shapes_.pass_over(kReferenceSystems);
 }
 
-/// Takes "Z", "M", "ZM" or nothing.
+const WktReader::Kind* WktReader::find_kind(std::string_view name) {
+  const auto found = std::find_if(kKinds.begin(), kKinds.end(),
+                                  [&](const Kind& kind) { return is_word(name, kind.name); });
+  return found == kKinds.end() ? nullptr : &*found;
+}
+
+WktReader::Named WktReader::named(std::string_view word) {
+  if (const Kind* const kind = find_kind(word)) return {kind, {}};
+  for (const auto& [name, more] : kDimensions) {
+    const std::size_t size = word.size() - std::min(name.size(), word.size());
+    if (!is_word(word.substr(size), name)) continue;
+    if (const Kind* const kind = find_kind(word.substr(0, size))) return {kind, more};
+  }
+  return {nullptr, {}};
+}
+
+/// Takes the name of a geometry, with Z, M or ZM at its end or without.
+const WktReader::Kind& WktReader::take_kind() {
+  const std::string_view token = take("a geometry");
+  const Named found = named(token);
+  if (found.kind == nullptr) fail_kind(token);
+  more_ = found.more;
+  return *found.kind;
+}
+
+void WktReader::fail_kind(std::string_view token) const {
+  if (is_curve(token)) {
+    cursor_.fail(ErrorCode::Syntax, quoted(token).append(": ").append(kNoCurves), token.data());
+  }
+  if (starts_with_word(token, kGlobe)) {
+    cursor_.fail(ErrorCode::Syntax,
+                 quoted(token) +
+                     ": the whole globe is no polygon of the plane; the whole plane is "
+                     "written as .nef2",
+                 token.data());
+  }
+  cursor_.fail_token(token,
+                     "POINT, LINESTRING, POLYGON, MULTIPOINT, MULTILINESTRING, MULTIPOLYGON, "
+                     "GEOMETRYCOLLECTION or another geometry of straight edges");
+}
+
+/// Takes "Z", "M", "ZM" or nothing behind the name of a geometry.
 void WktReader::take_dimension() {
-  extra_numbers_ = take_if("ZM") ? 2 : take_if("Z") || take_if("M") ? 1 : 0;
+  if (more_.numbers != More::kUndecided) return;
+  for (const auto& [name, more] : kDimensions) {
+    if (!take_if(name)) continue;
+    more_ = more;
+    return;
+  }
 }
 
 void WktReader::read_geometry() {
@@ -159,12 +319,13 @@ void WktReader::read_geometry() {
   (this->*kind.body)();
 }
 
-/// Reads EMPTY, or a list "(" items ")" with commas between the items.
+/// Reads EMPTY, "()", or a list "(" items ")" with commas between the items.
 template <class Item>
 void WktReader::read_list(Item read_item) {
   if (take_if("EMPTY")) return;
   const std::string_view open = take("'(' or EMPTY");
   if (open != "(") cursor_.fail_token(open, "'(' or EMPTY");
+  if (take_if(")")) return;
   for (;;) {
     read_item();
     const std::string_view token = take("',' or ')'");
@@ -173,15 +334,51 @@ void WktReader::read_list(Item read_item) {
   }
 }
 
+/// Reads x, y and the numbers behind them. All positions of a geometry have as many as the first:
+/// otherwise a comma may be missing.
 void WktReader::read_position() {
-  const auto read_number = [this](ReadNumber& number) {
+  for (ReadNumber* const number : {&x_, &y_}) {
     const std::string_view token = take("a number");
-    numbers_.read(cursor_, token, number);
-  };
-  read_number(x_);
-  read_number(y_);
-  for (int i = 0; i < extra_numbers_; ++i) read_number(dropped_);
+    numbers_.read(cursor_, token, *number);
+  }
+  if (more_.numbers == More::kUndecided) {
+    constexpr int kMost = 2;
+    more_.numbers = 0;
+    while (more_.numbers < kMost && find_token() && !is_mark(next_)) {
+      read_more(more_.numbers++);
+    }
+  } else {
+    for (int i = 0; i < more_.numbers; ++i) read_more(i);
+  }
   shapes_.add_position(cursor_, x_, y_);
+}
+
+/// Reads the number at `index` of those behind x and y, which is dropped, so that it may be missing.
+void WktReader::read_more(int index) {
+  const bool is_height = index == 0 && more_.has_height;
+  const std::string_view token = take("a number");
+  const bool is_missing = is_no_number(token);
+  if (!is_missing && !looks_like_number(token)) cursor_.fail_token(token, "a number");
+  if (is_missing && cursor_.rest().starts_with('(')) skip_payload();
+  if (is_height && is_flat_ && !is_missing) read_height(token);
+  (is_height ? drops_heights_ : drops_measures_) = true;
+}
+
+/// Skips "(ind)" and its like, which some C libraries write behind nan.
+void WktReader::skip_payload() {
+  take_mark("(");
+  take("the end of nan(...)");
+  take_mark(")");
+}
+
+/// Reads a height of a surface. Seen from above, faces that stand upright would be lines.
+void WktReader::read_height(std::string_view token) {
+  numbers_.read(cursor_, token, other_);
+  if (has_height_ && !are_equal(height_, other_)) {
+    cursor_.fail(ErrorCode::BadShape, std::string(kSurfaceInSpace), token.data());
+  }
+  if (!has_height_) std::swap(height_, other_);
+  has_height_ = true;
 }
 
 /// Reads a list of positions and returns the first.
@@ -209,6 +406,13 @@ void WktReader::read_line() {
   require_good(shapes_.add_line(first, shapes_.position_count()));
 }
 
+/// Reads a closed line. That it has no inside would surprise whoever means a polygon.
+void WktReader::read_ring_as_line() {
+  const std::uint32_t first = shapes_.position_count();
+  read_line();
+  has_rings_as_lines_ |= first != shapes_.position_count();
+}
+
 void WktReader::read_ring() {
   const std::uint32_t first = read_positions();
   if (first == shapes_.position_count()) return;
@@ -223,8 +427,7 @@ void WktReader::read_polygon() {
 /// Reads points with or without parentheses of their own: both forms occur.
 void WktReader::read_points() {
   read_list([this] {
-    const bool is_bare = find_token() && next_ != "(" && !is_word(next_, "EMPTY");
-    if (!is_bare) return read_point();
+    if (is_at_list()) return read_point();
     read_position();
     shapes_.add_points(shapes_.position_count() - 1, shapes_.position_count());
   });
@@ -238,6 +441,33 @@ void WktReader::read_polygons() {
   read_list([this] { read_polygon(); });
 }
 
+/// Reads a member of a collection whose members have their names only if they are not of the
+/// ordinary kind.
+void WktReader::read_member(Body body, std::string_view expected) {
+  if (!is_at_list()) {
+    const Kind& kind = take_kind();
+    if (kind.body != body) cursor_.fail_token({last_, kind.name.size()}, expected);
+    take_dimension();
+  }
+  (this->*body)();
+}
+
+void WktReader::read_curves() {
+  read_list([this] { read_member(&WktReader::read_line, "a LINESTRING or '('"); });
+}
+
+void WktReader::read_surfaces() {
+  read_list([this] { read_member(&WktReader::read_polygon, "a POLYGON or '('"); });
+}
+
+/// Reads the faces of a surface, which is one of the plane if all its heights are equal.
+void WktReader::read_patches() {
+  is_flat_ = true;
+  has_height_ = false;
+  read_surfaces();
+  is_flat_ = false;
+}
+
 void WktReader::read_collection() {
   ++nested_;
   read_list([this] { read_geometry(); });
@@ -246,7 +476,17 @@ void WktReader::read_collection() {
 
 }  // namespace
 
-PlaneShapes read_wkt(std::string_view text, const ReadOptions& options, Context& context) {
+bool begins_like_wkt(std::string_view text) {
+  constexpr std::array<std::string_view, 3> kReferenceSystems{"SRID=", "<HTTP", "<URN:"};
+  const auto begins = [&](std::string_view word) { return starts_with_word(text, word); };
+  if (std::ranges::any_of(kReferenceSystems, begins)) return true;
+  const auto end =
+      std::ranges::find_if_not(text, [](char c) { return 'A' <= upper(c) && upper(c) <= 'Z'; });
+  const std::string_view word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  return WktReader::is_geometry(word) || is_curve(word) || is_word(word, kGlobe);
+}
+
+PlaneFile read_wkt(std::string_view text, const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
   return WktReader(text, options, context).read();
 }

@@ -1,11 +1,15 @@
 // Reads and writes well-known text (docs/formats.md, "WKT"): POINT, LINESTRING, POLYGON,
-// MULTIPOINT, MULTILINESTRING, MULTIPOLYGON, GEOMETRYCOLLECTION, in any case, with EMPTY anywhere;
-// any number of geometries one after the other. With a tag Z, M or ZM each position has more
-// numbers, which are read and dropped.
+// MULTIPOINT, MULTILINESTRING, MULTIPOLYGON, GEOMETRYCOLLECTION, and LINEARRING, TRIANGLE, TIN,
+// POLYHEDRALSURFACE, MULTICURVE and MULTISURFACE of straight edges, in any case, with EMPTY
+// anywhere; any number of geometries one after the other, with semicolons between them or without.
 //
-// Errors are thrown with the place (file, line, column): NotText, Syntax, NumberOutOfRange,
-// BadShape (rings that are not closed), CountMismatch (no geometry at all), ResourceLimit;
-// Cancelled. Cost: O(bytes).
+// Dialects: SRID=NUMBER; or <URI> before a geometry, Z, M and ZM as words of their own or at the
+// end of another, and one or two numbers after x and y without such a word are read and dropped; a
+// note names them. The numbers that are dropped may be nan, inf or NULL.
+//
+// Errors are thrown with the place (file, line, column): NotText, Syntax (curves, too),
+// NumberOutOfRange, BadShape (rings that are not closed, surfaces with different heights),
+// CountMismatch (no geometry at all), ResourceLimit; Cancelled. Cost: O(bytes).
 #pragma once
 
 #include <ostream>
@@ -17,8 +21,12 @@
 
 namespace plumb {
 
-/// Returns the shapes of a text. Their memory stays charged to `context`.
-PlaneShapes read_wkt(std::string_view text, const ReadOptions& options, Context& context);
+/// Returns the shapes of a text, with notes. The memory of the shapes stays charged to `context`.
+PlaneFile read_wkt(std::string_view text, const ReadOptions& options, Context& context);
+
+/// Whether a text begins with the name of a geometry (curves, too) or with a coordinate reference
+/// system before one.
+bool begins_like_wkt(std::string_view text);
 
 // Writes shapes as well-known text.
 

@@ -144,7 +144,11 @@ class BinaryInput {
         name_(std::move(name)) {}
 
   std::size_t position() const { return at_; }
+  std::size_t bytes_read() const { return at_; }
   std::size_t bytes_left() const { return bytes_.size() - at_; }
+
+  /// Changes the byte order of the numbers that follow.
+  void set_order(std::endian order) { is_swapped_ = order != std::endian::native; }
 
   /// Skips bytes. Requires that `bytes` is at most bytes_left().
   void skip(std::size_t bytes) { at_ += bytes; }
