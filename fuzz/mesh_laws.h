@@ -76,12 +76,6 @@ inline void require_round(const PolygonMesh& mesh, MeshFormat format) {
   }
 }
 
-/// In text with a line and a column inside the file; elsewhere with the file at least.
-inline void require_mesh_place(const Error& error, std::string_view bytes) {
-  if (error.place().line != 0) return require_place(error, bytes);
-  require(error.place().file == kFileName, "an error names the file");
-}
-
 /// What a file of `bytes` bytes may be charged at most: records come in steps; "1/3 0 0" (8 bytes
 /// with its line break) takes 48 + 208 + 192 + 48, and 96 while vertices are merged.
 inline Limits mesh_limits_for(std::size_t bytes) {
@@ -98,7 +92,7 @@ inline std::optional<MeshFile> mesh_of(std::string_view bytes, MeshFormat format
   } catch (const Error& error) {
     require(error.code() != ErrorCode::ResourceLimit || exact_decimals,
             "memory charged is in proportion to the input");
-    require_mesh_place(error, bytes);
+    require_binary_place(error, bytes);
     return {};
   }
 }

@@ -32,4 +32,10 @@ inline void require_place(const Error& error, std::string_view text) {
   require(place.column >= 1 && place.column <= length + 1, "an error's column lies in its line");
 }
 
+/// In text with a line and a column inside the file; elsewhere with the file at least.
+inline void require_binary_place(const Error& error, std::string_view bytes) {
+  if (error.place().line != 0) return require_place(error, bytes);
+  require(error.place().file == kFileName, "an error names the file");
+}
+
 }  // namespace plumb::fuzz

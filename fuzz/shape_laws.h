@@ -129,27 +129,32 @@ inline Limits limits_for(std::size_t bytes) {
   return limits;
 }
 
+using RequirePlace = void (*)(const Error& error, std::string_view text);
+
 /// The shapes that `read(text, options, context)` finds, or none with a placed error.
 template <class Read>
-std::optional<PlaneShapes> shapes_of(Read read, std::string_view text, bool exact_decimals) {
+std::optional<PlaneShapes> shapes_of(Read read, std::string_view text, bool exact_decimals,
+                                     RequirePlace require_its_place) {
   Context context(limits_for(text.size()));
   try {
     return read(text, ReadOptions{kFileName, exact_decimals}, context).shapes;
   } catch (const Error& error) {
     const bool is_expansion = error.code() == ErrorCode::ResourceLimit;
     require(!is_expansion || exact_decimals, "memory charged is in proportion to the input");
-    require_place(error, text);
+    require_its_place(error, text);
     return {};
   }
 }
 
 /// A reader on arbitrary bytes: the first says how decimals are read, the rest is the text.
 template <class Read>
-void judge_reader(Read read, const std::uint8_t* data, std::size_t size) {
+void judge_reader(Read read, const std::uint8_t* data, std::size_t size,
+                  RequirePlace require_its_place = require_place) {
   begin_input();
   if (size == 0) return;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  const std::optional<PlaneShapes> shapes = shapes_of(read, text, (data[0] & 1U) != 0);
+  const std::optional<PlaneShapes> shapes =
+      shapes_of(read, text, (data[0] & 1U) != 0, require_its_place);
   if (!shapes) return;
   judge_shapes(*shapes);
   require_formats_agree(*shapes);

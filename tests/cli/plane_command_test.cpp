@@ -267,6 +267,53 @@ TEST(PlaneProgram, says_what_a_file_does_not_say) {
   expect_refusal(run({"plane", "interior", kStar, "--strict"}), "stdout: ", "closure");
 }
 
+/// Files without a telling extension, from another program: each is known by how it begins.
+TEST(PlaneProgram, reads_dialects_and_says_what_it_drops) {
+  struct Dialect {
+    std::string text;
+    std::string note;
+  };
+  const std::string feature =
+      R"({"type":"Feature","properties":{"a":NaN},"geometry":{"type":"Polygon",)"
+      R"("coordinates":[[[0,0,1],[4,0,1],[4,3,NaN],[0,0,1]]]}})";
+  const std::string heights = "passed over: heights (Z)\n";
+  const std::string systems = "passed over: coordinate reference systems\n";
+  const std::string members = "passed over: 'properties', numbers of positions after x and y\n";
+  const std::vector<Dialect> dialects{
+      {"POLYGON ((0 0, 4 0, 4 3, 0 0));\n", ""},
+      {"polygonz((0 0 1,4 0 1,4 3 nan,0 0 1))", heights},
+      {"SRID=4326;POLYGON((0 0,4 0,4 3,0 0))", systems},
+      {"<http://www.opengis.net/def/crs/OGC/1.3/CRS84> POLYGON((0 0,4 0,4 3,0 0))", systems},
+      {"TIN (((0 0, 4 0, 4 3, 0 0)))", ""},
+      {feature + "\n" + feature + "\n", members},
+      {"\x1e" + feature + "\n", members},
+      {"01030000000100000004000000"
+       "0000000000000000000000000000000000000000000010400000000000000000"
+       "0000000000001040000000000000084000000000000000000000000000000000\n",
+       ""}};
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "any").string();
+  for (const auto& [text, note] : dialects) {
+    SCOPED_TRACE(text);
+    write_file(file, text);
+    for (const Words& words : {Words{"plane", "info", file}, Words{"convex", "check", file}}) {
+      const RunResult result = run(words);
+      EXPECT_EQ(result.code, 0);
+      EXPECT_EQ(result.err, note.empty() ? "" : file + ": " + note);
+    }
+    EXPECT_TRUE(contains(run({"plane", "info", file}).out, "area 6\n"));
+    EXPECT_EQ(run({"plane", "info", file, "--quiet"}).err, "");
+    EXPECT_EQ(run({"audit", file}).code, 0);
+  }
+}
+
+TEST(PlaneProgram, says_that_a_file_with_content_is_the_empty_set) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "a.wkt").string();
+  write_file(file, "POLYGON EMPTY");
+  EXPECT_TRUE(contains(run({"plane", "info", file}).err, file + ": the file has no point"));
+}
+
 TEST(PlaneProgram, refuses_hostile_files_and_leaves_no_output) {
   const ScratchDirectory scratch;
   const std::vector<std::pair<std::string, std::vector<HostileText>>> formats{

@@ -74,7 +74,7 @@ TEST(GeoJsonReader, accepts_what_the_format_allows) {
        {R"({"type":"MultiPoint","coordinates":[[1,2],[3,4]]})",
         "\x1e" + kPoint + "\n\x1e" + R"({"type":"Point","coordinates":[3,4]})" + "\n",
         R"({"type":"Feature","geometry":)" + kPoint + "}\n" +
-            R"({"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[3,4]}})"}},
+            R"({"type":"Feature","geometry":{"type":"Point","coordinates":[3,4]}})"}},
       {R"({"type":"LineString","coordinates":[[0,0],[1,1]]})",
        {R"({"type":"LineString","coordinates":[[0,0],[1,1]]})",
         R"({"type":"MultiLineString","coordinates":[[],[[0,0],[1,1]],[]]})"}},

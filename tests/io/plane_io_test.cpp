@@ -309,6 +309,7 @@ TEST(PlaneFormat, is_told_by_the_extension_or_the_text) {
   EXPECT_EQ(plane_format_of("b.geojson"), PlaneFormat::GeoJson);
   EXPECT_EQ(plane_format_of("b.json"), PlaneFormat::GeoJson);
   EXPECT_EQ(plane_format_of("b.c.nef2"), PlaneFormat::Nef2);
+  EXPECT_EQ(plane_format_of("b.wkb"), PlaneFormat::Wkb);
   EXPECT_EQ(plane_format_of("wkt"), std::nullopt);
   EXPECT_EQ(plane_format_of("-"), std::nullopt);
   EXPECT_EQ(guess_plane_format(" \n{}"), PlaneFormat::GeoJson);
@@ -316,6 +317,8 @@ TEST(PlaneFormat, is_told_by_the_extension_or_the_text) {
   EXPECT_EQ(guess_plane_format("\xEF\xBB\xBFplumb-nef2 1"), PlaneFormat::Nef2);
   EXPECT_EQ(guess_plane_format("# x\nPOINT EMPTY"), PlaneFormat::Wkt);
   EXPECT_EQ(guess_plane_format(""), PlaneFormat::Wkt);
+  EXPECT_EQ(guess_plane_format("010700000000000000\n"), PlaneFormat::Wkb);
+  EXPECT_EQ(guess_plane_format(std::string("\0\0\0\0\7\0\0\0\0", 9)), PlaneFormat::Wkb);
   EXPECT_EQ(plane_format_of("a.json", "POINT EMPTY"), PlaneFormat::GeoJson);
   EXPECT_EQ(plane_format_of("a.txt", "{}"), PlaneFormat::GeoJson);
 }
@@ -335,6 +338,14 @@ TEST(ReadPlaneSet, says_that_a_file_with_content_is_the_empty_set) {
                 "the rings of the file enclose nothing by the even-odd rule, so the set is empty"});
   EXPECT_TRUE(notes_of("POINT (1 2)").empty());
   EXPECT_TRUE(notes_of("plumb-nef2 1\n0 0 0 0 0\n").empty());
+}
+
+TEST(PlaneText, refuses_to_write_what_can_only_be_read) {
+  EXPECT_THROW(prepared(Nef2::empty(), PlaneFormat::Wkb), Error);
+  EXPECT_EQ(read("01030000000100000004000000"
+                 "0000000000000000000000000000000000000000000010400000000000000000"
+                 "0000000000001040000000000000084000000000000000000000000000000000"),
+            read("POLYGON ((0 0, 4 0, 4 3, 0 0))"));
 }
 
 TEST(ReadPlaneSetFile, gives_back_the_memory_of_the_text) {

@@ -151,7 +151,7 @@ std::vector<Format> flat_formats() {
        {half + " 1\n0 0\n", "3 " + half + "\n0 0\n1 0\n0 1\n1 2 3\n", most + " " + most + "\n"}},
       {"WKT", read_wkt_shapes, wkt, masses_of_wkt(), {}, 10},
       {"WKT to set", read_plane<PlaneFormat::Wkt>, wkt, masses_of_wkt(), {}, 50},
-      {"GeoJSON", read_geojson_shapes, geojson, masses_of_geojson(), {}, 12},
+      {"GeoJSON", read_geojson_shapes, geojson, masses_of_geojson(), {}, 6},
       {"GeoJSON to set", read_plane<PlaneFormat::GeoJson>, geojson, masses_of_geojson(), {}, 50},
       {".nef2",
        read_plane<PlaneFormat::Nef2>,

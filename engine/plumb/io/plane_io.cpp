@@ -21,6 +21,7 @@
 
 #include "plumb/io/plane/geojson.h"
 #include "plumb/io/plane/nef2_format.h"
+#include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/text/files.h"
 #include "plumb/plane/sweep/sweep.h"
@@ -278,11 +279,13 @@ std::optional<PlaneFormat> plane_format_of(const std::string& path) {
   if (extension == ".wkt") return PlaneFormat::Wkt;
   if (extension == ".geojson" || extension == ".json") return PlaneFormat::GeoJson;
   if (extension == ".nef2") return PlaneFormat::Nef2;
+  if (extension == ".wkb") return PlaneFormat::Wkb;
   return {};
 }
 
 PlaneFormat guess_plane_format(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (begins_like_wkb(text)) return PlaneFormat::Wkb;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   // Record separators are between values of JSON (RFC 8142).
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\x1e"), text.size()));
@@ -318,6 +321,8 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
       return {read_nef2(text, options, context), {}};
     case PlaneFormat::GeoJson:
       return set_of(read_geojson(text, options, context), context);
+    case PlaneFormat::Wkb:
+      return set_of(read_wkb(text, options, context), context);
     default:
       return set_of(read_wkt(text, options, context), context);
   }
@@ -353,6 +358,9 @@ std::vector<std::string> PlaneLosses::sentences() const {
 PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context)
     : set_(set), format_(format) {
   if (format == PlaneFormat::Nef2) return;
+  if (format == PlaneFormat::Wkb) {
+    throw Error(ErrorCode::UnknownFormat, "WKB can be read but not written");
+  }
   const PlaneParts parts = set.parts(context);
   losses_.unbounded = parts.dropped_unbounded;
   losses_.open = parts.dropped_open;

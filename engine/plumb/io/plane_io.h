@@ -1,12 +1,12 @@
-// Reads and writes sets of the plane in the formats WKT, GeoJSON and .nef2.
+// Reads and writes sets of the plane in the formats WKT, GeoJSON and .nef2, and reads WKB.
 //
-// WKT and GeoJSON files list polygons, lines and points (PlaneShapes). A polygon stands for the
-// points that its rings enclose by the even-odd rule, together with the points on its rings. A line
-// stands for the set of its points. A file stands for the union of the sets of all its polygons,
-// lines and points.
+// WKT, GeoJSON and WKB files list polygons, lines and points (PlaneShapes). A polygon stands for
+// the points that its rings enclose by the even-odd rule, together with the points on its rings. A
+// line stands for the set of its points. A file stands for the union of the sets of all its
+// polygons, lines and points.
 //
-// Reading: WKT and GeoJSON cannot state which boundary points belong to the set. A set that is read
-// from such a file is closed. Notes name the contents of a file that a set cannot hold.
+// Reading: WKT, GeoJSON and WKB cannot state which boundary points belong to the set. A set that is
+// read from such a file is closed. Notes name the contents of a file that a set cannot hold.
 //
 // Writing: .nef2 represents every set exactly. WKT and GeoJSON represent only polygons, lines and
 // points, and the writer rounds their coordinates to doubles. If a set has properties that such a
@@ -73,7 +73,7 @@ struct PlaneShapes {
   void end_line() { line_begin.push_back(static_cast<std::uint32_t>(line_corners.size())); }
 };
 
-/// Shapes read from a WKT or GeoJSON file.
+/// Shapes read from a WKT, GeoJSON or WKB file.
 struct PlaneFile {
   PlaneShapes shapes;  ///< The shapes as the file lists them.
   /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
@@ -96,15 +96,17 @@ PlaneShapes to_shapes(const PlaneParts& parts, Context& context = unlimited_cont
 PlaneShapes rounded(PlaneShapes shapes, Context& context = unlimited_context());
 
 /// Formats for sets of the plane. Only the format Nef2 (.nef2) represents every set without loss.
-enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2 };
+/// Wkb can be read but not written.
+enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2, Wkb };
 
 /// Returns the format that the extension of `path` names. The extensions are .wkt for Wkt, .geojson
-/// and .json for GeoJson, and .nef2 for Nef2. Returns nullopt for any other extension.
+/// and .json for GeoJson, .nef2 for Nef2, and .wkb for Wkb. Returns nullopt for any other
+/// extension.
 std::optional<PlaneFormat> plane_format_of(const std::string& path);
 
 /// Returns the format that the text seems to have. A text that begins with "{" or "[", or with a
-/// record separator before them, is GeoJSON. A text that begins with "plumb-" is .nef2. Any other
-/// text is WKT.
+/// record separator before them, is GeoJSON. A text that begins with "plumb-" is .nef2. A file that
+/// begins with the code of a geometry is WKB (begins_like_wkb() in wkb.h). Any other text is WKT.
 PlaneFormat guess_plane_format(std::string_view text);
 
 /// Returns the format that the extension of `path` names. If the extension names no format, returns
@@ -120,7 +122,7 @@ struct PlaneRead {
 };
 
 /// Returns the set that `text` describes in the given format. Throws the errors of the reader of
-/// this format, as its header states them (wkt.h, geojson.h, nef2_format.h).
+/// this format, as its header states them (wkt.h, geojson.h, nef2_format.h, wkb.h).
 PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options = {},
                          Context& context = unlimited_context());
 
@@ -161,7 +163,8 @@ class PlaneText {
   /// Prepares `set` for writing. If a coordinate must be rounded, the constructor also builds the
   /// set that a reader of the file will get. The constructor compares the counts of cells of that
   /// set with the counts before rounding (PlaneLosses::reshaped). Throws Error{NumberOutOfRange} if
-  /// the format is not Nef2 and a coordinate lies beyond the largest double.
+  /// the format is not Nef2 and a coordinate lies beyond the largest double, and
+  /// Error{UnknownFormat} if the format is Wkb.
   PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context());
 
   /// Returns the properties of the set that the file will not represent.

@@ -112,7 +112,8 @@ struct PlaneInput {
 struct Plane {
   using Set = Nef2;
   using Input = PlaneInput;
-  static constexpr const char* kHelp = "A set: .wkt, .geojson, .json, .nef2; - is standard input";
+  static constexpr const char* kHelp =
+      "A set: .wkt, .geojson, .json, .wkb, .nef2; - is standard input";
   static constexpr std::array<const char*, 2> kAxes{"X", "Y"};
 
   static ProgressStage reading() { return reading_plane(); }

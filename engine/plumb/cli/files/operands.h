@@ -24,7 +24,7 @@ enum class FileKind : std::uint8_t {
 };
 
 /// Returns the kind by the extension; if that names none, by how the file begins: a .nef, binary
-/// STL (by its length), JSON of glTF, other JSON (GeoJSON) or .nef2, a word of WKT or what its
+/// STL (by its length), JSON of glTF, other JSON (GeoJSON), WKB or .nef2, a word of WKT or what its
 /// dialects put before one; two numbers on the first line are a map. Everything else is taken for a
 /// mesh.
 FileKind kind_of_file(const std::string& path, std::string_view bytes);
@@ -55,7 +55,7 @@ void require_solid(const std::string& file, const std::string& bytes);
 /// Help of an operand that may be either.
 inline constexpr const char* kSolidOrPlaneHelp =
     "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; or a set of the plane: .wkt, .geojson, "
-    ".nef2; - is standard input";
+    ".wkb, .nef2; - is standard input";
 
 /// How meshes are read as sets: the same options for all operands of a command.
 class SolidInput {

@@ -17,6 +17,9 @@
 
 namespace plumb {
 
+/// How deep geometries of WKT and WKB may be nested.
+inline constexpr int kMostNested = 64;
+
 // Words of notes and errors.
 
 inline constexpr std::string_view kReferenceSystems = "coordinate reference systems";

@@ -6,8 +6,8 @@
 // reading. Flaws of a list (a ring that is not closed, a line of one position) are reported at its
 // closing parenthesis. Dialects differ in what stands around the geometries and behind x and y; all
 // of that is read and dropped, and what is dropped is named in a note. Curves are refused: edges of
-// sets are straight, and how fine a chain of edges has to be is not for a reader to say. Format: OGC
-// 06-103r4, Simple feature access, part 1 (2011), section on well-known text; docs/formats.md,
+// sets are straight, and how fine a chain of edges has to be is not for a reader to say. Format:
+// OGC 06-103r4, Simple feature access, part 1 (2011), section on well-known text; docs/formats.md,
 // section WKT.
 // Tested by tests/io/wkt_test.cpp.
 #include "plumb/io/plane/wkt.h"
@@ -27,7 +27,6 @@ namespace plumb {
 namespace {
 
 constexpr std::string_view kMarks = "(),;>";
-constexpr int kMostNested = 64;
 
 constexpr char upper(char c) { return 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
@@ -78,7 +77,8 @@ bool is_no_number(std::string_view token) {
          is_word(token, "NULL") || token.starts_with("1.#");
 }
 
-/// Whether a number that is dropped may be written so. No value is made of it, so none is too large.
+/// Whether a number that is dropped may be written so. No value is made of it, so none is too
+/// large.
 bool looks_like_number(std::string_view token) {
   return token.find_first_not_of("+-.0123456789/eE") == token.npos &&
          token.find_first_of("0123456789") != token.npos;
@@ -353,7 +353,8 @@ void WktReader::read_position() {
   shapes_.add_position(cursor_, x_, y_);
 }
 
-/// Reads the number at `index` of those behind x and y, which is dropped, so that it may be missing.
+/// Reads the number at `index` of those behind x and y, which is dropped, so that it may be
+/// missing.
 void WktReader::read_more(int index) {
   const bool is_height = index == 0 && more_.has_height;
   const std::string_view token = take("a number");
