@@ -364,6 +364,36 @@ DefectiveMap self_touch(const TestMap& valid, DefectPlace place) {
   return result;
 }
 
+// The same triangle, listed as a hole of its own.
+DefectiveMap touching_hole(const TestMap& valid, DefectPlace place) {
+  DefectiveMap result = self_touch(valid, place);
+  const Corner c = corner_at(valid, place);
+  const auto p = static_cast<std::uint32_t>(valid.points.size());
+  chosen(result.map, {static_cast<std::uint32_t>(place.cycle % valid.cycles.size()), 0}) = *c.cycle;
+  result.map.cycles.push_back({c.vertex, p + 1, p});
+  return result;
+}
+
+// The two faces at an edge bulge over each other.
+DefectiveMap lens(const TestMap& valid, DefectPlace place) {
+  DefectiveMap result{valid, {}};
+  const Corner c = corner_at(valid, place);
+  result.map.points.push_back(beside(valid, c, BigRational(1, 2), -tiny()));
+  result.map.points.push_back(beside(valid, c, BigRational(1, 2), tiny()));
+  const auto right = static_cast<std::uint32_t>(valid.points.size());
+  const std::uint32_t left = right + 1;
+  insert_after(chosen(result.map, place), c.i, {right});
+  for (Cycle& cycle : result.map.cycles) {
+    for (std::size_t i = 0; i < cycle.size(); ++i) {
+      if (cycle[i] != c.next || cycle[(i + 1) % cycle.size()] != c.vertex) continue;
+      insert_after(cycle, i, {left});
+    }
+  }
+  expect_open(result.expected,
+              {{c.vertex, right}, {right, c.next}, {c.next, left}, {left, c.vertex}});
+  return result;
+}
+
 }  // namespace
 
 void PrintTo(const MapDefectMaker& maker, std::ostream* out) { *out << maker.name; }
@@ -392,6 +422,8 @@ const std::vector<MapDefectMaker>& map_defect_makers() {
       {"sliver", sliver},
       {"isolated-vertex", isolated_vertex},
       {"self-touch", self_touch},
+      {"touching-hole", touching_hole},
+      {"lens", lens},
   };
   return kMakers;
 }

@@ -126,6 +126,68 @@ std::vector<SmallMap> pinch_cases() {
   };
 }
 
+// A square 1-5 with vertex 2 on its lower side, and a triangle 2 6 7 inside of it.
+const std::string kTouch = "0 0\n5 0\n10 0\n10 10\n0 10\n7 4\n3 4\n";
+// The same with vertices 2 and 5 on two sides, and a diamond 2 7 5 8 between them.
+const std::string kTouchTwice = "0 0\n5 0\n10 0\n10 10\n5 10\n0 10\n7 5\n3 5\n";
+// Triangles 1 4 2, 2 5 3 and 3 6 1 around the triangle 1 2 3.
+const std::string kThreeAround = "0 0\n4 0\n2 3\n2 -2\n5 3\n-1 3\n";
+// Two neighbours 1 2 3 4 5 and 2 6 7 4 8 that bulge over each other between vertices 2 and 4.
+const std::string kLens = "0 0\n10 0\n12 5\n10 10\n0 10\n20 0\n20 10\n8 5\n";
+
+std::vector<SmallMap> touching_cases() {
+  const std::string shell = "1 2 3 4 5\n", outer = "5 4 3 2 1";
+  return {
+      {"hole that touches its shell", "7 4\n" + kTouch + shell + "7 6 2\n2 6 7\n" + outer, kListed,
+       false, kValid, 0, 0, 0, 0, 0, 0, 1},
+      {"hole that touches its shell, in one cycle",
+       "7 3\n" + kTouch + "1 2 7 6 2 3 4 5\n2 6 7\n" + outer, kListed, false, kValid, 0, 0, 0, 0, 0,
+       0, 1},
+      {"hole that touches its shell, not listed", "7 3\n" + kTouch + shell + "2 6 7\n" + outer,
+       kListed, false, kOpen, 0, 3, 0, 0, -1, 0, 1},
+      {"hole that touches its shell, inferred", "7 2\n" + kTouch + shell + "2 6 7", kInfer, false,
+       kValid, 0, 0, 0, 0, 0, 0, 1},
+      {"hole that touches its shell, outer boundary ignored",
+       "7 3\n" + kTouch + shell + "7 6 2\n2 6 7", kIgnore, false, kValid, 0, 0, 0, 0, 0, 0, 1},
+      {"hole along an edge of its shell", "7 4\n" + kTouch + shell + "2 1 7\n1 2 7\n" + outer,
+       kListed, false, kNotPlanar, 2, 0, 0, 0, -1, 0, 1},
+      {"hole that touches its shell, turned", "7 4\n" + kTouch + shell + "2 6 7\n7 6 2\n" + outer,
+       kListed, false, kValid, 0, 0, 0, 0, 0, 0, 1},
+      {"hole that touches its shell twice",
+       "8 4\n" + kTouchTwice + "1 2 3 4 5 6\n2 8 5 7\n2 7 5 8\n6 5 4 3 2 1", kListed, false, kValid,
+       0, 0, 0, 0, 0, 0, 1},
+      {"two holes, one that touches the shell and the other one",
+       "9 6\n" + kTouch + "7 8\n3 8\n" + shell + "7 6 2\n2 6 7\n7 9 8\n7 8 9\n" + outer, kListed,
+       false, kValid, 0, 0, 0, 0, 0, 0, 1},
+      {"three around a piece of the outside",
+       "6 6\n" + kThreeAround + "1 4 2\n2 5 3\n3 6 1\n2 4 1\n3 5 2\n1 6 3", kListed, false, kValid,
+       0, 0, 0, 0, 0, 0, 1},
+      {"three around a piece of the outside, inferred",
+       "6 3\n" + kThreeAround + "1 4 2\n2 5 3\n3 6 1", kInfer, false, kValid, 0, 0, 0, 0, 0, 0, 1},
+      {"three around a hole that is filled",
+       "6 5\n" + kThreeAround + "1 4 2\n2 5 3\n3 6 1\n1 2 3\n1 6 3 5 2 4", kListed, false, kValid,
+       0, 0, 0, 0, 0, 0, 1},
+      {"two shells around one hole",
+       "8 5\n" + kTouchTwice + "1 2 8 5 6\n2 3 4 5 7\n2 8 5 7\n2 7 5 8\n6 5 4 3 2 1", kListed,
+       false, kNotPlanar, 4, 0, 0, 0, -1, 0, 1},
+  };
+}
+
+std::vector<SmallMap> overlapping_cases() {
+  const std::string both = "1 2 3 4 5\n2 6 7 4 8\n", outer = "5 4 7 6 2 1";
+  return {
+      {"neighbours over each other", "8 3\n" + kLens + both + outer, kListed, false, kOpen, 0, 4, 0,
+       0, -1, 0, 1},
+      {"neighbours over each other, inferred", "8 3\n" + kLens + both + outer, kInfer, false, kOpen,
+       0, 4, 0, 0, -1, 0, 1},
+      {"neighbours over each other, ignored", "8 3\n" + kLens + both + outer, kIgnore, false,
+       kSuperposed, 0, 0, 0, 0, 1, 0, 1},
+      {"neighbours over each other, and the border of the overlap",
+       "8 4\n" + kLens + both + outer + "\n3 2 8 4", kListed, false, kSuperposed, 0, 0, 0, 0, 3, 0,
+       1},
+  };
+}
+
 }  // namespace
 
 void PrintTo(const SmallMap& map, std::ostream* out) { *out << map.name; }
@@ -133,7 +195,8 @@ void PrintTo(const SmallMap& map, std::ostream* out) { *out << map.name; }
 const std::vector<SmallMap>& small_maps() {
   static const std::vector<SmallMap> kAll = [] {
     std::vector<SmallMap> all = simple_cases();
-    for (const auto& more : {crossing_cases(), nesting_cases(), pinch_cases()}) {
+    for (const auto& more : {crossing_cases(), nesting_cases(), pinch_cases(), touching_cases(),
+                             overlapping_cases()}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     return all;

@@ -23,7 +23,15 @@ struct Orbit {
   bool all_listed = true;
   BigInt doubled_area = 0;
   std::size_t component = 0;
+  std::size_t face = 0;  // Of the plane, by the orbit around it; one more is the unbounded one.
   bool is_bounded() const { return doubled_area > 0; }
+};
+
+// Listed cycles that bound common faces, directly or by way of others.
+struct RegionClass {
+  std::set<std::size_t> faces;
+  std::set<std::uint32_t> cycles;
+  bool is_region = false;
 };
 
 std::vector<std::uint32_t> ascending(const std::set<std::uint32_t>& set) {
@@ -39,6 +47,8 @@ class Judge {
   void list_uses();
   void add_use(std::uint32_t cycle);
   void infer_outer();
+  bool has_contacts() const;
+  bool is_inside_of_regions(const Cycle& chain) const;
   Cycle close_chain(Edge start, std::set<Edge>& missing) const;
   Edge before_in_cycle(Edge h) const;
   void count_duplicates();
@@ -52,8 +62,15 @@ class Judge {
   Edge next(Edge h) const;
   Orbit trace(Edge start) const;
   void trace_orbits();
+  void name_faces();
+  void find_classes();
+  void judge_class(RegionClass& regions) const;
+  std::vector<int> windings(const RegionClass& regions) const;
+  std::size_t face_of(Edge h) const { return orbits_[orbit_of_.at(h)].face; }
+  std::size_t class_of(std::uint32_t cycle) const;
   void count_mixed();
   bool is_mixed(const Orbit& orbit) const;
+  bool is_no_cycle(const Orbit& orbit) const;
   void count_nested();
   bool surrounds(const Orbit& orbit, std::uint32_t vertex) const;
   const Orbit* innermost_around(std::size_t component, std::uint32_t vertex) const;
@@ -71,6 +88,8 @@ class Judge {
   std::map<std::uint32_t, std::size_t> component_;   // used vertex -> component
   std::map<std::uint32_t, std::vector<Edge>> around_;
   std::vector<Orbit> orbits_;
+  std::map<Edge, std::size_t> orbit_of_;
+  std::vector<RegionClass> classes_;
   OracleReport report_;
 };
 
@@ -91,6 +110,7 @@ Judge::Judge(const TestMap& map, const OracleOptions& options)
       options_(options),
       integers_(over_common_denominator(map.points)) {
   list_uses();
+  label_components();
   if (options_.outer == OuterRule::Infer) infer_outer();
 }
 
@@ -105,6 +125,13 @@ void Judge::add_use(std::uint32_t c) {
     uses_[h].push_back(c);
     edges_.insert(undirected(h));
   }
+}
+
+bool is_common_vertex(const TestMap& map, Edge e, Edge f, const ExactPoint& p) {
+  for (const std::uint32_t v : {e.first, e.second}) {
+    if ((v == f.first || v == f.second) && map.points[v] == p) return true;
+  }
+  return false;
 }
 
 // Chains of unlisted half-edges are walked so that they stay with the same faces: around a vertex,
@@ -124,10 +151,42 @@ void Judge::infer_outer() {
       if (doubled_area(chain) < 0) report_.inferred.push_back(chain);
     }
   }
+  if (!has_contacts()) {
+    sort_around_vertices();
+    std::erase_if(report_.inferred, [&](const Cycle& c) { return is_inside_of_regions(c); });
+    around_.clear();
+  }
   for (const Cycle& cycle : report_.inferred) {
     map_.cycles.push_back(cycle);
     add_use(static_cast<std::uint32_t>(map_.cycles.size() - 1));
   }
+}
+
+bool Judge::has_contacts() const {
+  for (auto e = edges_.begin(); e != edges_.end(); ++e) {
+    if (at(e->first) == at(e->second)) return true;
+    for (auto f = std::next(e); f != edges_.end(); ++f) {
+      const auto meeting = meet(at(e->first), at(e->second), at(f->first), at(f->second));
+      const bool is_legal = !meeting || (meeting->first == meeting->last &&
+                                         is_common_vertex(map_, *e, *f, unscaled(meeting->first)));
+      if (!is_legal) return true;
+    }
+  }
+  return false;
+}
+
+// Whether the left side of every half-edge of a chain lies inside of a counter-clockwise cycle that
+// bounds the same face, and these are not all one cycle. Then the chain goes round an overlap.
+bool Judge::is_inside_of_regions(const Cycle& chain) const {
+  std::set<std::uint32_t> around;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Orbit orbit = trace({chain[i], chain[(i + 1) % chain.size()]});
+    const auto region = std::find_if(orbit.cycles.begin(), orbit.cycles.end(),
+                                     [&](auto c) { return doubled_area(map_.cycles[c]) > 0; });
+    if (!orbit.is_bounded() || region == orbit.cycles.end()) return false;
+    around.insert(*region);
+  }
+  return around.size() > 1;
 }
 
 Cycle Judge::close_chain(Edge start, std::set<Edge>& missing) const {
@@ -190,13 +249,6 @@ void Judge::count_twins() {
     ++report_.counts.twin;
     report_.defects.push_back({DefectKind::Twin, {e}, {*both.begin()}, std::nullopt});
   }
-}
-
-bool is_common_vertex(const TestMap& map, Edge e, Edge f, const ExactPoint& p) {
-  for (const std::uint32_t v : {e.first, e.second}) {
-    if ((v == f.first || v == f.second) && map.points[v] == p) return true;
-  }
-  return false;
 }
 
 std::vector<std::uint32_t> Judge::users(const std::vector<Edge>& edges) const {
@@ -294,12 +346,108 @@ void Judge::trace_orbits() {
   std::set<Edge> seen;
   for (const Edge& h : directed()) {
     if (seen.contains(h)) continue;
+    for (const Edge& own : trace(h).halfedges) orbit_of_[own] = orbits_.size();
     orbits_.push_back(trace(h));
     seen.insert(orbits_.back().halfedges.begin(), orbits_.back().halfedges.end());
   }
 }
 
+// A bounded face is called by the orbit around it. The outside of a component belongs to the face
+// that the component lies in.
+void Judge::name_faces() {
+  for (std::size_t i = 0; i < orbits_.size(); ++i) {
+    orbits_[i].face = i;
+    if (orbits_[i].is_bounded()) continue;
+    const Orbit* around =
+        innermost_around(orbits_[i].component, orbits_[i].halfedges.front().first);
+    orbits_[i].face = around ? static_cast<std::size_t>(around - orbits_.data()) : orbits_.size();
+  }
+}
+
+// Cycles with half-edges at one face are in one class, and so are the cycles of classes with a
+// common cycle. What bounds the unbounded face is in one class, too.
+void Judge::find_classes() {
+  std::map<std::size_t, RegionClass> at_face;
+  for (const Orbit& orbit : orbits_) {
+    at_face[orbit.face].faces.insert(orbit.face);
+    at_face[orbit.face].cycles.insert(orbit.cycles.begin(), orbit.cycles.end());
+  }
+  for (const auto& [face, here] : at_face) {
+    RegionClass merged = here;
+    std::erase_if(classes_, [&](const RegionClass& other) {
+      const bool is_linked = std::any_of(other.cycles.begin(), other.cycles.end(),
+                                         [&](auto c) { return merged.cycles.contains(c); });
+      if (!is_linked) return false;
+      merged.faces.insert(other.faces.begin(), other.faces.end());
+      merged.cycles.insert(other.cycles.begin(), other.cycles.end());
+      return true;
+    });
+    classes_.push_back(std::move(merged));
+  }
+  for (RegionClass& regions : classes_) judge_class(regions);
+}
+
+// A class is one region if its cycles together run once around its faces, and around nothing else:
+// the left sides of its half-edges have winding number 1, the right sides 0 (0 and -1 if the region
+// is unbounded). The two sides of a spike of one cycle are both inside.
+void Judge::judge_class(RegionClass& regions) const {
+  const bool is_unbounded = regions.faces.contains(orbits_.size());
+  const int inside = is_unbounded ? 0 : 1;
+  std::size_t shells = 0;
+  for (const std::uint32_t c : regions.cycles) {
+    const BigInt area = doubled_area(map_.cycles[c]);
+    if (area == 0) return;
+    if (area > 0) ++shells;
+  }
+  if (shells != (is_unbounded ? 0U : 1U)) return;
+  for (const Orbit& orbit : orbits_) {
+    if (!regions.faces.contains(orbit.face)) continue;
+    if (!orbit.all_listed || (!orbit.is_bounded() && is_no_cycle(orbit))) return;
+  }
+  const std::vector<int> winding = windings(regions);
+  for (const auto& [h, users] : uses_) {
+    if (!regions.cycles.contains(users.front())) continue;
+    const auto back = uses_.find(reversed(h));
+    const bool is_spike = back != uses_.end() && back->second.front() == users.front();
+    if (winding[face_of(h)] != inside) return;
+    if (winding[face_of(reversed(h))] != (is_spike ? inside : inside - 1)) return;
+  }
+  regions.is_region = true;
+}
+
+// The winding number of the cycles of a class in each face, from the unbounded one inwards.
+std::vector<int> Judge::windings(const RegionClass& regions) const {
+  const auto uses = [&](Edge h) {
+    const auto found = uses_.find(h);
+    return found != uses_.end() && regions.cycles.contains(found->second.front()) ? 1 : 0;
+  };
+  std::vector<int> winding(orbits_.size() + 1, 0);
+  std::set<std::size_t> known{orbits_.size()};
+  for (bool is_new = true; is_new;) {
+    is_new = false;
+    for (const Edge& h : directed()) {
+      const std::size_t left = face_of(h), right = face_of(reversed(h));
+      if (!known.contains(right) || !known.insert(left).second) continue;
+      winding[left] = winding[right] + uses(h) - uses(reversed(h));
+      is_new = true;
+    }
+  }
+  return winding;
+}
+
+std::size_t Judge::class_of(std::uint32_t cycle) const {
+  std::size_t i = 0;
+  while (!classes_[i].cycles.contains(cycle)) ++i;
+  return i;
+}
+
+// A bounded face of which the boundary is not one cycle may be a part of a region of rings.
 bool Judge::is_mixed(const Orbit& orbit) const {
+  if (!is_no_cycle(orbit)) return false;
+  return !orbit.is_bounded() || !classes_[class_of(*orbit.cycles.begin())].is_region;
+}
+
+bool Judge::is_no_cycle(const Orbit& orbit) const {
   const auto area = [&](std::uint32_t c) { return doubled_area(map_.cycles[c]); };
   if (orbit.cycles.empty()) return false;
   const std::uint32_t only = *orbit.cycles.begin();
@@ -359,8 +507,8 @@ MapVerdict Judge::verdict() const {
   return superposed ? MapVerdict::Superposed : MapVerdict::Valid;
 }
 
-// A clockwise cycle bounds the face that its component lies in; all others bound their own. What
-// lies in a gap (only under Ignore) goes with the unbounded region.
+// A counter-clockwise cycle bounds its own region, any other one that of its class. What lies in a
+// gap (only under Ignore) goes with the unbounded region.
 void Judge::list_regions() {
   std::map<std::uint32_t, std::vector<std::uint32_t>> holes;
   std::vector<std::uint32_t> unbounded;
@@ -370,9 +518,10 @@ void Judge::list_regions() {
       holes[c];
       continue;
     }
-    const Orbit* around = innermost_around(component_.at(cycle[0]), cycle[0]);
-    const bool in_face = around && !around->cycles.empty();
-    (in_face ? holes[*around->cycles.begin()] : unbounded).push_back(c);
+    const std::set<std::uint32_t>& here = classes_[class_of(c)].cycles;
+    const auto shell = std::find_if(
+        here.begin(), here.end(), [&](auto other) { return doubled_area(map_.cycles[other]) > 0; });
+    (shell == here.end() ? unbounded : holes[*shell]).push_back(c);
   }
   report_.regions.push_back({std::nullopt, unbounded});
   for (const auto& [outer, inner] : holes) report_.regions.push_back({outer, inner});
@@ -391,7 +540,6 @@ BigInt Judge::doubled_area(const std::vector<std::uint32_t>& cycle) const {
 OracleReport Judge::run() {
   report_.edges = edges_.size();
   report_.cycles = map_.cycles.size();
-  label_components();
   count_duplicates();
   count_open();
   count_twins();
@@ -400,6 +548,8 @@ OracleReport Judge::run() {
   if (n.duplicate == 0 && n.open == 0 && n.crossing == 0) {
     sort_around_vertices();
     trace_orbits();
+    name_faces();
+    find_classes();
     count_mixed();
     if (options_.outer == OuterRule::Ignore) count_nested();
   }

@@ -119,7 +119,7 @@ TEST_P(AgreesWithTheTwin, OnSubdivisions) {
 }
 
 TEST_P(AgreesWithTheTwin, OnRecombinedSubdivisions) {
-  rc::check(
+  expect_law(
       [this] { expect_agreement(recombined(any_subdivision(), between(1, 12), any_seed())); });
 }
 

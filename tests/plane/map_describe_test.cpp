@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -154,25 +155,37 @@ TEST(MapDescribe, HintsNameADozenVertices) {
   }
 }
 
-/// One orbit along which `count` cycles are listed, each with one edge.
+/// A polygon of `sides` corners and a ring of quadrangles around it, all listed the wrong way round,
+/// and a triangle at a corner of the ring: edges of all quadrangles bound the polygon.
+Map turned_ring(std::uint32_t sides) {
+  Places places;
+  for (std::uint32_t i = 0; i < 2 * sides; ++i) {
+    const double angle = (i / 2) * 6.28318530717959 / sides;
+    const double radius = i % 2 == 0 ? 1 : 2;
+    places.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  places.insert(places.end(), {{3, -1}, {3, 1}});
+  Cycle polygon, around;
+  std::vector<Cycle> cycles;
+  for (std::uint32_t i = 0; i < 2 * sides; i += 2) {
+    const std::uint32_t next = (i + 2) % (2 * sides);
+    polygon.insert(polygon.begin(), i);
+    around.push_back(i + 1);
+    cycles.push_back({i, next, next + 1, i + 1});
+  }
+  const std::uint32_t more = 2 * sides;
+  cycles.insert(cycles.end(), {polygon, around, {1, more, more + 1}, {1, more + 1, more}});
+  return listing(places, cycles);
+}
+
 TEST(MapDescribe, MixedDefectsNameSixteenCycles) {
-  for (const std::uint32_t count : {2U, 16U, 17U, 40U}) {
-    Checked checked(listing(Places(count, {0, 0}), {}));
-    checked.findings.contacts.rotation.orbit_next.resize(2 * count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      checked.findings.edges.ends.push_back({i, (i + 1) % count});
-      checked.findings.edges.cycle_of.insert(checked.findings.edges.cycle_of.end(),
-                                             {i, MapEdges::kNoCycle});
-      checked.findings.contacts.rotation.orbit_next[2 * i] = 2 * ((i + 1) % count);
-    }
-    checked.findings.open_is_defect = false;
-    checked.findings.orbits.orbits = {{0, 0, true, true, true}, {1, 0, false, false, false}};
-    describe_defects(checked.findings, 1000, checked.report);
-    ASSERT_EQ(checked.report.defects.size(), 1U);
-    const MapDefect& defect = checked.report.defects[0];
-    EXPECT_EQ(defect.kind, DefectKind::Mixed);
-    EXPECT_EQ(defect.cycles.size(), std::min(count, 16U));
-    EXPECT_TRUE(has_hint(checked.report, "edges of " + std::to_string(count) + " listed faces"));
+  for (const std::uint32_t sides : {3U, 16U, 17U, 40U}) {
+    const MapReport report = check_map(turned_ring(sides));
+    ASSERT_EQ(report.counts.mixed, sides + 1);
+    std::size_t most = 0;
+    for (const MapDefect& defect : report.defects) most = std::max(most, defect.cycles.size());
+    EXPECT_EQ(most, std::clamp(sides, 4U, 16U));
+    EXPECT_TRUE(has_hint(report, "edges of " + std::to_string(sides) + " listed faces"));
   }
 }
 

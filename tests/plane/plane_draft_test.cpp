@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "plane/random_complex.h"
+#include "plumb/plane/nef2.h"  // Declares PlaneLocator with its visibility, before its definition.
 #include "plumb/plane/plane_audit.h"
 #include "plumb/plane/query/plane_locator.h"
 #include "plumb/testing/dice.h"

@@ -1,12 +1,13 @@
 // The check of a map: whether a list of cycles is a planar subdivision.
 //
-// Main flow of MapChecker::run(): edges are paired (map_edges.h); borders that no cycle lists are
-// traced, and outer boundaries inferred if that is wanted; one sweep finds contacts and the
-// rotation system (map_contacts.h); orbits of that are the faces that the edges really induce, and
-// components are nested in them (map_orbits.h). Combinatorial and geometric defects are
-// independent, so all are counted in one run; faces are looked for only if there is no duplicate,
-// open edge or contact, because only then the rotation system is one of a plane graph. docs/maps.md
-// describes the check.
+// Main flow of MapChecker::run(): edges are paired (map_edges.h); one sweep finds contacts and the
+// rotation system (map_contacts.h); borders that no cycle lists are traced, and outer boundaries
+// inferred if that is wanted; orbits of the rotation system are the faces that the edges really
+// induce, components are nested in them, and rings that touch make regions (map_orbits.h).
+// Combinatorial and geometric defects are independent, so all are counted in one run; faces are
+// looked for only if there is no duplicate, open edge or contact, because only then the rotation
+// system is one of a plane graph. For a defective map, map_claims.h finds which regions overlap,
+// because hints must say so. docs/maps.md describes the check.
 //
 // Tested by tests/plane/map_check_test.cpp, tests/plane/map_check_property_test.cpp and
 // tests/plane/map_check_scale_test.cpp.
@@ -19,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/plane/check/map_claims.h"
 #include "plumb/plane/check/map_contacts.h"
 #include "plumb/plane/check/map_describe.h"
 #include "plumb/plane/check/map_edges.h"
@@ -112,6 +114,7 @@ class MapChecker {
   MapChecker(Map map, const MapCheckOptions& options, Context& context)
       : options_(options), context_(context), memory_(context) {
     report_.map = std::move(map);
+    findings_.names_places = options.name_places;
   }
 
   MapReport run();
@@ -123,9 +126,14 @@ class MapChecker {
   void match();
   void classify_open();
   void infer_outer_cycles();
+  bool knows_faces() const;
+  std::vector<std::uint32_t> claims();
   void count_matching_defects();
   void sweep_contacts();
+  void find_claims();
   void trace_faces();
+  void settle_mixed(const std::vector<std::uint32_t>& parent);
+  std::vector<std::uint32_t> shells_of_cycles(const std::vector<std::uint32_t>& parent) const;
   void find_nested(const std::vector<std::uint32_t>& parent);
   void collect_regions(const std::vector<std::uint32_t>& parent);
   MapVerdict verdict();
@@ -136,6 +144,7 @@ class MapChecker {
   MemoryCharge memory_;
   MapReport report_;
   MapFindings findings_;
+  std::vector<std::uint32_t> shells_;  // By settle_touching_rings(); empty if it was not needed.
 };
 
 MapReport MapChecker::run() {
@@ -144,13 +153,14 @@ MapReport MapChecker::run() {
   require_well_formed(map());
   if (options_.merge_vertices) findings_.merged = merge_equal_vertices(map());
   match();
+  sweep_contacts();
   classify_open();
   count_matching_defects();
-  sweep_contacts();
   trace_faces();
   report_.verdict = verdict();
   if (report_.verdict != MapVerdict::Valid) {
     report_.regions.clear();
+    find_claims();
     describe_defects(findings_, options_.max_defects, report_);
   }
   describe_warnings(findings_, options_.max_defects, report_);
@@ -173,20 +183,61 @@ void MapChecker::classify_open() {
   if (options_.outer == OuterRule::Infer) infer_outer_cycles();
 }
 
-// Adds a cycle for each chain that is a missing outer boundary, and pairs the edges again.
+// Whether the orbits of the rotation system are the faces of a plane graph. An edge between equal
+// points has no direction, so the order around its ends means nothing.
+bool MapChecker::knows_faces() const {
+  const std::vector<std::uint32_t>& order = findings_.contacts.rotation.order;
+  return findings_.contacts.count == 0 &&
+         std::ranges::none_of(findings_.edges.ends,
+                              [&](const SweepSegment& e) { return order[e.from] == order[e.to]; });
+}
+
+// Returns the listed cycle that claims the face left of each half-edge, or kNone; nothing if faces
+// are not known.
+std::vector<std::uint32_t> MapChecker::claims() {
+  if (!knows_faces()) return {};
+  const MapOrbits orbits =
+      trace_orbits(map(), findings_.edges, findings_.components, findings_.contacts.rotation);
+  const std::vector<std::uint32_t> of_orbit = claims_of_orbits(map(), findings_.edges, orbits);
+  std::vector<std::uint32_t> claims;
+  claims.reserve(orbits.of_halfedge.size());
+  for (const std::uint32_t orbit : orbits.of_halfedge) {
+    claims.push_back(orbits.orbits[orbit].counterclockwise ? of_orbit[orbit] : kNone);
+  }
+  return claims;
+}
+
+// Whether a chain runs inside of listed regions, and of more than one: it is the border of an
+// overlap, not of a component.
+bool is_inside_of_regions(const OpenChain& chain, const std::vector<std::uint32_t>& claims) {
+  if (claims.empty()) return false;
+  const std::uint32_t first = claims[chain.halfedges.front()];
+  const auto is = [&](std::uint32_t claim) {
+    return [&claims, claim](std::uint32_t h) { return claims[h] == claim; };
+  };
+  return std::ranges::none_of(chain.halfedges, is(kNone)) &&
+         !std::ranges::all_of(chain.halfedges, is(first));
+}
+
+// Adds a cycle for each chain that is a missing outer boundary, and pairs the edges again. The
+// undirected edges, and with them the results of the sweep, stay as they are.
 void MapChecker::infer_outer_cycles() {
+  const auto is_clockwise = [](const OpenChain& c) { return c.area == Sign::Negative; };
+  if (std::ranges::none_of(findings_.chains, is_clockwise)) return;
+  const std::vector<std::uint32_t> claims = this->claims();
   for (const OpenChain& chain : findings_.chains) {
-    if (chain.area != Sign::Negative) continue;
+    if (!is_clockwise(chain) || is_inside_of_regions(chain, claims)) continue;
     findings_.inferred.push_back(static_cast<std::uint32_t>(map().cycle_count()));
     map().add_cycle(cycle_of_chain(findings_.edges, chain));
   }
   if (findings_.inferred.empty()) return;
-  match();
+  findings_.edges = match_twins(map());
   findings_.chains = trace_open_chains(map(), findings_.edges);
 }
 
 void MapChecker::count_matching_defects() {
   const MapEdges& edges = findings_.edges;
+  report_.cycles = map().cycle_count();
   counts().duplicate = edges.extra_uses.size();
   for (std::uint32_t e = 0; e < edges.edge_count(); ++e) {
     if (edges.cycle_on_both_sides(e) != MapEdges::kNoCycle) ++counts().twin;
@@ -205,8 +256,16 @@ void MapChecker::sweep_contacts() {
   counts().crossing = findings_.contacts.count;
   report_.vertices = map().vertex_count();
   report_.edges = findings_.edges.edge_count();
-  report_.cycles = map().cycle_count();
   report_.components = findings_.components.count;
+}
+
+// Finds what regions claim, for the hints. Where edges cross far more often than there are edges,
+// the pieces of all edges would take too much memory, and hints stay general.
+void MapChecker::find_claims() {
+  constexpr std::uint64_t kMostContacts = 1024;
+  if (options_.max_defects == 0) return;
+  if (counts().crossing > kMostContacts + findings_.edges.edge_count()) return;
+  findings_.claims = MapClaims(map(), findings_.edges, context_);
 }
 
 // Finds the faces that the edges induce, and the regions if all is valid.
@@ -215,14 +274,23 @@ void MapChecker::trace_faces() {
   context_.checkpoint("faces", 0, 1);
   const MapRotation& rotation = findings_.contacts.rotation;
   findings_.orbits = trace_orbits(map(), findings_.edges, findings_.components, rotation);
-  const auto& orbits = findings_.orbits.orbits;
-  counts().mixed = static_cast<std::uint64_t>(std::count_if(
-      orbits.begin(), orbits.end(), [](const MapOrbits::Orbit& o) { return o.mixed; }));
   const std::vector<std::uint32_t> parent =
       nest_components(findings_.edges, findings_.components, rotation, findings_.orbits);
+  settle_mixed(parent);
   if (ignores_borders()) find_nested(parent);
   if (verdict() == MapVerdict::Valid) collect_regions(parent);
   context_.checkpoint("faces", 1, 1);
+}
+
+// Counts mixed orbits. Most maps have none at first sight, and need no further look.
+void MapChecker::settle_mixed(const std::vector<std::uint32_t>& parent) {
+  const auto is_mixed = [](const MapOrbits::Orbit& o) { return o.mixed; };
+  const auto& orbits = findings_.orbits.orbits;
+  if (std::ranges::any_of(orbits, is_mixed)) {
+    shells_ = settle_touching_rings(map(), findings_.edges, findings_.components, parent,
+                                    findings_.orbits);
+  }
+  counts().mixed = static_cast<std::uint64_t>(std::ranges::count_if(orbits, is_mixed));
 }
 
 // Finds components whose outside is not all listed, and which lie in a listed face.
@@ -230,36 +298,50 @@ void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
   const MapOrbits& orbits = findings_.orbits;
   for (std::uint32_t c = 0; c < parent.size(); ++c) {
     if (parent[c] == kNone) continue;
-    const std::uint32_t container = orbits.orbits[parent[c]].cycle;
+    std::uint32_t container = orbits.orbits[parent[c]].cycle;
+    if (container != kNone && !shells_.empty() && shells_[container] != kNone) {
+      container = shells_[container];
+    }
     const bool is_listed = orbits.orbits[orbits.outside[c]].complete;
     if (container != kNone && !is_listed) findings_.nested.push_back({c, container});
   }
   counts().nested = findings_.nested.size();
 }
 
-// Collects the regions: region 0 is the unbounded one, then comes one for each counter-clockwise
-// cycle in the order of the input. The clockwise cycles of a component are holes of the region to
-// which its parent orbit belongs.
-void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
+// Returns for each cycle the counter-clockwise cycle around its region, or kNone. If no orbit was
+// mixed, the clockwise cycles of a component are holes of the region of its parent orbit.
+std::vector<std::uint32_t> MapChecker::shells_of_cycles(
+    const std::vector<std::uint32_t>& parent) const {
+  if (!shells_.empty()) return shells_;
   const MapOrbits& orbits = findings_.orbits;
-  std::vector<std::uint32_t> region_of(map().cycle_count(), 0);
-  std::vector<std::uint32_t> orbit_of(map().cycle_count(), kNone);
-  for (std::uint32_t i = 0; i < findings_.edges.at_corner.size(); ++i) {
-    const std::uint32_t h = findings_.edges.at_corner[i];
-    orbit_of[findings_.edges.cycle_of[h]] = orbits.of_halfedge[h];
+  const MapEdges& edges = findings_.edges;
+  std::vector<std::uint32_t> shells(report_.map.cycle_count(), kNone);
+  for (const std::uint32_t h : edges.at_corner) {
+    const std::uint32_t cycle = edges.cycle_of[h];
+    const std::uint32_t around = parent[findings_.components.of_vertex[edges.origin(h)]];
+    if (orbits.orbits[orbits.of_halfedge[h]].counterclockwise) {
+      shells[cycle] = cycle;
+    } else if (around != kNone) {
+      shells[cycle] = orbits.orbits[around].cycle;
+    }
   }
+  return shells;
+}
+
+// Collects the regions: region 0 is the unbounded one, then comes one for each counter-clockwise
+// cycle in the order of the input.
+void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
+  const std::vector<std::uint32_t> shells = shells_of_cycles(parent);
+  std::vector<std::uint32_t> region_of(shells.size(), 0);
   report_.regions.resize(1);
-  for (std::uint32_t c = 0; c < orbit_of.size(); ++c) {
-    if (!orbits.orbits[orbit_of[c]].counterclockwise) continue;
+  for (std::uint32_t c = 0; c < shells.size(); ++c) {
+    if (shells[c] != c) continue;
     region_of[c] = static_cast<std::uint32_t>(report_.regions.size());
     report_.regions.push_back({c, {}});
   }
-  for (std::uint32_t c = 0; c < orbit_of.size(); ++c) {
-    if (orbits.orbits[orbit_of[c]].counterclockwise) continue;
-    const std::uint32_t component = findings_.components.of_vertex[map().cycle(c).front()];
-    const std::uint32_t around = parent[component];
-    const bool in_face = around != kNone && orbits.orbits[around].cycle != kNone;
-    report_.regions[in_face ? region_of[orbits.orbits[around].cycle] : 0].holes.push_back(c);
+  for (std::uint32_t c = 0; c < shells.size(); ++c) {
+    if (shells[c] == c) continue;
+    report_.regions[shells[c] == kNone ? 0 : region_of[shells[c]]].holes.push_back(c);
   }
 }
 

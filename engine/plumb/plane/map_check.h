@@ -10,24 +10,27 @@
 // Main flow of check_map() (docs/maps.md defines every defect):
 //  1. match_twins       sorts the half-edges into buckets by the lesser of their two vertex ids,
 //                       and finds the duplicate, open and twin defects
-//  2. classify_open     follows chains of open edges. An edge is open if a cycle uses one of its
-//                       half-edges and no cycle uses the other. Each chain bounds a gap between the
-//                       listed faces, or is a missing outer boundary.
-//  3. find_contacts     makes one sweep over the undirected edges (docs/design/sweep.md). The sweep
+//  2. find_contacts     makes one sweep over the undirected edges (docs/design/sweep.md). The sweep
 //                         finds:
 //                         - every pair of edges with a common point that is not a common vertex
 //                         - the order of the edges around each vertex
 //                         - for each component, the edge below its first vertex
+//  3. classify_open     follows chains of open edges. An edge is open if a cycle uses one of its
+//                       half-edges and no cycle uses the other. Each chain bounds a gap between the
+//                       listed faces, is a missing outer boundary, or bounds an overlap of regions.
 //  4. trace_orbits      traces the boundaries of the faces of the induced graph, and finds the
 //                       mixed faces. The induced graph is the planar graph of all undirected edges.
 //                       At each vertex, the order of the edges around the vertex determines the
 //                       next half-edge of a boundary. This step is taken only if steps 1 to 3 found
 //                       no duplicate, open or crossing defect.
-//  5. nest_components   finds the face that contains each component. Step 3 found the edge below
+//  5. nest_components   finds the face that contains each component. Step 2 found the edge below
 //                       the first vertex of the component. The component lies in the face above
 //                       this edge.
-//  6. describe_defects  describes the defects in a fixed order. A description has the exact point
-//                       of the defect and a hint for the user.
+//  6. settle_touching_rings  finds regions whose rings touch each other at vertices. Their faces
+//                       are not mixed. This step is taken only if step 4 found mixed faces.
+//  7. describe_defects  describes the defects in a fixed order. A description has the exact point
+//                       of the defect and a hint for the user. For the hints, the arrangement of
+//                       all edges shows which regions overlap (check/map_claims.h).
 //
 // Cost: O((n + k) log n) time and O(n + d) memory for n corners, k crossings and d described
 // defects.
@@ -50,7 +53,9 @@ namespace plumb {
 /// The requirement on outer boundaries.
 enum class OuterRule {
   Listed,  ///< The outer boundary of every component must be listed, clockwise.
-  Infer,   ///< Clockwise chains of open edges become the missing outer cycles, with a warning.
+  /// Clockwise chains of open edges become the missing outer cycles, with a warning. If no edges
+  /// are in contact, a chain around an overlap of regions stays open.
+  Infer,
   /// An open edge is not a defect. But if a component lies inside a listed face, the outer boundary
   /// of the component must be listed. If it is not listed, the component is a Nested defect.
   Ignore,
@@ -72,8 +77,10 @@ enum class DefectKind {
   Crossing,   ///< Two undirected edges have a common point that is not a common vertex.
   Twin,       ///< One cycle uses an edge in both directions.
   /// The boundary of a face of the induced graph does not consist of the listed cycles as required.
-  /// The outer boundary of a bounded face must be one counter-clockwise listed cycle. The outer
-  /// boundary of a component must consist of clockwise listed cycles only.
+  /// The outer boundary of a bounded face must be one counter-clockwise listed cycle, or the face
+  /// must be a part of a region of rings: one counter-clockwise cycle and clockwise cycles that
+  /// touch it or each other at vertices. The outer boundary of a component must consist of
+  /// clockwise listed cycles only.
   Mixed,
   Nested  ///< A component lies in a listed face, but the component's outer boundary is not listed.
 };
@@ -86,6 +93,9 @@ struct MapCheckOptions {
   /// The largest number of defects that are described. Defects that are not described are counted,
   /// too.
   std::uint64_t max_defects = 1000;
+  /// Whether hints name vertices by their coordinates instead of their numbers, because the file
+  /// from which the map was made does not number them.
+  bool name_places = false;
 };
 
 /// An edge, named by its end vertices.
@@ -139,8 +149,9 @@ struct MapWarning {
   std::string text;          ///< One sentence for the user.
 };
 
-/// A face of the subdivision. The boundary of a face consists of at most one outer cycle, and of
-/// one cycle for each hole.
+/// A region of the subdivision. The boundary of a region consists of at most one outer cycle, and
+/// of clockwise cycles for the holes. If cycles touch each other or themselves at vertices, the
+/// region may have several faces.
 struct MapRegion {
   /// Id of the counter-clockwise cycle around the region. The unbounded region has no such cycle.
   std::optional<std::uint32_t> outer;

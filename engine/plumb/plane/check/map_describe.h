@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "plumb/plane/check/map_claims.h"
 #include "plumb/plane/check/map_contacts.h"
 #include "plumb/plane/check/map_edges.h"
 #include "plumb/plane/check/map_orbits.h"
@@ -28,7 +29,13 @@ struct MapFindings {
   std::vector<std::uint32_t> merged;    ///< Vertices merged into another, ascending.
   std::vector<std::uint32_t> inferred;  ///< Cycles that OuterRule::Infer added.
   bool open_is_defect = true;           ///< Whether open edges are defects.
+  MapClaims claims;                     ///< Known only for defective maps.
+  bool names_places = false;            ///< Whether hints name vertices by their coordinates.
 };
+
+/// Returns all cycles that list an edge, in either direction. A cycle that lists it several times
+/// occurs as often.
+std::vector<std::uint32_t> cycles_at(const MapEdges& edges, std::uint32_t edge);
 
 /// Sets report.defects: at most max_defects, by kind, then by position. Requires that the counts of
 /// the report are set.

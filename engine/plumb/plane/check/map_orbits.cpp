@@ -6,6 +6,17 @@
 // face above the edge that is next below its first vertex; components are settled in the order of
 // those vertices, so the one with that edge is settled before.
 //
+// Rings that touch: two cycles that list half-edges of one face are boundaries of one region. So
+// the classes of cycles that this relation generates are the regions, if the listing means regions
+// at all. A class is a region if its faces are bounded by nothing unlisted, no edge has two cycles
+// of the class at its sides, and exactly one cycle is counter-clockwise (none if a face of the
+// class is unbounded). Proof that the winding number w of the cycles of such a class is 1 in its
+// faces and 0 elsewhere: let u be 1 in the faces of the class and 0 elsewhere. Across an edge with
+// the class on one side only, the half-edge on that side is listed by the class, so w and u jump
+// alike. Across any other edge neither jumps. So w - u is constant, and it is 0 in the unbounded
+// face (1 is to be added to w if that is a face of the class). So each face is in exactly one
+// region.
+//
 // Tested by tests/plane/map_check_test.cpp and tests/plane/map_check_property_test.cpp.
 
 #include "plumb/plane/check/map_orbits.h"
@@ -13,6 +24,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "plumb/base/internal/union_find.h"
 #include "plumb/predicates/plane/plane_points.h"
 
 namespace plumb {
@@ -179,6 +191,144 @@ std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapCompo
     parent[c] = orbits.orbits[above].counterclockwise ? above : parent[other];
   }
   return parent;
+}
+
+namespace {
+
+std::vector<Sign> cycle_signs(const Map& map) {
+  std::vector<Sign> signs;
+  signs.reserve(map.cycle_count());
+  for (std::size_t c = 0; c < map.cycle_count(); ++c) {
+    signs.push_back(polygon_area_sign(map.points, map.cycle(c)));
+  }
+  return signs;
+}
+
+// The classes of cycles that bound common faces. The unbounded region is one more member.
+class TouchingRings {
+ public:
+  TouchingRings(const Map& map, const MapEdges& edges, const MapComponents& components,
+                const std::vector<std::uint32_t>& parent, MapOrbits& orbits)
+      : edges_(edges),
+        components_(components),
+        parent_(parent),
+        orbits_(orbits),
+        signs_(cycle_signs(map)),
+        unbounded_(static_cast<std::uint32_t>(map.cycle_count())),
+        classes_(map.cycle_count() + 1),
+        shell_(map.cycle_count() + 1, kNone),
+        is_region_(map.cycle_count() + 1, 1) {}
+
+  std::vector<std::uint32_t> settle() {
+    unite_around_faces();
+    find_shells();
+    reject_open_faces();
+    reject_inner_edges();
+    for (MapOrbits::Orbit& orbit : orbits_.orbits) {
+      if (orbit.mixed && orbit.counterclockwise) orbit.mixed = !is_region(orbit.cycle);
+    }
+    return shells();
+  }
+
+ private:
+  void unite_around_faces();
+  void find_shells();
+  void reject_open_faces();
+  void reject_inner_edges();
+  std::vector<std::uint32_t> shells();
+
+  bool is_region(std::uint32_t cycle) { return is_region_[classes_.root(cycle)] != 0; }
+  void reject(std::uint32_t cycle) { is_region_[classes_.root(cycle)] = 0; }
+  // A cycle on the outer boundary of the face around a component, or the unbounded region.
+  std::uint32_t around(std::uint32_t component) const {
+    const std::uint32_t orbit = parent_[component];
+    return orbit == kNone ? unbounded_ : orbits_.orbits[orbit].cycle;
+  }
+
+  const MapEdges& edges_;
+  const MapComponents& components_;
+  const std::vector<std::uint32_t>& parent_;
+  MapOrbits& orbits_;
+  std::vector<Sign> signs_;
+  std::uint32_t unbounded_;
+  UnionFind classes_;
+  std::vector<std::uint32_t> shell_;  // Of each root: the counter-clockwise cycle.
+  std::vector<char> is_region_;       // Of each root.
+};
+
+void TouchingRings::unite_around_faces() {
+  for (std::uint32_t h = 0; h < edges_.halfedge_count(); ++h) {
+    if (edges_.cycle_of[h] == kNone) continue;
+    classes_.unite(edges_.cycle_of[h], orbits_.orbits[orbits_.of_halfedge[h]].cycle);
+  }
+  for (std::uint32_t c = 0; c < components_.count; ++c) {
+    const std::uint32_t outside = orbits_.orbits[orbits_.outside[c]].cycle;
+    if (outside != kNone && around(c) != kNone) classes_.unite(outside, around(c));
+  }
+}
+
+void TouchingRings::find_shells() {
+  for (std::uint32_t c = 0; c < signs_.size(); ++c) {
+    const std::uint32_t root = classes_.root(c);
+    if (signs_[c] == Sign::Negative) continue;
+    const bool is_shell =
+        signs_[c] == Sign::Positive && shell_[root] == kNone && root != classes_.root(unbounded_);
+    if (is_shell) {
+      shell_[root] = c;
+    } else {
+      is_region_[root] = 0;
+    }
+  }
+}
+
+void TouchingRings::reject_open_faces() {
+  for (const MapOrbits::Orbit& orbit : orbits_.orbits) {
+    if (orbit.cycle == kNone) continue;
+    const bool is_mixed_outside = orbit.mixed && !orbit.counterclockwise;
+    if (!orbit.complete || is_mixed_outside) reject(orbit.cycle);
+  }
+  for (std::uint32_t c = 0; c < components_.count; ++c) {
+    const std::uint32_t outside = orbits_.orbits[orbits_.outside[c]].cycle;
+    if (outside == kNone && around(c) != kNone) reject(around(c));
+    if (outside != kNone && around(c) == kNone) reject(outside);
+  }
+}
+
+void TouchingRings::reject_inner_edges() {
+  for (std::uint32_t e = 0; e < edges_.edge_count(); ++e) {
+    const std::uint32_t left = edges_.cycle_of[2 * e];
+    const std::uint32_t right = edges_.cycle_of[2 * e + 1];
+    if (left == kNone || right == kNone || left == right) continue;
+    if (classes_.root(left) == classes_.root(right)) reject(left);
+  }
+}
+
+std::vector<std::uint32_t> TouchingRings::shells() {
+  std::vector<std::uint32_t> shells(signs_.size());
+  for (std::uint32_t c = 0; c < shells.size(); ++c) shells[c] = shell_[classes_.root(c)];
+  return shells;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> settle_touching_rings(const Map& map, const MapEdges& edges,
+                                                 const MapComponents& components,
+                                                 const std::vector<std::uint32_t>& parent,
+                                                 MapOrbits& orbits) {
+  return TouchingRings(map, edges, components, parent, orbits).settle();
+}
+
+std::vector<std::uint32_t> claims_of_orbits(const Map& map, const MapEdges& edges,
+                                            const MapOrbits& orbits) {
+  const std::vector<Sign> signs = cycle_signs(map);
+  std::vector<std::uint32_t> claims(orbits.orbits.size(), kNone);
+  for (std::uint32_t h = 0; h < edges.halfedge_count(); ++h) {
+    const std::uint32_t cycle = edges.cycle_of[h];
+    if (cycle == kNone || signs[cycle] != Sign::Positive) continue;
+    std::uint32_t& claim = claims[orbits.of_halfedge[h]];
+    claim = std::min(claim, cycle);
+  }
+  return claims;
 }
 
 std::vector<std::uint32_t> find_pinches(const Map& map, const MapEdges& edges,

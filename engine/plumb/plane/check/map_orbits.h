@@ -3,6 +3,11 @@
 // An orbit is one boundary cycle of an induced face: a cycle of orbit_next. It runs
 // counter-clockwise if it is the outer boundary of a bounded face, clockwise if it is the outside
 // of a component.
+//
+// Two models of a region are accepted. In the model of cycles, the outer boundary of a region is
+// one counter-clockwise cycle, which may touch itself. In the model of rings, which GIS use, it is
+// a counter-clockwise shell and clockwise holes that touch the shell or each other at vertices.
+// trace_orbits() knows the model of cycles; settle_touching_rings() finds the regions of the other.
 #pragma once
 
 #include <cstdint>
@@ -42,6 +47,22 @@ std::vector<std::uint32_t> cycles_of_orbit(const MapEdges& edges, const MapRotat
 /// unbounded face.
 std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapComponents& components,
                                            const MapRotation& rotation, const MapOrbits& orbits);
+
+/// Finds the regions of which the boundary is listed as rings that touch, and clears the flag
+/// `mixed` of their orbits. `parent` is the result of nest_components(). Returns for each listed
+/// cycle the counter-clockwise cycle around its region, or kNone if the region is unbounded; the
+/// entry of a cycle in a defective region has no meaning. Requires the same as trace_orbits(). O(n
+/// a(n)), and the exact area of every listed cycle.
+std::vector<std::uint32_t> settle_touching_rings(const Map& map, const MapEdges& edges,
+                                                 const MapComponents& components,
+                                                 const std::vector<std::uint32_t>& parent,
+                                                 MapOrbits& orbits);
+
+/// Returns for each orbit a listed counter-clockwise cycle with half-edges in it, the least one, or
+/// kNone. The region inside of that cycle claims the face of the orbit. O(n), and the exact area of
+/// every listed cycle.
+std::vector<std::uint32_t> claims_of_orbits(const Map& map, const MapEdges& edges,
+                                            const MapOrbits& orbits);
 
 /// Returns the vertices that one orbit passes more than once, ascending.
 std::vector<std::uint32_t> find_pinches(const Map& map, const MapEdges& edges,

@@ -68,7 +68,9 @@ void PrintTo(const MapDefectMaker& maker, std::ostream* out);
 /// repeat-vertex, two-corners, bad-index   what check_map refuses
 /// sliver                    a T-junction closed by a triangle without area
 /// isolated-vertex           of no cycle (no defect)
-/// self-touch                a hole that touches its face's boundary in a vertex (no defect)
+/// self-touch, touching-hole a hole that touches its face's boundary in a vertex, in one cycle with it
+///                           or on its own (no defect)
+/// lens                      the two faces at an edge bulge over each other
 const std::vector<MapDefectMaker>& map_defect_makers();
 
 /// The one of that name, which has to be one of these.

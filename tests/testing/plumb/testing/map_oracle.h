@@ -7,13 +7,20 @@
 //   crossing   unordered pairs of distinct undirected edges whose common points are not just the
 //              place of a vertex of both
 //   twin       undirected edges both of whose directions are used by one cycle
-//   mixed      orbits of "next half-edge around vertices"; S = listed cycles on the orbit. A
-//              bounded orbit (positive area) is mixed when |S| > 1, or S = {c} and c has no
-//              positive area; any other orbit when |S| > 1 and not all of S are clockwise, or S =
-//              {c} and c has positive area. Only when duplicate = open = crossing = 0.
+//   mixed      orbits of "next half-edge around vertices"; S = listed cycles on the orbit. Mixed
+//              are orbits of positive area with |S| > 1, or S = {c} and c has no positive area; of
+//              the others those with |S| > 1 and not all of S clockwise, or S = {c} and c has
+//              positive area. But an orbit of positive area is not mixed if its face is a part of a
+//              region of rings: the cycles that bound common faces, directly or by way of others,
+//              have winding number 1 at their left sides and 0 at their right sides, and exactly
+//              one of them runs counter-clockwise (0, -1 and none if one of the faces is
+//              unbounded). Only when duplicate = open = crossing = 0.
 //   nested     components whose innermost surrounding orbit bears a listed cycle, and whose own
 //              outer orbit has a half-edge that is not listed; only under Ignore, when mixed is
 //              known
+// Under Infer, a clockwise chain of missing half-edges becomes a cycle, unless nothing crosses and
+// the chain goes round an overlap: every half-edge of it is on an orbit of positive area with a
+// counter-clockwise cycle, and the least ones of these are not all the same.
 #pragma once
 
 #include <optional>
