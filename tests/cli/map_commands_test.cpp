@@ -1,4 +1,4 @@
-// The command `plumb map overlay` from outside.
+// The commands `plumb map check` of polygons and `plumb map overlay` from outside.
 
 #include <gtest/gtest.h>
 
@@ -64,6 +64,70 @@ std::map<std::uint64_t, Rational> region_areas(const std::string& file) {
     areas[outer] = Rational(sum) / 2;
   }
   return areas;
+}
+
+std::string feature(const std::string& rings) {
+  return R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[)" +
+         rings + "]}}";
+}
+
+std::string collection(const std::string& first, const std::string& second) {
+  return R"({"type":"FeatureCollection","features":[)" + feature(first) + "," + feature(second) +
+         "]}";
+}
+
+const std::string kLeft = "[[0,0],[10,0],[10,3],[10,7],[10,10],[0,10],[0,0]]";
+
+TEST(MapCheckOfPolygons, names_features_and_coordinates_of_a_gap) {
+  const ScratchDirectory scratch;
+  const fs::path file = scratch / "gap.geojson";
+  write_file(file,
+             collection(kLeft, "[[10,0],[20,0],[20,10],[10,10],[10,7],[11,5],[10,3],[10,0]]"));
+  const RunResult result = run({"map", "check", file.string(), "-q"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(result.out.starts_with("open\n1. open; face 1;")) << result.out;
+  EXPECT_TRUE(contains(result.out,
+                       "gap of 3 edges in the coverage; list the missing face "
+                       "(10,7) (10,3) (11,5)\n"))
+      << result.out;
+}
+
+TEST(MapCheckOfPolygons, names_features_that_overlap) {
+  const ScratchDirectory scratch;
+  const fs::path file = scratch / "overlap.json";
+  write_file(file, collection(kLeft, "[[10,0],[20,0],[20,10],[10,10],[10,7],[9,5],[10,3],[10,0]]"));
+  const RunResult result = run({"map", "check", file.string(), "-q"});
+  EXPECT_EQ(result.code, 1);
+  EXPECT_TRUE(contains(result.out, "regions 1 and 2 overlap between vertices (10,3) and (10,7)"))
+      << result.out;
+}
+
+TEST(MapCheckOfPolygons, accepts_a_coverage_with_a_hole_that_touches) {
+  const ScratchDirectory scratch;
+  const fs::path file = scratch / "coverage.txt";
+  write_file(file,
+             "MULTIPOLYGON (((0 0, 5 0, 10 0, 10 10, 0 10, 0 0), (5 0, 3 4, 7 4, 5 0)), "
+             "((5 0, 7 4, 3 4, 5 0)))");
+  const RunResult result = run({"map", "check", file.string(), "--json"});
+  EXPECT_EQ(result.code, 0) << result.out << result.err;
+  EXPECT_EQ(Json::parse(result.out)["regions"],
+            Json::parse(
+                R"([{"outer":null,"holes":[4]},{"outer":1,"holes":[3]},{"outer":2,"holes":[]}])"));
+  EXPECT_EQ(run({"map", "check", file.string(), "--outer", "listed"}).code, 1);
+}
+
+/// What a difference writes is a region of a map.
+TEST(MapCheckOfPolygons, accepts_what_a_difference_writes) {
+  const ScratchDirectory scratch;
+  write_file(scratch / "square.wkt", "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))");
+  write_file(scratch / "hole.wkt", "POLYGON ((5 0, 7 4, 3 4, 5 0))");
+  const std::string rest = (scratch / "rest.wkt").string();
+  ASSERT_EQ(run({"plane", "difference", (scratch / "square.wkt").string(),
+                 (scratch / "hole.wkt").string(), "-o", rest, "-q"})
+                .code,
+            0);
+  const RunResult result = run({"map", "check", rest, "--outer", "ignore", "--json"});
+  EXPECT_EQ(result.code, 0) << result.out << result.err;
 }
 
 /// The area of a GeoJSON polygon, holes taken off.

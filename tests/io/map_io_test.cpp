@@ -15,9 +15,11 @@
 
 #include "expect_refusals.h"
 #include "hostile_maps.h"
+#include "plumb/io/plane/wkt.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
+#include "plumb/predicates/plane/plane_points.h"
 
 namespace plumb::map_io_test {
 namespace {
@@ -272,6 +274,34 @@ TEST(MapReader, names_files_it_cannot_open) {
     EXPECT_STREQ(error.what(), "no/such.map: No such file or directory");
   }
   EXPECT_THROW(read_map_file("corpus", {}, context), Error);  // a directory
+}
+
+/// Two squares with a common side, the second one clockwise, and a hole of the first one, which
+/// touches it at (5, 0) and runs the wrong way.
+const std::string kPolygons =
+    "GEOMETRYCOLLECTION (MULTIPOLYGON (((0 0, 5 0, 9 0, 9 9, 0 9, 0 0), (5 0, 7 4, 3 4, 5 0)), "
+    "((9 0, 9 9, 12 9, 12 0, 9 0))), POINT (1 1))";
+
+TEST(MapOfPolygons, shares_positions_and_turns_rings) {
+  Context context;
+  const Map map = map_of_polygons(read_wkt(kPolygons, {"some.file"}, context), context);
+  EXPECT_EQ(map.vertex_count(), 9U);
+  ASSERT_EQ(map.cycle_count(), 3U);
+  EXPECT_EQ(map.cycle(0).size(), 5U);
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_EQ(polygon_area_sign(map.points, map.cycle(c)), c < 2 ? Sign::Positive : Sign::Negative);
+  }
+  for (std::uint32_t v = 0; v < 9; ++v) {
+    for (std::uint32_t w = 0; w < v; ++w) {
+      EXPECT_NE(compare_xy(map.points, v, w), Sign::Zero);
+    }
+  }
+}
+
+TEST(MapOfPolygons, refuses_an_outer_ring_without_three_corners) {
+  Context context;
+  const PlaneShapes shapes = read_wkt("POLYGON ((0 0, 1 0, 1 0, 0 0))", {"some.file"}, context);
+  EXPECT_THROW(map_of_polygons(shapes, context), Error);
 }
 
 TEST(FormatDouble, reads_back_and_is_short) {

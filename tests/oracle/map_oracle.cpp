@@ -153,8 +153,11 @@ void Judge::infer_outer() {
   }
   if (!has_contacts()) {
     sort_around_vertices();
+    trace_orbits();
     std::erase_if(report_.inferred, [&](const Cycle& c) { return is_inside_of_regions(c); });
     around_.clear();
+    orbits_.clear();
+    orbit_of_.clear();
   }
   for (const Cycle& cycle : report_.inferred) {
     map_.cycles.push_back(cycle);
@@ -176,14 +179,17 @@ bool Judge::has_contacts() const {
 }
 
 // Whether the left side of every half-edge of a chain lies inside of a counter-clockwise cycle that
-// bounds the same face, and these are not all one cycle. Then the chain goes round an overlap.
+// bounds the same face from outside, and these are not all one cycle. Then the chain goes round an
+// overlap.
 bool Judge::is_inside_of_regions(const Cycle& chain) const {
   std::set<std::uint32_t> around;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const Orbit orbit = trace({chain[i], chain[(i + 1) % chain.size()]});
-    const auto region = std::find_if(orbit.cycles.begin(), orbit.cycles.end(),
+    const Orbit* orbit = &orbits_[orbit_of_.at({chain[i], chain[(i + 1) % chain.size()]})];
+    if (!orbit->is_bounded()) orbit = innermost_around(orbit->component, chain[i]);
+    if (orbit == nullptr) return false;
+    const auto region = std::find_if(orbit->cycles.begin(), orbit->cycles.end(),
                                      [&](auto c) { return doubled_area(map_.cycles[c]) > 0; });
-    if (!orbit.is_bounded() || region == orbit.cycles.end()) return false;
+    if (region == orbit->cycles.end()) return false;
     around.insert(*region);
   }
   return around.size() > 1;

@@ -5,18 +5,26 @@
 // if it has at least three corners, no vertex twice in a row, and corners that are not all on one
 // line; the last is decided by exact orientation signs, which stop at the first turn. Whether the
 // faces form a planar subdivision is not decided here but by the check of maps (plane/map_check.h).
+//
+// Polygons of WKT and GeoJSON have their own positions each; equal ones are found by sorting. They
+// become a map ring by ring, and outer boundaries are left to the check.
 // Format: docs/formats.md, section map.
 // Tested by tests/io/map_io_test.cpp.
 #include "plumb/io/map_io.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <ostream>
 
+#include "plumb/io/plane/geojson.h"
+#include "plumb/io/plane/wkt.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
+#include "plumb/plane/sweep/sweep_curves.h"
 #include "plumb/predicates/error.h"
+#include "plumb/predicates/plane/plane_points.h"
 #include "plumb/predicates/point_table2.h"
 
 namespace plumb {
@@ -173,6 +181,116 @@ Map read_map_file(const std::string& path, ReadOptions options, Context& context
   Map map = read_map(text, options, context);
   context.release_memory(text.size());
   return map;
+}
+
+namespace {
+
+/// Makes a map of the rings of polygons.
+class CoverageBuilder {
+ public:
+  CoverageBuilder(const PlaneShapes& shapes, Context& context)
+      : shapes_(shapes), memory_(context), vertex_(shapes.points.size(), kUnused) {
+    memory_.add(kBytesPerPosition * shapes.points.size(), "a coverage of polygons");
+    ranks_ = rank_points(shapes.points, std::vector<char>(shapes.points.size(), 1));
+  }
+
+  Map build() {
+    for (std::size_t p = 0; p < shapes_.polygon_count(); ++p) {
+      if (add_ring(shapes_.polygon_begin[p], Sign::Positive)) continue;
+      throw Error(ErrorCode::DegenerateFace,
+                  "polygon " + std::to_string(p + 1) + " has fewer than three different corners");
+    }
+    for (std::size_t p = 0; p < shapes_.polygon_count(); ++p) {
+      for (std::uint32_t r = shapes_.polygon_begin[p] + 1; r < shapes_.polygon_begin[p + 1]; ++r) {
+        add_ring(r, Sign::Negative);
+      }
+    }
+    return std::move(map_);
+  }
+
+ private:
+  static constexpr std::uint32_t kUnused = PointRanks::kUnused;
+  static constexpr std::uint64_t kBytesPerPosition = 64;
+
+  std::uint32_t vertex_at(std::uint32_t position);
+  bool add_ring(std::uint32_t ring, Sign orientation);
+
+  const PlaneShapes& shapes_;
+  MemoryCharge memory_;
+  PointRanks ranks_;
+  std::vector<std::uint32_t> vertex_;  // For the rank of a position, its vertex.
+  Map map_;
+};
+
+std::uint32_t CoverageBuilder::vertex_at(std::uint32_t position) {
+  std::uint32_t& vertex = vertex_[ranks_.rank[position]];
+  if (vertex != kUnused) return vertex;
+  vertex = static_cast<std::uint32_t>(map_.points.size());
+  if (shapes_.points.is_double(position)) {
+    map_.points.push_back(shapes_.points.approx(position));
+  } else {
+    const RationalPoint2 p = shapes_.points.exact(position);
+    map_.points.push_back(p.x, p.y);
+  }
+  return vertex;
+}
+
+/// Adds a ring, turned if it runs the other way. Returns whether it has three corners.
+bool CoverageBuilder::add_ring(std::uint32_t ring, Sign orientation) {
+  std::vector<std::uint32_t> cycle;
+  for (const std::uint32_t position : shapes_.ring(ring)) {
+    const std::uint32_t vertex = vertex_at(position);
+    if (cycle.empty() || cycle.back() != vertex) cycle.push_back(vertex);
+  }
+  while (cycle.size() > 1 && cycle.back() == cycle.front()) cycle.pop_back();
+  if (cycle.size() < 3) return false;
+  const Sign area = polygon_area_sign(map_.points, cycle);
+  if (area != Sign::Zero && area != orientation) std::reverse(cycle.begin() + 1, cycle.end());
+  map_.add_cycle(cycle);
+  return true;
+}
+
+bool begins_with_word(std::string_view text, std::string_view word) {
+  return text.size() >= word.size() &&
+         std::equal(word.begin(), word.end(), text.begin(), [](char w, char c) {
+           return w == std::toupper(static_cast<unsigned char>(c));
+         });
+}
+
+/// The format of a file of polygons; nothing for a map.
+std::optional<PlaneFormat> polygon_format(const std::string& path, std::string_view text) {
+  const std::optional<PlaneFormat> named = plane_format_of(path);
+  if (named) return *named == PlaneFormat::Nef2 ? std::nullopt : named;
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with('{') || text.starts_with('[')) return PlaneFormat::GeoJson;
+  for (const std::string_view word : {"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"}) {
+    if (begins_with_word(text, word)) return PlaneFormat::Wkt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Map map_of_polygons(const PlaneShapes& shapes, Context& context) {
+  return CoverageBuilder(shapes, context).build();
+}
+
+MapFile read_map_or_polygons(const std::string& path, ReadOptions options, Context& context) {
+  options.name = input_name(path);
+  const std::string text = read_input(path, context);
+  MapFile file;
+  if (const auto format = polygon_format(path, text)) {
+    const PlaneShapes shapes = *format == PlaneFormat::GeoJson
+                                   ? read_geojson(text, options, context)
+                                   : read_wkt(text, options, context);
+    file.is_polygons = true;
+    file.dropped = shapes.line_count() + shapes.single_points.size();
+    file.map = map_of_polygons(shapes, context);
+  } else {
+    file.map = read_map(text, options, context);
+  }
+  context.release_memory(text.size());
+  return file;
 }
 
 namespace {

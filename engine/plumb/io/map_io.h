@@ -24,6 +24,7 @@
 #include <string_view>
 
 #include "plumb/base/context.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/io/read_options.h"
 #include "plumb/plane/map.h"
 
@@ -39,6 +40,27 @@ Map read_map(std::string_view text, const ReadOptions& options = {},
 /// is ignored. Throws the errors that the head of this file states.
 Map read_map_file(const std::string& path, ReadOptions options = {},
                   Context& context = unlimited_context());
+
+/// Returns the coverage that polygons form, as a map without outer boundaries
+/// (OuterRule::Infer). Positions with equal coordinates become one vertex; vertices are numbered by
+/// their first corners. Cycle k is the outer ring of polygon k, counter-clockwise. After all outer
+/// rings come the holes of all polygons, clockwise. Rings are turned if they run the other way.
+/// Lines and single points are left out. Throws Error{DegenerateFace} if an outer ring has fewer
+/// than three different positions; such holes are left out. O(n log n).
+Map map_of_polygons(const PlaneShapes& shapes, Context& context = unlimited_context());
+
+/// What read_map_or_polygons() found.
+struct MapFile {
+  Map map;                   ///< The map.
+  bool is_polygons = false;  ///< Whether the file is WKT or GeoJSON (map_of_polygons()).
+  std::size_t dropped = 0;   ///< Number of lines and single points that were left out.
+};
+
+/// Reads the file `path`, or standard input if `path` is "-". A file in WKT or GeoJSON, by its
+/// extension or, if that is unknown, by its first character, is read as a coverage of polygons; any
+/// other file is read by read_map(). `options.name` is ignored. Throws the errors of these readers.
+MapFile read_map_or_polygons(const std::string& path, ReadOptions options = {},
+                             Context& context = unlimited_context());
 
 /// Writes a map without loss. If ReadOptions::exact_decimals is false, read_map() returns the same
 /// points and cycles from the written text. When the function returns, all bytes have been passed

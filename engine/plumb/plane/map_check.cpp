@@ -193,17 +193,21 @@ bool MapChecker::knows_faces() const {
 }
 
 // Returns the listed cycle that claims the face left of each half-edge, or kNone; nothing if faces
-// are not known.
+// are not known. The outside of a component is claimed by the region around it.
 std::vector<std::uint32_t> MapChecker::claims() {
   if (!knows_faces()) return {};
-  const MapOrbits orbits =
-      trace_orbits(map(), findings_.edges, findings_.components, findings_.contacts.rotation);
-  const std::vector<std::uint32_t> of_orbit = claims_of_orbits(map(), findings_.edges, orbits);
+  const MapEdges& edges = findings_.edges;
+  const MapComponents& components = findings_.components;
+  const MapRotation& rotation = findings_.contacts.rotation;
+  const MapOrbits orbits = trace_orbits(map(), edges, components, rotation);
+  const std::vector<std::uint32_t> parent = nest_components(edges, components, rotation, orbits);
+  std::vector<std::uint32_t> of_orbit = claims_of_orbits(map(), edges, orbits);
+  for (std::uint32_t c = 0; c < components.count; ++c) {
+    of_orbit[orbits.outside[c]] = parent[c] == kNone ? kNone : of_orbit[parent[c]];
+  }
   std::vector<std::uint32_t> claims;
   claims.reserve(orbits.of_halfedge.size());
-  for (const std::uint32_t orbit : orbits.of_halfedge) {
-    claims.push_back(orbits.orbits[orbit].counterclockwise ? of_orbit[orbit] : kNone);
-  }
+  for (const std::uint32_t orbit : orbits.of_halfedge) claims.push_back(of_orbit[orbit]);
   return claims;
 }
 

@@ -73,7 +73,7 @@ class MapCheck : public CommandBody {
   void tell_notes(Session& session) const;
 
   std::string file_;
-  std::string outer_ = "listed";
+  std::string outer_;
   std::string svg_;
   std::string geojson_;
   MapCheckOptions options_;
@@ -81,9 +81,13 @@ class MapCheck : public CommandBody {
 };
 
 void MapCheck::declare(CLI::App& app) {
-  app.add_option("FILE", file_, "The map; - is standard input")->required()->type_name("");
+  app.add_option("FILE", file_,
+                 "The map, or polygons that cover an area (.wkt, .geojson); - is standard input")
+      ->required()
+      ->type_name("");
   add_choice(app, "--outer", outer_, {"listed", "infer", "ignore"},
-             "Outer boundaries are listed (default), to be inferred, or to be ignored");
+             "Outer boundaries are listed (default for maps), to be inferred (default for "
+             "polygons), or to be ignored");
   app.add_flag("--merge-vertices", options_.merge_vertices,
                "Vertices with equal coordinates become one first");
   app.add_option("--max-defects", options_.max_defects, "Describe at most N defects (default 1000)")
@@ -94,15 +98,21 @@ void MapCheck::declare(CLI::App& app) {
 }
 
 ExitCode MapCheck::run(Session& session) {
-  options_.outer = outer_rule(outer_);
   open_outputs(session);
   Context& context = session.context();
   const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
   session.expect({reading_map(), checking_map(), writing()});
   session.begin("read");
-  Map map = read_map_file(file_, read_options, context);
+  MapFile file = read_map_or_polygons(file_, read_options, context);
+  if (outer_.empty() && file.is_polygons) outer_ = "infer";
+  options_.name_places = file.is_polygons;
+  options_.outer = outer_rule(outer_);
+  if (file.dropped > 0) {
+    session.note(input_name(file_) + ": passed over: " + std::to_string(file.dropped) +
+                 (file.dropped == 1 ? " line or point" : " lines and points"));
+  }
   session.begin("check");
-  report_ = check_map(std::move(map), options_, context);
+  report_ = check_map(std::move(file.map), options_, context);
   session.deliver();
   tell_notes(session);
   return report_.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;

@@ -41,8 +41,10 @@ class MapClaims {
   /// Returns the least region but one that claims one of these faces, or kNoCycle. O(number of
   /// faces).
   std::uint32_t other_claimant(const std::vector<std::uint32_t>& faces, std::uint32_t but) const;
-  /// Whether exactly one region claims a face.
-  bool has_one_claimant(std::uint32_t face) const { return claims(face).size() == 1; }
+  /// Whether a region, and no other one, claims a face.
+  bool is_only_claimant(std::uint32_t region, std::uint32_t face) const {
+    return claims(face).size() == 1 && claims(face).front() == region;
+  }
   /// Returns an edge of the map, other than that of h, from which a cycle lists the left side of
   /// the first piece of h; kNoEdge if there is none.
   std::uint32_t lister_beside(std::uint32_t h) const;

@@ -374,11 +374,12 @@ void MapHints::divide(std::uint32_t c, Border& border) const {
 // of a region as an island whose hole is not listed; empty if it is none.
 std::string MapHints::lies_inside(std::uint32_t c, const Border& border) const {
   const std::uint32_t around = border.parts.front().claimant;
-  const bool is_one = std::ranges::all_of(border.parts, [&](const Border::Part& p) {
-    return p.claimant == around && p.owner != around;
+  const bool is_around = std::ranges::all_of(border.faces, [&](std::uint32_t face) {
+    return findings_.claims.is_only_claimant(around, face);
   });
-  if (!is_one || border.faces.size() != 1 || chain(c).area != Sign::Negative) return {};
-  if (!findings_.claims.has_one_claimant(border.faces.front())) return {};
+  const bool is_owner =
+      std::ranges::any_of(border.parts, [&](const Border::Part& p) { return p.owner == around; });
+  if (!is_around || is_owner || chain(c).area != Sign::Negative) return {};
   const std::uint32_t inner = border.parts.front().owner;
   return regions_overlap(inner, around) + ", as region " + number(inner) + " lies inside region " +
          number(around) + "; to cut a hole for it, list the clockwise cycle " +

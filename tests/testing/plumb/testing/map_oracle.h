@@ -19,7 +19,7 @@
 //              outer orbit has a half-edge that is not listed; only under Ignore, when mixed is
 //              known
 // Under Infer, a clockwise chain of missing half-edges becomes a cycle, unless nothing crosses and
-// the chain goes round an overlap: every half-edge of it is on an orbit of positive area with a
+// the chain goes round an overlap: the outer boundary of the face at every half-edge of it bears a
 // counter-clockwise cycle, and the least ones of these are not all the same.
 #pragma once
 
