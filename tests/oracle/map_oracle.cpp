@@ -395,7 +395,7 @@ void Judge::find_classes() {
 
 // A class is one region if its cycles together run once around its faces, and around nothing else:
 // the left sides of its half-edges have winding number 1, the right sides 0 (0 and -1 if the region
-// is unbounded). The two sides of a spike of one cycle are both inside.
+// is unbounded).
 void Judge::judge_class(RegionClass& regions) const {
   const bool is_unbounded = regions.faces.contains(orbits_.size());
   const int inside = is_unbounded ? 0 : 1;
@@ -413,10 +413,7 @@ void Judge::judge_class(RegionClass& regions) const {
   const std::vector<int> winding = windings(regions);
   for (const auto& [h, users] : uses_) {
     if (!regions.cycles.contains(users.front())) continue;
-    const auto back = uses_.find(reversed(h));
-    const bool is_spike = back != uses_.end() && back->second.front() == users.front();
-    if (winding[face_of(h)] != inside) return;
-    if (winding[face_of(reversed(h))] != (is_spike ? inside : inside - 1)) return;
+    if (winding[face_of(h)] != inside || winding[face_of(reversed(h))] != inside - 1) return;
   }
   regions.is_region = true;
 }

@@ -192,6 +192,31 @@ bool MapHints::runs_wrong_way(std::uint32_t cycle) {
   return found->second;
 }
 
+// Divides a cycle into the path that it has in common with another one, and the rest, each with
+// both ends. Both are empty unless there is one such path.
+std::pair<MapHints::Vertices, MapHints::Vertices> MapHints::divided_at_common_path(
+    std::uint32_t cycle, std::uint32_t other) const {
+  const auto own = corner_halfedges(cycle);
+  const auto theirs = corner_halfedges(other);
+  const std::set<std::uint32_t> others(theirs.begin(), theirs.end());
+  const std::size_t size = own.size();
+  std::size_t start = 0, starts = 0, common = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (!others.contains(own[i])) continue;
+    ++common;
+    if (others.contains(own[(i == 0 ? size : i) - 1])) continue;
+    start = i;
+    ++starts;
+  }
+  std::pair<Vertices, Vertices> parts;
+  for (std::size_t i = 0; i <= size && starts == 1; ++i) {
+    const std::uint32_t v = map_.cycle(cycle)[(start + i) % size];
+    if (i <= common) parts.first.push_back(v);
+    if (i >= common) parts.second.push_back(v);
+  }
+  return parts;
+}
+
 // Two regions at one side of a common path, and of no other edge: the greater one can follow the
 // rest of the other one backwards.
 std::string MapHints::cut_along_common_edges(std::uint32_t a, std::uint32_t b) const {
@@ -200,31 +225,8 @@ std::string MapHints::cut_along_common_edges(std::uint32_t a, std::uint32_t b) c
       twice_polygon_area(map_.points, map_.cycle(b))) {
     std::swap(a, b);
   }
-  const auto rotated_to_path = [&](std::uint32_t cycle, std::uint32_t other) {
-    const auto own = corner_halfedges(cycle);
-    const std::set<std::uint32_t> others(corner_halfedges(other).begin(),
-                                         corner_halfedges(other).end());
-    const auto is_common = [&](std::size_t i) { return others.contains(own[i % own.size()]); };
-    std::size_t start = 0, starts = 0, common = 0;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      if (is_common(i)) ++common;
-      if (!is_common(i) || is_common(i + own.size() - 1)) continue;
-      start = i;
-      ++starts;
-    }
-    // The path with both its ends, then the rest of the cycle with both its ends.
-    std::pair<Vertices, Vertices> parts;
-    if (starts != 1) return parts;
-    const auto corners = map_.cycle(cycle);
-    for (std::size_t i = 0; i <= own.size(); ++i) {
-      const std::uint32_t v = corners[(start + i) % own.size()];
-      if (i <= common) parts.first.push_back(v);
-      if (i >= common) parts.second.push_back(v);
-    }
-    return parts;
-  };
-  const auto [path, rest] = rotated_to_path(a, b);
-  auto [other_path, other_rest] = rotated_to_path(b, a);
+  const auto [path, rest] = divided_at_common_path(a, b);
+  auto [other_path, other_rest] = divided_at_common_path(b, a);
   if (path.empty() || path != other_path) return {};
   std::ranges::reverse(other_rest);
   return follow(other_rest, path, a);
@@ -337,7 +339,18 @@ MapHints::Border& MapHints::border(std::uint32_t c) {
   return found->second;
 }
 
-// Divides a chain into parts. The first and the last one are joined if they are alike.
+// Joins the last part of a chain to the first one if they are alike.
+void MapHints::join_ends(Border& border) {
+  auto& parts = border.parts;
+  if (parts.size() > 1 && parts.front().owner == parts.back().owner &&
+      parts.front().claimant == parts.back().claimant) {
+    parts.front().from = parts.back().from;
+    for (std::uint32_t& p : border.part_of) p = p + 1 == parts.size() ? 0 : p;
+    parts.pop_back();
+  }
+}
+
+// Divides a chain into parts.
 void MapHints::divide(std::uint32_t c, Border& border) const {
   const auto& halfedges = chain(c).halfedges;
   for (std::uint32_t i = 0; i < halfedges.size(); ++i) {
@@ -356,18 +369,12 @@ void MapHints::divide(std::uint32_t c, Border& border) const {
     border.parts.back().to = i;
     border.part_of.push_back(static_cast<std::uint32_t>(border.parts.size() - 1));
   }
+  join_ends(border);
   std::ranges::sort(border.faces);
   border.faces.erase(std::unique(border.faces.begin(), border.faces.end()), border.faces.end());
-  auto& parts = border.parts;
-  if (parts.size() > 1 && parts.front().owner == parts.back().owner &&
-      parts.front().claimant == parts.back().claimant) {
-    parts.front().from = parts.back().from;
-    for (std::uint32_t& p : border.part_of) p = p + 1 == parts.size() ? 0 : p;
-    parts.pop_back();
-  }
-  const auto found =
-      std::ranges::find_if(parts, [](const Border::Part& p) { return p.claimant != kNoCycle; });
-  border.overlap = static_cast<std::size_t>(found - parts.begin());
+  const auto found = std::ranges::find_if(
+      border.parts, [](const Border::Part& p) { return p.claimant != kNoCycle; });
+  border.overlap = static_cast<std::size_t>(found - border.parts.begin());
 }
 
 // Returns the hint for a component, or a face that touches the region around it, that lies inside

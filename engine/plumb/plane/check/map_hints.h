@@ -73,6 +73,8 @@ class MapHints {
   std::string both_use(std::uint32_t a, std::uint32_t b);
   bool is_same_cycle(std::uint32_t a, std::uint32_t b) const;
   bool runs_wrong_way(std::uint32_t cycle);
+  std::pair<Vertices, Vertices> divided_at_common_path(std::uint32_t cycle,
+                                                       std::uint32_t other) const;
   std::string cut_along_common_edges(std::uint32_t a, std::uint32_t b) const;
 
   std::string covered_by(std::uint32_t h) const;
@@ -80,6 +82,7 @@ class MapHints {
   std::string beside_chain(Position at);
   std::string without_chain(std::uint32_t h);
   Border& border(std::uint32_t chain);
+  static void join_ends(Border& border);
   void divide(std::uint32_t chain, Border& border) const;
   std::string conflict(const Border::Part& part) const;
   std::string overlap_at(std::uint32_t chain, const Border& border, const Border::Part& part) const;

@@ -8,14 +8,13 @@
 //
 // Rings that touch: two cycles that list half-edges of one face are boundaries of one region. So
 // the classes of cycles that this relation generates are the regions, if the listing means regions
-// at all. A class is a region if its faces are bounded by nothing unlisted, no edge has two cycles
-// of the class at its sides, and exactly one cycle is counter-clockwise (none if a face of the
-// class is unbounded). Proof that the winding number w of the cycles of such a class is 1 in its
-// faces and 0 elsewhere: let u be 1 in the faces of the class and 0 elsewhere. Across an edge with
-// the class on one side only, the half-edge on that side is listed by the class, so w and u jump
-// alike. Across any other edge neither jumps. So w - u is constant, and it is 0 in the unbounded
-// face (1 is to be added to w if that is a face of the class). So each face is in exactly one
-// region.
+// at all. A class is a region if its faces are bounded by nothing unlisted, no edge has the class
+// at both sides, and exactly one cycle is counter-clockwise (none if a face of the class is
+// unbounded). Proof that the winding number w of the cycles of such a class is 1 in its faces and 0
+// elsewhere: let u be 1 in the faces of the class and 0 elsewhere. Across an edge with the class on
+// one side only, the half-edge on that side is listed by the class, so w and u jump alike. Across
+// any other edge neither jumps. So w - u is constant, and it is 0 in the unbounded face (1 is to be
+// added to w if that is a face of the class). So each face is in exactly one region.
 //
 // Tested by tests/plane/map_check_test.cpp and tests/plane/map_check_property_test.cpp.
 
@@ -298,7 +297,7 @@ void TouchingRings::reject_inner_edges() {
   for (std::uint32_t e = 0; e < edges_.edge_count(); ++e) {
     const std::uint32_t left = edges_.cycle_of[2 * e];
     const std::uint32_t right = edges_.cycle_of[2 * e + 1];
-    if (left == kNone || right == kNone || left == right) continue;
+    if (left == kNone || right == kNone) continue;
     if (classes_.root(left) == classes_.root(right)) reject(left);
   }
 }
