@@ -12,6 +12,7 @@
 
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh_io.h"
+#include "plumb/io/text/input_cursors.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
@@ -76,6 +77,15 @@ inline void require_round(const PolygonMesh& mesh, MeshFormat format) {
   }
 }
 
+/// In text with a line and a column inside the file; elsewhere with the file at least. Lines may
+/// end with CR, if the first line does.
+inline void require_mesh_place(const Error& error, std::string_view bytes) {
+  if (error.place().line == 0 || !ends_lines_with_cr(bytes)) {
+    return require_binary_place(error, bytes);
+  }
+  require_place(error, with_line_feeds(bytes, bytes.size()));
+}
+
 /// What a file of `bytes` bytes may be charged at most: records come in steps; "1/3 0 0" (8 bytes
 /// with its line break) takes 48 + 208 + 192 + 48, and 96 while vertices are merged.
 inline Limits mesh_limits_for(std::size_t bytes) {
@@ -92,7 +102,7 @@ inline std::optional<MeshFile> mesh_of(std::string_view bytes, MeshFormat format
   } catch (const Error& error) {
     require(error.code() != ErrorCode::ResourceLimit || exact_decimals,
             "memory charged is in proportion to the input");
-    require_binary_place(error, bytes);
+    require_mesh_place(error, bytes);
     return {};
   }
 }

@@ -60,6 +60,10 @@ TEST(SolidIo, tells_formats_by_their_first_bytes) {
   EXPECT_EQ(guess_mesh_format(""), MeshFormat::Obj);
   EXPECT_EQ(guess_mesh_format("solid"), MeshFormat::Stl);
   EXPECT_EQ(guess_mesh_format("\n SOLID name"), MeshFormat::Stl);
+  const std::string stl = written(testing::tetrahedron(), MeshFormat::StlBinary);
+  EXPECT_EQ(guess_mesh_format(stl + "\n"), MeshFormat::Stl);
+  EXPECT_EQ(guess_mesh_format("ply\n" + stl), MeshFormat::Ply);
+  EXPECT_EQ(guess_mesh_format(stl.substr(0, 83)), MeshFormat::Obj);
 }
 
 TEST(SolidIo, knows_extensions_and_names) {

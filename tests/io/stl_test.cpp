@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "expect_refusals.h"
@@ -23,6 +24,7 @@ namespace {
 
 using testing::changed;
 using testing::is_same;
+using testing::kStlFacet;
 using testing::kStlTriangle;
 
 MeshFile read(const std::string& bytes, Limits limits = {}) {
@@ -81,10 +83,15 @@ TEST(StlReader, refuses_hostile_binary_files) {
     EXPECT_THROW(read(good.substr(0, size)), Error) << size;
   }
   expect_refused(good.substr(0, 83), ErrorCode::UnknownFormat, "too short");
-  expect_refused(good + '\n', ErrorCode::CountMismatch, "4 triangles are announced, 285 bytes");
-  expect_refused(with_number(good, 80, std::uint32_t{5}), ErrorCode::CountMismatch, "5 triangles");
-  expect_refused(with_number(good, 80, ~std::uint32_t{0}), ErrorCode::CountMismatch,
-                 "4294967295 triangles");
+  expect_refused(good.substr(0, 84), ErrorCode::CountMismatch,
+                 "at byte 84: the file, which is binary, ends where triangle 1 is expected; it "
+                 "announces 4 triangles");
+  expect_refused(good.substr(0, 283), ErrorCode::CountMismatch,
+                 "at byte 234: the file, which is binary, ends within triangle 4; it announces 4");
+  for (const std::uint32_t count : {0U, 5U, ~0U}) {
+    expect_refused(with_number(good, 80, count).substr(0, 283), ErrorCode::CountMismatch,
+                   "at byte 234: the file, which is binary, ends within triangle 4");
+  }
   expect_refused(with_number(good, kFirstCoordinate, nan), ErrorCode::NumberOutOfRange,
                  "at byte 96: a coordinate that is not finite");
   expect_refused(with_number(good, kFirstCoordinate + 54, -infinity), ErrorCode::NumberOutOfRange,
@@ -94,6 +101,11 @@ TEST(StlReader, refuses_hostile_binary_files) {
 TEST(StlReader, accepts_what_the_format_allows) {
   const auto with = [&](const std::string& from, const std::string& to) {
     return changed(kStlTriangle, from, to);
+  };
+  const auto with_breaks = [](const std::string& line_break) {
+    std::string text;
+    for (const char c : kStlTriangle) text += c == '\n' ? line_break : std::string(1, c);
+    return text;
   };
   std::string in_one_line = kStlTriangle;
   for (std::size_t i = in_one_line.find('\n') + 1; i < in_one_line.size(); ++i) {
@@ -110,6 +122,17 @@ TEST(StlReader, accepts_what_the_format_allows) {
       with("normal 0 0 -1", "normal nan -nan(ind) 1e999"),
       with("endsolid one", "EndSolid"),
       with("vertex 0 1 0", "\tvertex  0.0 10e-1 -0.0\r"),
+      with("normal 0 0 -1", "normal 0 0"),
+      with(" normal 0 0 -1", ""),
+      with("facet normal 0 0 -1\n", ""),
+      with("endloop\nendfacet", "END LOOP\nend facet"),
+      with("endfacet\n", ""),
+      with("endsolid one", "end Solid one two"),
+      with("endsolid one\n", "endsolid one\nendsolid one\n"),
+      with("solid one\nfacet", "solid one\nsolid facet of one\nfacet"),
+      with("solid one\nfacet", "solid one facet"),
+      with_breaks("\r"),
+      with_breaks("\r\n"),
       binary_of(testing::mesh_of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}})),
   };
   const PolygonMesh expected = testing::mesh_of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}});
@@ -127,6 +150,76 @@ TEST(StlReader, knows_binary_files_that_begin_with_solid) {
   EXPECT_TRUE(is_binary_stl(bytes));
   EXPECT_TRUE(is_same(read(bytes).mesh, by_first_use(testing::tetrahedron())));
   EXPECT_FALSE(is_binary_stl(kStlTriangle));
+}
+
+TEST(StlReader, names_what_it_passes_over_in_texts) {
+  const PolygonMesh expected = testing::mesh_of({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 1, 2}});
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"solid one\n" + kStlFacet, "the last endsolid is missing; every facet is whole"},
+      {kStlTriangle + "solid two\n", "the last endsolid is missing; every facet is whole"},
+      {changed(kStlTriangle, "facet", "color 1 0 0\nfacet"), "passed over: colours of solids"},
+      {kStlTriangle + std::string(9, '\0') + '\x1A', "passed over: 10 bytes behind the text"},
+  };
+  for (const auto& [text, note] : files) {
+    const MeshFile file = read(text);
+    EXPECT_TRUE(is_same(file.mesh, expected)) << text;
+    EXPECT_EQ(file.notes, std::vector<std::string>{note});
+  }
+  EXPECT_EQ(read("solid one\n" + kStlFacet + "solid two\n" + kStlFacet).mesh.face_count(), 2U);
+}
+
+/// A binary tetrahedron that says it has `count` triangles, before and behind what its writer adds.
+std::string announcing(std::uint32_t count, const std::string& begin, const std::string& end) {
+  std::string bytes = with_number(binary_of(testing::tetrahedron()), 80, count);
+  return bytes.replace(0, begin.size(), begin) + end;
+}
+
+TEST(StlReader, decides_between_text_and_binary_by_content) {
+  const PolygonMesh expected = by_first_use(testing::tetrahedron());
+  const std::string more = "passed over: 2 bytes behind the last triangle";
+  const auto count = [](const std::string& announced) {
+    return "the file announces " + announced + " and has 4; all of these were read";
+  };
+  using Notes = std::vector<std::string>;
+  const std::vector<std::pair<std::string, Notes>> ends{{"", {}}, {"\r\n", {more}}};
+  for (const std::string begin : {"", "solid", "solid part\nfacet normal 0 0 1\nouter loop\n"}) {
+    for (const auto& [end, of_end] : ends) {
+      for (const auto& [announced, words] : std::vector<std::pair<std::uint32_t, std::string>>{
+               {4, ""}, {0, "0 triangles"}, {~0U, "4294967295 triangles"}, {1, "1 triangle"}}) {
+        Notes notes = of_end;
+        if (announced != 4) notes.insert(notes.begin(), count(words));
+        const MeshFile file = read(announcing(announced, begin, end));
+        EXPECT_TRUE(is_same(file.mesh, expected)) << begin << announced;
+        EXPECT_EQ(file.notes, notes) << begin << announced;
+      }
+    }
+    const MeshFile file = read(announcing(5, begin, ""));
+    EXPECT_TRUE(is_same(file.mesh, expected));
+    EXPECT_EQ(file.notes, Notes{count("5 triangles")});
+  }
+  EXPECT_EQ(read(announcing(4, "", std::string(512, '\0'))).notes,
+            Notes{"passed over: 512 bytes behind the last triangle"});
+  expect_refused(announcing(5, "solid", "\n"), ErrorCode::CountMismatch,
+                 "at byte 284: the file, which is binary, ends within triangle 5; it announces 5");
+}
+
+TEST(StlReader, skips_the_bytes_that_attributes_announce) {
+  const std::string plain = binary_of(testing::tetrahedron());
+  std::string bytes = plain.substr(0, 84);
+  for (std::uint16_t t = 0; t < 4; ++t) {
+    bytes += with_number(plain.substr(84 + 50 * std::size_t{t}, 50), 48, t) + std::string(t, 'x');
+  }
+  const MeshFile file = read(bytes);
+  EXPECT_TRUE(is_same(file.mesh, by_first_use(testing::tetrahedron())));
+  EXPECT_EQ(file.notes, std::vector<std::string>{"passed over: attributes of triangles"});
+}
+
+TEST(StlReader, charges_the_lines_that_it_copies) {
+  std::string text = kStlTriangle;
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  Limits limits;
+  limits.max_memory_bytes = text.size() - 1;
+  EXPECT_THROW(read(text, limits), Error);
 }
 
 TEST(StlReader, tells_of_attributes) {

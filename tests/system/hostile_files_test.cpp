@@ -208,7 +208,7 @@ std::vector<Format> space_formats() {
        "",
        {},
        {std::string(80, 'a') + little_endian(0xFFFFFFFF),
-        std::string(80, 'a') + little_endian(0x7FFFFFFF) + std::string(50, '\0')}},
+        std::string(80, 'a') + little_endian(0x7FFFFFFF) + std::string(70, '\0')}},
       {"PLY",
        read_solid_mesh<MeshFormat::PlyText>,
        ply("ascii", "3", "1") + "0 0 0\n@ 0 0\n0 1 0\n3 0 1 2\n",

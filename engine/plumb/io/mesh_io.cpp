@@ -1,7 +1,8 @@
 // Dispatch over mesh formats: names, extensions, guesses from content, files.
 //
 // A format is taken from an explicit name, else from the extension, else from the first bytes;
-// binary STL is recognised by its size, all others by their first word. glTF files may name other
+// binary STL is recognised by its size or by its control characters, all others by their first
+// word. glTF files may name other
 // files of their folder, so only reading by path can load these. Files are written through
 // OutputFile, so a failed write leaves nothing behind. Formats: docs/formats.md, section Meshes.
 // Tested by tests/io/mesh_io_test.cpp.
@@ -73,7 +74,8 @@ MeshFormat guess_mesh_format(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
   if (word.starts_with("glTF") || word.starts_with('{')) return MeshFormat::Gltf;
   if (word == "ply") return MeshFormat::Ply;
-  return begins_off(word) ? MeshFormat::Off : MeshFormat::Obj;
+  if (begins_off(word)) return MeshFormat::Off;
+  return has_binary_content(bytes) ? MeshFormat::Stl : MeshFormat::Obj;
 }
 
 MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options,

@@ -62,6 +62,7 @@ std::optional<MeshFormat> mesh_format_named(std::string_view name);
 ///     bytes agrees with this number of triangles
 ///   - OFF if the bytes begin with "OFF", with a variant of this word such as "COFF", or with a
 ///     number
+///   - STL if there are 84 bytes or more, with control characters among the first
 ///   - OBJ in all other cases
 MeshFormat guess_mesh_format(std::string_view bytes);
 

@@ -1,11 +1,15 @@
 // Reading and writing of STL, text and binary.
 //
-// The kind of a file is decided by its size, which a binary file fixes through its count of
-// triangles; the word "solid" alone does not decide, because many binary files begin with it. STL
-// has no shared vertices, so equal points are welded, exactly, after reading; a triangle that then
-// has two equal corners is left out with a note. Binary coordinates are floats, which are exact in
-// doubles. Format: 3D Systems, StereoLithography Interface Specification; docs/formats.md, section
-// STL.
+// The kind of a file is decided by its content: by its size, which a binary file fixes through its
+// count of triangles, else by control characters, which no text has. The word "solid" alone does
+// not decide, because many binary files begin with it. Writers that stream leave the count of
+// triangles open, and others append bytes, so layout_of() compares count and size and accepts what
+// can be read in one way only. Nobody keeps to one grammar of the text either, so a text is a list
+// of statements. Only what no facet can do without must be there: a facet that is cut off by the
+// end of the file is refused. STL has no shared vertices, so equal points are welded, exactly,
+// after reading; a triangle that then has two equal corners is left out with a note. Binary
+// coordinates are floats, which are exact in doubles. Format: 3D Systems, StereoLithography
+// Interface Specification; docs/formats.md, section STL.
 // Tested by tests/io/stl_test.cpp.
 #include "plumb/io/mesh/stl.h"
 
@@ -30,12 +34,18 @@ namespace {
 constexpr std::size_t kHeaderBytes = 80;
 constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kTrianglesPerCheckpoint = 4096;
+constexpr std::size_t kLeastBinaryBytes = kHeaderBytes + sizeof(std::uint32_t);
 
 constexpr char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 bool is_word(std::string_view token, std::string_view lower_case) {
   return std::equal(token.begin(), token.end(), lower_case.begin(), lower_case.end(),
                     [](char a, char b) { return lower(a) == b; });
+}
+
+/// Returns "1 byte", "2 bytes", ...
+std::string count_of(std::uint64_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
 void add_triangle(MeshCollector& mesh) {
@@ -60,54 +70,101 @@ class StlTextReader {
         cursor_.fail(ErrorCode::CountMismatch, "the file has no content; expected solid");
       }
       do {
-        read_solid();
+        read_statement();
       } while (find_token());
-      return mesh_.take();
+      // Without a single facet, the file may be cut off anywhere.
+      if (is_open_ && mesh_.face_count() == 0) require_token("facet or endsolid");
+      MeshFile file = mesh_.take();
+      if (is_open_) file.notes.push_back("the last endsolid is missing; every facet is whole");
+      return file;
     });
   }
 
  private:
-  void read_solid();
-  void skip_line();
+  void read_statement();
+  void skip_name();
+  bool is_at_facet() const;
+  bool is_next(std::string_view lower_case) const;
   void read_facet();
+  void skip_normal();
+  void read_loop();
   bool find_token();
   void require_token(std::string_view expected);
   std::string_view take(std::string_view expected);
   void expect(std::string_view lower_case);
+  void expect_end(std::string_view lower_case);
 
   TextCursor cursor_;
   NumberReader numbers_;
   MeshCollector mesh_;
   Context& context_;
   std::size_t total_bytes_;
+  bool is_open_ = false;  // Whether a solid has begun that has not ended yet.
   ReadNumber x_, y_, z_;
 };
 
-/// Reads `solid NAME`, facets, `endsolid NAME`.
-void StlTextReader::read_solid() {
-  expect("solid");
-  skip_line();
-  for (;;) {
-    const std::string_view token = take("facet or endsolid");
-    if (is_word(token, "endsolid")) return skip_line();
-    if (!is_word(token, "facet")) cursor_.fail_token(token, "facet or endsolid");
-    read_facet();
+/// Reads the beginning or the end of a solid, a facet, or a colour. Solids need not be well nested:
+/// some writers repeat the first line or the last.
+void StlTextReader::read_statement() {
+  const std::string_view token = cursor_.token();
+  if (is_word(token, "facet")) return read_facet();
+  if (is_word(token, "outer")) return read_loop();  // Some writers leave facet out.
+  if (is_word(token, "solid")) {
+    is_open_ = true;
+    return skip_name();
   }
+  if (is_word(token, "endsolid") || is_word(token, "end")) {
+    if (token.size() == 3) expect("solid");
+    is_open_ = false;
+    return skip_name();
+  }
+  if (!is_word(token, "color")) {
+    cursor_.fail_token(token, is_open_ ? "facet or endsolid" : "solid");
+  }
+  mesh_.pass_over("colours of solids");
+  skip_name();
 }
 
-/// Skips the rest of a line: a name may be anything.
-void StlTextReader::skip_line() {
-  while (!cursor_.at_line_end()) cursor_.token();
+/// Skips the rest of a line: a name may be anything. A facet is no name: a file may have no line
+/// breaks at all.
+void StlTextReader::skip_name() {
+  while (!cursor_.at_line_end() && !is_at_facet()) cursor_.token();
 }
 
-/// Reads a facet. Its normal is read for its form only.
+/// Whether "facet normal" or "facet outer" follows. Requires that the cursor is at a token.
+bool StlTextReader::is_at_facet() const {
+  if (!is_next("facet")) return false;
+  std::string_view rest = cursor_.rest().substr(5);
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  return is_word(rest.substr(0, 6), "normal") || is_word(rest.substr(0, 5), "outer");
+}
+
+/// Whether the next token begins with a word. Requires that the cursor is at a token.
+bool StlTextReader::is_next(std::string_view lower_case) const {
+  return is_word(cursor_.rest().substr(0, lower_case.size()), lower_case);
+}
+
 void StlTextReader::read_facet() {
+  skip_normal();
+  read_loop();
+}
+
+/// Skips what is between facet and loop: the word normal, up to three numbers of any form (real
+/// files contain "nan"), and the word outer. Some writers leave the normal out, or parts of it.
+void StlTextReader::skip_normal() {
+  constexpr int kMostTokens = 4;
+  for (int i = 0; i < kMostTokens; ++i) {
+    if (is_word(take("normal or outer"), "outer")) return;
+  }
+  expect("outer");
+}
+
+/// Reads the rest of a facet, from the word loop on. Some writers leave endfacet out. Then it must
+/// be clear what follows the facet: at the end of the file, the facet may be cut off.
+void StlTextReader::read_loop() {
   if (mesh_.face_count() % kTrianglesPerCheckpoint == 0) {
     context_.checkpoint("read", cursor_.bytes_read(), total_bytes_);
   }
-  expect("normal");
-  for (int i = 0; i < 3; ++i) take("a number");  // Real files contain "nan".
-  expect("outer");
   expect("loop");
   for (int i = 0; i < 3; ++i) {
     expect("vertex");
@@ -117,8 +174,9 @@ void StlTextReader::read_facet() {
     }
     mesh_.add_point(x_, y_, z_);
   }
-  expect("endloop");
-  expect("endfacet");
+  expect_end("endloop");
+  require_token("endfacet");
+  if (!is_next("facet") && !is_next("outer") && !is_next("endsolid")) expect_end("endfacet");
   add_triangle(mesh_);
 }
 
@@ -146,6 +204,31 @@ void StlTextReader::expect(std::string_view lower_case) {
   if (!is_word(token, lower_case)) cursor_.fail_token(token, lower_case);
 }
 
+/// Reads "endloop" or "endfacet", which some writers write as two words.
+void StlTextReader::expect_end(std::string_view lower_case) {
+  constexpr std::string_view kEnd = "end";
+  const std::string_view token = take(lower_case);
+  if (is_word(token, lower_case)) return;
+  if (!is_word(token, kEnd)) cursor_.fail_token(token, lower_case);
+  expect(lower_case.substr(kEnd.size()));
+}
+
+/// Reads a text that is followed by `stray` bytes of padding.
+MeshFile read_text(std::string_view text, std::size_t stray, const ReadOptions& options,
+                   Context& context) {
+  MemoryCharge charge(context);
+  std::string copy;
+  if (ends_lines_with_cr(text)) {
+    with_place(WholeFile{options.name}, [&] { charge.add(text.size(), "the lines of the file"); });
+    copy = with_line_feeds(text, text.size());
+    text = copy;
+  }
+  MeshFile file = StlTextReader(text, options, context).read();
+  if (stray > 0)
+    file.notes.push_back("passed over: " + count_of(stray, "byte") + " behind the text");
+  return file;
+}
+
 // ---------------------------------------------------------------- binary
 
 std::uint32_t announced(std::string_view bytes) {
@@ -161,7 +244,66 @@ float take_coordinate(BinaryInput& in) {
   return value;
 }
 
-void read_triangle(BinaryInput& in, MeshCollector& mesh) {
+/// What follows the header of a binary file.
+struct BinaryLayout {
+  std::uint64_t triangles = 0;
+  /// Whether the last number of a triangle is the number of bytes that follow it.
+  bool has_attribute_bytes = false;
+  std::size_t stray_bytes = 0;  ///< Bytes behind the last triangle.
+};
+
+/// Whether the file has exactly its announced triangles, each followed by as many bytes as its last
+/// number says. That is what this number was made for, but most writers that use it keep a colour
+/// there, so nothing less than an exact fit counts.
+bool has_attribute_bytes(std::string_view bytes) {
+  BinaryInput in(bytes, kLeastBinaryBytes, std::endian::little, {});
+  for (std::uint32_t left = announced(bytes); left > 0; --left) {
+    if (in.bytes_left() < kTriangleBytes) return false;
+    in.skip(kTriangleBytes - sizeof(std::uint16_t));
+    const auto attribute_bytes = in.take<std::uint16_t>();
+    if (in.bytes_left() < attribute_bytes) return false;
+    in.skip(attribute_bytes);
+  }
+  return in.bytes_left() == 0;
+}
+
+[[noreturn]] void refuse_cut(std::string_view bytes, const ReadOptions& options) {
+  const std::size_t whole = (bytes.size() - kLeastBinaryBytes) / kTriangleBytes;
+  const std::size_t at = kLeastBinaryBytes + whole * kTriangleBytes;
+  const std::string triangle = "triangle " + std::to_string(whole + 1);
+  BinaryInput(bytes, at, std::endian::little, options.name)
+      .fail(ErrorCode::CountMismatch,
+            "the file, which is binary, ends " +
+                (at == bytes.size() ? "where " + triangle + " is expected" : "within " + triangle) +
+                "; it announces " + count_of(announced(bytes), "triangle"));
+}
+
+/// Compares the count that a binary file announces with its size. If they differ by less than a
+/// triangle, the count is right. If the size is one of whole triangles, it is the size that is
+/// right. Writers that do not know the count beforehand write 0 or the largest number.
+BinaryLayout layout_of(std::string_view bytes, const ReadOptions& options) {
+  const std::uint32_t count = announced(bytes);
+  const std::size_t room = bytes.size() - kLeastBinaryBytes;
+  const std::uint64_t needed = std::uint64_t{count} * kTriangleBytes;
+  if (needed == room) return {count};
+  if (has_attribute_bytes(bytes)) return {count, true};
+  const bool has_more = needed < room;
+  if (has_more && room - needed < kTriangleBytes) {
+    return {count, false, static_cast<std::size_t>(room - needed)};
+  }
+  const std::size_t whole = room / kTriangleBytes;
+  const std::size_t rest = room % kTriangleBytes;
+  const bool is_open = has_more || count == 0xffff'ffff;
+  const bool rest_is_blank =
+      bytes.substr(bytes.size() - rest).find_first_not_of(" \t\r\n\x1A") == bytes.npos;
+  if (whole > 0 && (rest == 0 || (is_open && rest_is_blank))) {
+    return {whole, false, rest};
+  }
+  if (!has_more || count == 0) refuse_cut(bytes, options);
+  return {count, false, static_cast<std::size_t>(room - needed)};
+}
+
+void read_triangle(BinaryInput& in, const BinaryLayout& layout, MeshCollector& mesh) {
   in.skip(3 * sizeof(float));  // The normal.
   for (int i = 0; i < 3; ++i) {
     const double x = take_coordinate(in);
@@ -169,39 +311,77 @@ void read_triangle(BinaryInput& in, MeshCollector& mesh) {
     const double z = take_coordinate(in);
     mesh.add_point({x, y, z});
   }
-  if (in.take<std::uint16_t>() != 0) mesh.pass_over("attributes of triangles");
+  if (const auto attribute = in.take<std::uint16_t>(); attribute != 0) {
+    mesh.pass_over("attributes of triangles");
+    if (layout.has_attribute_bytes) in.skip(attribute);
+  }
   add_triangle(mesh);
 }
 
 MeshFile read_binary(std::string_view bytes, const ReadOptions& options, Context& context) {
   BinaryInput in(bytes, kHeaderBytes, std::endian::little, options.name);
   MeshCollector mesh(context);
-  const auto triangles = in.take<std::uint32_t>();
-  if (triangles > 0xffff'ffffU / 3) in.fail(ErrorCode::ResourceLimit, "more than 2^32 corners");
+  const auto count = in.take<std::uint32_t>();
+  const BinaryLayout layout = layout_of(bytes, options);
+  if (layout.triangles > 0xffff'ffffU / 3) {
+    in.fail(ErrorCode::ResourceLimit, "more than 2^32 corners");
+  }
+  const auto triangles = static_cast<std::uint32_t>(layout.triangles);
   return with_place(in, [&] {
     mesh.expect(3 * triangles, triangles);
     for (std::uint32_t i = 0; i < triangles; ++i) {
       if (i % kTrianglesPerCheckpoint == 0) context.checkpoint("read", in.position(), bytes.size());
-      read_triangle(in, mesh);
+      read_triangle(in, layout, mesh);
     }
-    return mesh.take();
+    MeshFile file = mesh.take();
+    if (triangles != count) {
+      file.notes.push_back("the file announces " + count_of(count, "triangle") + " and has " +
+                           std::to_string(triangles) + "; all of these were read");
+    }
+    if (layout.stray_bytes > 0) {
+      file.notes.push_back("passed over: " + count_of(layout.stray_bytes, "byte") +
+                           " behind the last triangle");
+    }
+    return file;
   });
+}
+
+// ---------------------------------------------------------------- both
+
+/// Returns the position of the first control character among the first bytes of a file, or npos.
+/// Binary files have one there: a count below 2^24, a normal of zeros, an attribute of zero.
+std::size_t first_control_byte(std::string_view bytes) {
+  constexpr std::size_t kInspected = 1024;
+  const std::string_view first = bytes.substr(0, kInspected);
+  const auto* const found = std::find_if(first.begin(), first.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && (c < '\t' || c > '\r');
+  });
+  return found == first.end() ? bytes.npos : static_cast<std::size_t>(found - first.begin());
 }
 
 [[noreturn]] void refuse(std::string_view bytes, const WholeFile& file) {
   if (bytes.empty()) file.fail(ErrorCode::CountMismatch, "the file has no content");
-  const std::string message = "neither text (it does not begin with solid) nor binary STL: ";
-  if (bytes.size() < kHeaderBytes + sizeof(std::uint32_t)) {
+  const std::string reason =
+      is_text_stl(bytes) ? "byte " + std::to_string(first_control_byte(bytes)) + " is no character"
+                         : "it does not begin with solid";
+  const std::string message = "neither text (" + reason + ") nor binary STL: ";
+  if (bytes.size() < kLeastBinaryBytes) {
     file.fail(ErrorCode::UnknownFormat, message + "it is too short for that");
   }
-  file.fail(ErrorCode::CountMismatch, message + std::to_string(announced(bytes)) +
-                                          " triangles are announced, " +
-                                          std::to_string(bytes.size()) + " bytes are there");
+  file.fail(ErrorCode::CountMismatch, message + count_of(announced(bytes), "triangle") +
+                                          " are announced, " + std::to_string(bytes.size()) +
+                                          " bytes are there");
 }
 
 MeshFile read_triangles(std::string_view bytes, const ReadOptions& options, Context& context) {
   if (is_binary_stl(bytes)) return read_binary(bytes, options, context);
-  if (is_text_stl(bytes)) return StlTextReader(bytes, options, context).read();
+  // Some systems fill up their files with zeros, or end them with Ctrl-Z.
+  constexpr std::string_view kPadding("\0\x1A", 2);
+  const std::string_view text = bytes.substr(0, bytes.find_last_not_of(kPadding) + 1);
+  if (is_text_stl(text) && first_control_byte(text) == text.npos) {
+    return read_text(text, bytes.size() - text.size(), options, context);
+  }
+  if (has_binary_content(bytes)) return read_binary(bytes, options, context);
   refuse(bytes, {options.name});
 }
 
@@ -214,9 +394,12 @@ bool is_text_stl(std::string_view bytes) {
 }
 
 bool is_binary_stl(std::string_view bytes) {
-  constexpr std::size_t kLeast = kHeaderBytes + sizeof(std::uint32_t);
-  return bytes.size() >= kLeast &&
-         bytes.size() - kLeast == std::uint64_t{announced(bytes)} * kTriangleBytes;
+  return bytes.size() >= kLeastBinaryBytes &&
+         bytes.size() - kLeastBinaryBytes == std::uint64_t{announced(bytes)} * kTriangleBytes;
+}
+
+bool has_binary_content(std::string_view bytes) {
+  return bytes.size() >= kLeastBinaryBytes && first_control_byte(bytes) != bytes.npos;
 }
 
 MeshFile read_stl(std::string_view bytes, const ReadOptions& options, Context& context) {
@@ -225,8 +408,7 @@ MeshFile read_stl(std::string_view bytes, const ReadOptions& options, Context& c
   const std::size_t dropped =
       with_place(WholeFile{options.name}, [&] { return weld_vertices(file.mesh, context); });
   if (dropped > 0) {
-    file.notes.push_back(std::to_string(dropped) + (dropped == 1 ? " triangle" : " triangles") +
-                         " with two equal corners left out");
+    file.notes.push_back(count_of(dropped, "triangle") + " with two equal corners left out");
   }
   return file;
 }
@@ -289,7 +471,6 @@ PolygonMesh rounded_to_floats(PolygonMesh mesh) {
 }
 
 void write_stl_binary(std::ostream& stream, const PolygonMesh& mesh) {
-  constexpr std::size_t kHeaderBytes = 80;
   require_triangles(mesh);
   const PolygonMesh floats = rounded_to_floats(mesh);
   TextOutput out(stream);

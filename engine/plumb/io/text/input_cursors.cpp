@@ -62,6 +62,17 @@ std::size_t text_prefix(std::string_view text) {
   return i;
 }
 
+bool ends_lines_with_cr(std::string_view text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  return end != text.npos && text[end] == '\r' && text.substr(end + 1, 1) != "\n";
+}
+
+std::string with_line_feeds(std::string_view text, std::size_t length) {
+  std::string copy(text);
+  std::replace(copy.begin(), copy.begin() + static_cast<std::ptrdiff_t>(length), '\r', '\n');
+  return copy;
+}
+
 std::string quoted(std::string_view token) {
   constexpr std::size_t kMost = 32;
   const std::size_t shown = text_prefix(token.substr(0, kMost));

@@ -122,6 +122,12 @@ inline bool take_prefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
+/// Whether the lines of `text` end with CR alone, as some old programs write them. The first line
+/// break decides. TextCursor reads with_line_feeds() of such a text.
+bool ends_lines_with_cr(std::string_view text);
+/// Returns a copy of `text` in which each CR among the first `length` bytes is replaced by LF.
+std::string with_line_feeds(std::string_view text, std::size_t length);
+
 /// Returns the length of the longest prefix of `text` that is valid UTF-8 and has no control
 /// characters except tabs.
 std::size_t text_prefix(std::string_view text);
