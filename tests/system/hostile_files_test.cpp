@@ -95,6 +95,13 @@ std::string ply(const std::string& kind, const std::string& vertices, const std:
          "\nproperty list uint uint vertex_indices\nend_header\n";
 }
 
+std::string strip(const std::string& vertices) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement tristrips 1\nproperty list uint int vertex_indices\n"
+         "end_header\n0 0 0\n1 0 0\n0 1 0\n" +
+         vertices;
+}
+
 std::string gltf(const std::string& count, const std::string& bytes) {
   return R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": )" + bytes +
          R"(, "uri": "data:;base64,AAAAAAAAAAAAAAAA"}], "bufferViews": [{"buffer": 0, "byteLength": 12}],)"
@@ -214,10 +221,12 @@ std::vector<Format> space_formats() {
        ply("ascii", "3", "1") + "0 0 0\n@ 0 0\n0 1 0\n3 0 1 2\n",
        {{"ply\n", "comment a\n", ""},
         {"ply\nformat ascii 1.0\n", "element a 1\nproperty int b\n", ""},
-        {ply("ascii", "0", "1"), "1 ", "\n"}},
+        {ply("ascii", "0", "1"), "1 ", "\n"},
+        {"ply\n", "stray\n", ""},
+        {strip("400000 "), "0 1 2 ", "\n"}},
        {ply("ascii", most, "1"), ply("ascii", "3", most) + "0 0 0\n1 0 0\n0 1 0\n",
         ply("ascii", "3", "1") + "0 0 0\n1 0 0\n0 1 0\n" + most + " 0 1 2\n"},
-       8},
+       16},  // A vertex of a strip is a triangle.
       {"binary PLY",
        read_solid_mesh<MeshFormat::Ply>,
        "",

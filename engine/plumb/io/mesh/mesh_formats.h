@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +31,7 @@ class MeshCollector {
 
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
   std::size_t face_count() const { return mesh_.face_count(); }
+  std::span<const std::uint32_t> corners() const { return mesh_.corners; }
 
   /// Adds a point. Requires finite coordinates. Negative zeros become zeros.
   void add_point(const Point3& p) {

@@ -1,17 +1,21 @@
 // Reads and writes PLY, text and binary of either byte order (docs/formats.md, "PLY"): vertices
-// with properties x, y and z of any type, faces with a list vertex_indices (or vertex_index). Other
-// properties and elements, in any order, are skipped with a note.
+// with properties x, y and z of any type, faces with a list vertex_indices (or another usual name),
+// and triangle strips (element tristrips), which become triangles. Other properties and elements,
+// in any order, are skipped; a note names them.
 //
 // Main flow of read_ply():
 //  1. read_ply_header   reads what there is; claims are checked against the bytes that follow
-//  2. elements          reads the elements in their order: in a text each on a line of its own, in
-//                       a binary file without gaps
-//  3. require_end       requires that nothing follows the last one
+//  2. elements          reads the elements in their order: in a text each on a line of its own, or
+//                       all on one line, or each value on a line; in a binary file without gaps
+//  3. pass_over_rest    notes bytes behind the last element; refuses text that may be more elements
+//
+// A vertex may have coordinates that are not finite if no face uses it, as scanners write them. It
+// is the point 0 0 0 of the mesh. Lengths and corners may be written as any number whose value is
+// whole. Lines may end with LF, CRLF or CR.
 //
 // Cost: O(bytes). Errors in the header and in a text are thrown with the place (file, line,
 // column), in binary parts with the number of the byte: NotText, Syntax, NumberOutOfRange,
-// CountMismatch, BadIndex,
-// UnknownFormat, ResourceLimit; Cancelled.
+// CountMismatch, BadIndex, UnknownFormat, ResourceLimit; Cancelled.
 #pragma once
 
 #include <cstddef>
@@ -51,6 +55,8 @@ void write_ply_binary(std::ostream& out, const PolygonMesh& mesh);
 //   property TYPE NAME
 //   property list LENGTH_TYPE TYPE NAME
 //   end_header
+//
+// A line with another first word is passed over, unless it seems to be one of these, misspelled.
 
 /// The format of the elements.
 enum class PlyFormat : std::uint8_t { Text, LittleEndian, BigEndian };
@@ -73,7 +79,7 @@ struct PlyProperty {
 
 /// A kind of element, as the header declares it.
 struct PlyElement {
-  enum class Kind : std::uint8_t { Vertex, Face, Other };
+  enum class Kind : std::uint8_t { Vertex, Face, Strips, Other };
 
   Kind kind;
   std::uint32_t count;
@@ -88,14 +94,15 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
+  std::string passed_over;  ///< What no mesh holds, by its names; empty if there is nothing.
 
   /// Returns the number of vertices.
   std::uint32_t vertex_count() const;
 };
 
 /// Reads the header, from the first line to the end of that of end_header. A file has one element
-/// of vertices, with x, y and z, and at most one of faces, with a list vertex_indices or
-/// vertex_index. Counts are compared with the bytes that follow. Throws with the place: NotText,
+/// of vertices, with x, y and z, and at most one of faces and one of triangle strips, each with a
+/// list of vertices. Counts are compared with the bytes that follow. Throws with the place: NotText,
 /// Syntax, UnknownFormat, CountMismatch.
 PlyHeader read_ply_header(RecordReader& in);
 

@@ -347,12 +347,16 @@ void RecordReader::require_bytes(std::uint64_t bytes, const std::string& announc
                announced + " are announced, but the file is too short for them", start);
 }
 
-void RecordReader::next_record(std::string_view what, std::uint32_t index, std::uint32_t count) {
+void RecordReader::begin_record(std::string_view what, std::uint32_t index) {
   record_ = what;
   record_index_ = index;
   if (index % kLinesPerCheckpoint == 0) {
     context_.checkpoint("read", cursor_.bytes_read(), total_bytes_);
   }
+}
+
+void RecordReader::next_record(std::string_view what, std::uint32_t index, std::uint32_t count) {
+  begin_record(what, index);
   if (cursor_.next_line()) return;
   cursor_.fail(ErrorCode::CountMismatch, "the file ends where " + record_name() + " of " +
                                              std::to_string(count) + " is expected");

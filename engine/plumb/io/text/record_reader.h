@@ -114,6 +114,8 @@ class RecordReader {
 
   /// Moves to the line of record `index` of `count`, or throws an error that says what is missing.
   void next_record(std::string_view what, std::uint32_t index, std::uint32_t count);
+  /// Begins the same record where the cursor is, which may be in the middle of a line.
+  void begin_record(std::string_view what, std::uint32_t index);
   /// Returns the name of the record that was begun last, such as "face 3", numbered from 1.
   std::string record_name() const;
 
