@@ -251,11 +251,25 @@ TEST(PlyReader, ends_strips_by_minus_one_of_every_type) {
   expect_strips<double>("double");
 }
 
-TEST(PlyReader, keeps_vertices_that_are_not_finite_if_no_face_uses_them) {
+/// A text as write_ply_text() makes it, with its faces before its vertices.
+std::string faces_first(const std::string& text) {
+  const std::size_t vertex = text.find("element vertex");
+  const std::size_t face = text.find("element face");
+  const std::size_t points = text.find("end_header\n") + 11;
+  std::size_t faces = points;
+  const auto count = std::stoul(text.substr(vertex + 15));
+  for (std::size_t i = 0; i < count; ++i) faces = text.find('\n', faces) + 1;
+  return text.substr(0, vertex) + text.substr(face, points - 11 - face) +
+         text.substr(vertex, face - vertex) + "end_header\n" + text.substr(faces) +
+         text.substr(points, faces - points);
+}
+
+TEST(PlyReader, keeps_vertices_that_are_not_finite_if_no_face_needs_them) {
   PolygonMesh expected = testing::tetrahedron();
   expected.points.insert(expected.points.begin() + 3, 2, Point3{});
   for (std::uint32_t& v : expected.corners) v = v == 3 ? 5 : v;
-  const std::vector<std::string> notes{"vertices that are not finite, used by no face: 2"};
+  const std::vector<std::string> notes{
+      "vertices that are not finite, used by no face with area: 2"};
   for (const std::string spelling : {"nan", "-NaN", "inf", "-nan(ind)", "1.#QNAN", "-1.#IND00"}) {
     const std::string text =
         changed(kPlyTetrahedron, "vertex 4", "vertex 6")
@@ -272,6 +286,15 @@ TEST(PlyReader, keeps_vertices_that_are_not_finite_if_no_face_uses_them) {
   const MeshFile file = read(binary_of(mesh));
   EXPECT_TRUE(is_same(file.mesh, expected));
   EXPECT_EQ(file.notes, notes);
+  // Faces without area do not need their vertices.
+  const std::vector<std::vector<std::uint32_t>> without_area{{3}, {4, 4, 4}, {1, 3}, {3, 1, 3, 1}};
+  for (const std::vector<std::uint32_t>& face : without_area) {
+    for (PolygonMesh* const m : {&expected, &mesh}) m->add_face(face);
+  }
+  for (const std::string& bytes : {binary_of(mesh), faces_first(text_of(mesh))}) {
+    EXPECT_TRUE(is_same(read(bytes).mesh, expected)) << bytes;
+    EXPECT_EQ(read(bytes).notes, notes);
+  }
   mesh.points[5].x = std::numeric_limits<double>::infinity();
   expect_refused(binary_of(mesh), ErrorCode::NumberOutOfRange,
                  "face 2 uses vertex 5, which is not finite");
@@ -279,12 +302,12 @@ TEST(PlyReader, keeps_vertices_that_are_not_finite_if_no_face_uses_them) {
 
 /// A binary file of three vertices and a face; `line_break` ends the lines of its header. Faces
 /// may come first. The first byte behind the header is that of a line feed.
-std::string ten_high(const std::string& line_break, bool faces_first, float x) {
+std::string ten_high(const std::string& line_break, bool has_faces_first, float x) {
   const std::string vertices =
       "element vertex 3\nproperty char z\nproperty float x\nproperty char y\n";
   const std::string faces = "element face 1\nproperty list uchar uchar vertex_indices\n";
   const std::string lines =
-      format_line(false) + (faces_first ? faces + vertices : vertices + faces) + "end_header\n";
+      format_line(false) + (has_faces_first ? faces + vertices : vertices + faces) + "end_header\n";
   std::string header;
   for (const char c : lines) header += c == '\n' ? line_break : std::string(1, c);
   Bytes points(false);
@@ -292,14 +315,14 @@ std::string ten_high(const std::string& line_break, bool faces_first, float x) {
   points.add(std::int8_t{10}).add(1.0F).add(std::int8_t{0});
   points.add(std::int8_t{10}).add(0.0F).add(std::int8_t{1});
   const std::string face("\x3\x0\x1\x2", 4);
-  return header + (faces_first ? face + points.text() : points.text() + face);
+  return header + (has_faces_first ? face + points.text() : points.text() + face);
 }
 
 TEST(PlyReader, reads_binary_data_behind_every_line_break) {
   const PolygonMesh expected = testing::mesh_of({{5, 13, 10}, {1, 0, 10}, {0, 1, 10}}, {{0, 1, 2}});
   for (const std::string line_break : {"\n", "\r\n", "\r"}) {
-    for (const bool faces_first : {false, true}) {
-      EXPECT_TRUE(is_same(read(ten_high(line_break, faces_first, 5)).mesh, expected));
+    for (const bool has_faces_first : {false, true}) {
+      EXPECT_TRUE(is_same(read(ten_high(line_break, has_faces_first, 5)).mesh, expected));
     }
   }
   expect_refused(ten_high("\n", true, std::numeric_limits<float>::infinity()),

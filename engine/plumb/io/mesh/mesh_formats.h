@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,7 +30,8 @@ class MeshCollector {
 
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
   std::size_t face_count() const { return mesh_.face_count(); }
-  std::span<const std::uint32_t> corners() const { return mesh_.corners; }
+  /// Returns what has been collected so far.
+  const PolygonMesh& mesh() const { return mesh_; }
 
   /// Adds a point. Requires finite coordinates. Negative zeros become zeros.
   void add_point(const Point3& p) {

@@ -1,8 +1,6 @@
-// Reading and writing of PLY: its header, text elements, and binary elements of either byte order.
+// Reading and writing of PLY: text elements, and binary elements of either byte order.
 //
-// The header is read first and names every property with a type, so a binary reader can skip what
-// it does not know. Counts and lengths of lists are untrusted: an element needs at least the bytes
-// of its fixed properties, and the lists of a record share what is left after all fixed parts
+// Lengths of lists are untrusted: the lists of a record share what is left after all fixed parts
 // (spare_), so no list can claim bytes that do not exist or that other properties need. All numbers
 // up to 32 bits and floats are exact in doubles, which are used for every type. PlyGeometry takes
 // what both readers read: it turns strips into triangles, and keeps faces away from vertices that
@@ -16,318 +14,20 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh/ply_header.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
-namespace {
-
-using Kind = PlyElement::Kind;
-using Role = PlyProperty::Role;
-
-template <class Value>
-using Names = std::vector<std::pair<std::string_view, Value>>;
-
-const Names<PlyType> kTypes{
-    {"char", PlyType::Int8},      {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
-    {"uint8", PlyType::UInt8},    {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-    {"ushort", PlyType::UInt16},  {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
-    {"int32", PlyType::Int32},    {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
-    {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
-    {"float64", PlyType::Float64}};
-
-const Names<PlyFormat> kFormats{{"ascii", PlyFormat::Text},
-                                {"binary_little_endian", PlyFormat::LittleEndian},
-                                {"binary_big_endian", PlyFormat::BigEndian}};
-
-/// The names by which programs call the list of the corners of a face.
-constexpr std::array<std::string_view, 14> kCornerNames{
-    "vertex_indices", "vertex_index",  "vertex_indexes", "vertex_indicies", "vertex_ids",
-    "vertex_list",    "vertexindices", "vertices",       "verts",           "indices",
-    "indexes",        "index",         "point_indices",  "point_index"};
-
-/// Names of what is passed over, each once. Only the first few are kept: a file can have many.
-class NameList {
- public:
-  void add(std::string_view name) {
-    std::string text = quoted(name);
-    if (std::find(names_.begin(), names_.end(), text) != names_.end()) return;
-    has_more_ = names_.size() == kMost;
-    if (!has_more_) names_.push_back(std::move(text));
-  }
-
-  /// Appends "; before 'a', 'b' after" to a sentence.
-  void append_to(std::string& sentence, std::string_view before, std::string_view after) const {
-    if (names_.empty()) return;
-    if (!sentence.empty()) sentence += "; ";
-    sentence += before;
-    for (std::size_t i = 0; i < names_.size(); ++i) sentence += (i == 0 ? " " : ", ") + names_[i];
-    sentence.append(has_more_ ? " and more" : "").append(after);
-  }
-
- private:
-  static constexpr std::size_t kMost = 16;
-
-  std::vector<std::string> names_;
-  bool has_more_ = false;
-};
-
-class HeaderReader {
- public:
-  explicit HeaderReader(RecordReader& in) : in_(in), cursor_(in.cursor()) {}
-
-  PlyHeader read() {
-    read_magic();
-    while (read_line()) {
-    }
-    require_mesh();
-    require_bytes();
-    others_.append_to(header_.passed_over, "elements", "");
-    of_vertices_.append_to(header_.passed_over, "properties", " of vertices");
-    of_faces_.append_to(header_.passed_over, "properties", " of faces");
-    lines_.append_to(header_.passed_over, "lines of the header", "");
-    return std::move(header_);
-  }
-
- private:
-  void read_magic();
-  bool read_line();
-  void skip_line();
-  void pass_over_line(std::string_view keyword);
-  void read_format();
-  void read_element();
-  void read_property();
-  void pass_over(std::string_view property);
-  Role role_of(std::string_view name, bool is_list) const;
-  void require_new(Role role, std::string_view name) const;
-  void require_mesh() const;
-  void require_bytes() const;
-  std::string_view take(std::string_view expected);
-  template <class Value>
-  Value find(const Names<Value>& names, std::string_view word, std::string_view expected) const;
-  void end_line() { in_.end_line("the end of the line"); }
-  [[noreturn]] void fail(ErrorCode code, std::string message, const char* where = nullptr) const {
-    cursor_.fail(code, std::move(message), where);
-  }
-
-  RecordReader& in_;
-  TextCursor& cursor_;
-  PlyHeader header_;
-  bool has_format_ = false;
-  std::string_view element_;  // The name of the last element.
-  NameList others_, of_vertices_, of_faces_, lines_;
-};
-
-void HeaderReader::read_magic() {
-  const bool has_content = cursor_.next_line();
-  if (!has_content || cursor_.line() != 1 || cursor_.token() != "ply") {
-    fail(ErrorCode::Syntax, "the first line is not 'ply'",
-         has_content && cursor_.line() == 1 ? cursor_.line_start() : nullptr);
-  }
-  end_line();
-}
-
-/// Reads a line of the header; returns false at its end.
-bool HeaderReader::read_line() {
-  if (!cursor_.next_line()) {
-    fail(ErrorCode::CountMismatch, "the file ends within its header; end_header is missing");
-  }
-  const std::string_view keyword = cursor_.token();
-  if (keyword == "comment" || keyword == "obj_info") {
-    skip_line();
-    return true;
-  }
-  if (keyword == "end_header") {
-    end_line();
-    return false;
-  }
-  if (keyword == "format") {
-    read_format();
-  } else if (keyword == "element") {
-    read_element();
-  } else if (keyword == "property") {
-    read_property();
-  } else {
-    pass_over_line(keyword);
-  }
-  end_line();
-  return true;
-}
-
-void HeaderReader::skip_line() {
-  while (!cursor_.at_line_end()) cursor_.token();
-}
-
-/// Passes over a line that belongs to no header: some programs write comments without the word. A
-/// line that seems to declare something, or to be one of numbers, says that the rest of the file is
-/// not what the header makes of it.
-void HeaderReader::pass_over_line(std::string_view keyword) {
-  constexpr std::array<std::string_view, 4> kBeginnings{"form", "elem", "prop", "end"};
-  const bool is_declaration =
-      std::any_of(kBeginnings.begin(), kBeginnings.end(),
-                  [&](std::string_view beginning) { return keyword.starts_with(beginning); });
-  const bool is_number = std::string_view("+-.0123456789").find(keyword.front()) != keyword.npos;
-  const bool is_text = text_prefix(keyword) == keyword.size();
-  if (is_declaration || is_number || !is_text) {
-    cursor_.fail_token(keyword, "format, element, property, comment or end_header");
-  }
-  skip_line();
-  const char* const begin = keyword.data();
-  lines_.add({begin, static_cast<std::size_t>(cursor_.position() - begin)});
-}
-
-void HeaderReader::read_format() {
-  if (has_format_) fail(ErrorCode::Syntax, "a second format", cursor_.line_start());
-  has_format_ = true;
-  constexpr std::string_view kKnown = "ascii, binary_little_endian or binary_big_endian";
-  header_.format = find(kFormats, take(kKnown), kKnown);
-  const std::string_view version = take("1.0");
-  if (version != "1.0") {
-    fail(ErrorCode::UnknownFormat,
-         "version " + quoted(version) + " of the format; this program reads 1.0", version.data());
-  }
-}
-
-void HeaderReader::read_element() {
-  element_ = take("the name of an element");
-  const Kind kind = element_ == "vertex"      ? Kind::Vertex
-                    : element_ == "face"      ? Kind::Face
-                    : element_ == "tristrips" ? Kind::Strips
-                                              : Kind::Other;
-  const auto is_same = [&](const PlyElement& element) { return element.kind == kind; };
-  const auto& elements = header_.elements;
-  if (kind != Kind::Other && std::any_of(elements.begin(), elements.end(), is_same)) {
-    fail(ErrorCode::Syntax, "a second element " + std::string(element_), element_.data());
-  }
-  header_.elements.push_back({kind, in_.read_count("the number of elements"), {}});
-}
-
-/// Reads the type and name of a property of the last element. Only coordinates and lists of corners
-/// have a role; others are read by their type and dropped.
-void HeaderReader::read_property() {
-  if (header_.elements.empty()) {
-    fail(ErrorCode::Syntax, "a property before any element", cursor_.line_start());
-  }
-  PlyProperty property{};
-  std::string_view word = take("a type or list");
-  if (word == "list") {
-    word = take("the type of a length");
-    property.length = find(kTypes, word, "the type of a length");
-    word = take("a type such as int or double");
-  }
-  property.type = find(kTypes, word, "a type such as int or double");
-  const std::string_view name = take("the name of a property");
-  property.role = role_of(name, property.length.has_value());
-  require_new(property.role, name);
-  if (property.role == Role::None) pass_over(name);
-  header_.elements.back().properties.push_back(property);
-}
-
-/// Notes a property of the last element that no mesh holds, or the element if it is unknown.
-void HeaderReader::pass_over(std::string_view property) {
-  const PlyElement& element = header_.elements.back();
-  if (element.count == 0) return;
-  if (element.kind == Kind::Other) {
-    others_.add(element_);
-  } else {
-    (element.kind == Kind::Vertex ? of_vertices_ : of_faces_).add(property);
-  }
-}
-
-Role HeaderReader::role_of(std::string_view name, bool is_list) const {
-  const Kind kind = header_.elements.back().kind;
-  if (kind == Kind::Vertex && !is_list) {
-    return name == "x" ? Role::X : name == "y" ? Role::Y : name == "z" ? Role::Z : Role::None;
-  }
-  const bool has_corners = (kind == Kind::Face || kind == Kind::Strips) && is_list;
-  const bool is_corners = has_corners && std::find(kCornerNames.begin(), kCornerNames.end(),
-                                                   name) != kCornerNames.end();
-  return is_corners ? Role::Corners : Role::None;
-}
-
-bool has_role(const PlyElement& element, Role role) {
-  return std::any_of(element.properties.begin(), element.properties.end(),
-                     [&](const PlyProperty& property) { return property.role == role; });
-}
-
-void HeaderReader::require_new(Role role, std::string_view name) const {
-  if (role == Role::None || !has_role(header_.elements.back(), role)) return;
-  fail(ErrorCode::Syntax, "a second property " + quoted(name), name.data());
-}
-
-/// Requires a format, vertices with x, y and z, and for faces and strips a list of corners.
-void HeaderReader::require_mesh() const {
-  if (!has_format_) fail(ErrorCode::Syntax, "the header names no format");
-  bool has_vertices = false;
-  for (const PlyElement& element : header_.elements) {
-    if (element.kind == Kind::Vertex) {
-      has_vertices = true;
-      const bool is_placed =
-          has_role(element, Role::X) && has_role(element, Role::Y) && has_role(element, Role::Z);
-      if (!is_placed) fail(ErrorCode::Syntax, "the vertices lack one of x, y and z");
-    }
-    if (element.kind == Kind::Vertex || element.kind == Kind::Other || element.count == 0) continue;
-    if (has_role(element, Role::Corners)) continue;
-    fail(ErrorCode::Syntax, element.kind == Kind::Face ? "the faces have no list vertex_indices"
-                                                       : "the strips have no list vertex_indices");
-  }
-  if (!has_vertices) fail(ErrorCode::Syntax, "the header names no vertices");
-}
-
-/// Requires enough bytes for each element on its own: a sum of hostile counts could overflow.
-void HeaderReader::require_bytes() const {
-  for (const PlyElement& element : header_.elements) {
-    const std::uint64_t least = element.least_bytes(header_.format);
-    in_.require_bytes(element.count * least, std::to_string(element.count) + " elements",
-                      cursor_.line_start());
-  }
-}
-
-std::string_view HeaderReader::take(std::string_view expected) {
-  if (!cursor_.at_line_end()) return cursor_.token();
-  fail(ErrorCode::Syntax, "expected " + std::string(expected) + ", found the end of the line");
-}
-
-template <class Value>
-Value HeaderReader::find(const Names<Value>& names, std::string_view word,
-                         std::string_view expected) const {
-  for (const auto& [name, value] : names) {
-    if (name == word) return value;
-  }
-  cursor_.fail_token(word, expected);
-}
-
-}  // namespace
-
-std::size_t size_of(PlyType type) {
-  constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(type)];
-}
-
-std::uint64_t PlyElement::least_bytes(PlyFormat format) const {
-  std::uint64_t bytes = 0;
-  for (const PlyProperty& property : properties) {
-    bytes += format == PlyFormat::Text ? 2 : size_of(property.length.value_or(property.type));
-  }
-  return bytes;
-}
-
-std::uint32_t PlyHeader::vertex_count() const {
-  const auto vertices =
-      std::find_if(elements.begin(), elements.end(),
-                   [](const PlyElement& element) { return element.kind == Kind::Vertex; });
-  return vertices->count;
-}
-
-PlyHeader read_ply_header(RecordReader& in) { return HeaderReader(in).read(); }
-
 namespace {
 
 using Kind = PlyElement::Kind;
@@ -348,8 +48,17 @@ std::string_view name_of(Kind kind) {
 
 // ---------------------------------------------------------------- geometry
 
+/// Whether three of the corners of a face differ. Without, it has no area, and no solid has it.
+bool has_three_vertices(std::span<const std::uint32_t> face) {
+  const auto is_other = [&](std::uint32_t v) { return v != face.front(); };
+  const auto second = std::find_if(face.begin(), face.end(), is_other);
+  return second != face.end() && std::any_of(second, face.end(), [&](std::uint32_t v) {
+           return is_other(v) && v != *second;
+         });
+}
+
 /// What both readers read, on its way into the mesh: vertices, which need not be finite if no face
-/// uses them, faces and strips.
+/// with area uses them, faces and strips.
 class PlyGeometry {
  public:
   PlyGeometry(MeshCollector& mesh, const PlyHeader& header, Context& context)
@@ -358,9 +67,11 @@ class PlyGeometry {
   MeshCollector& mesh() { return mesh_; }
   std::uint32_t vertex_count() const { return vertices_; }
 
-  /// Whether a face may use vertex v. It may if the vertex has not been read yet.
+  /// Whether faces may use vertex v. They may if it has not been read yet.
   bool is_usable(std::uint32_t v) const { return missing_ == 0 || !is_missing_[v]; }
-  /// Adds a vertex that is not finite. Returns false if a face uses it.
+  /// Returns a vertex that is not finite if the face of the last corners has one and has area.
+  std::optional<std::uint32_t> needed_missing(std::size_t corners) const;
+  /// Adds a vertex that is not finite. Returns false if a face needs it.
   bool add_missing_point();
 
   /// Adds the next vertex of a strip. From the third on, each one makes a triangle with the two
@@ -383,6 +94,13 @@ class PlyGeometry {
   std::uint32_t strip_length_ = 0;
 };
 
+std::optional<std::uint32_t> PlyGeometry::needed_missing(std::size_t corners) const {
+  const auto face = std::span(mesh_.mesh().corners).last(corners);
+  const auto found =
+      std::find_if(face.begin(), face.end(), [&](std::uint32_t v) { return !is_usable(v); });
+  return found != face.end() && has_three_vertices(face) ? std::optional(*found) : std::nullopt;
+}
+
 bool PlyGeometry::add_missing_point() {
   if (is_missing_.empty()) prepare_missing();
   const std::uint32_t v = mesh_.point_count();
@@ -397,7 +115,11 @@ void PlyGeometry::prepare_missing() {
   charge_.add(vertices_ / 4, "the vertices of the file");
   is_missing_.resize(vertices_);
   is_used_.resize(vertices_);
-  for (const std::uint32_t v : mesh_.corners()) is_used_[v] = true;
+  const PolygonMesh& mesh = mesh_.mesh();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (!has_three_vertices(mesh.face(f))) continue;
+    for (const std::uint32_t v : mesh.face(f)) is_used_[v] = true;
+  }
 }
 
 void PlyGeometry::add_to_strip(std::uint32_t v) {
@@ -424,7 +146,7 @@ MeshFile PlyGeometry::take(const std::string& passed_over, std::uint64_t stray_b
   MeshFile file = mesh_.take();
   if (!passed_over.empty()) file.notes.push_back("passed over: " + passed_over);
   if (missing_ > 0) {
-    file.notes.push_back("vertices that are not finite, used by no face: " +
+    file.notes.push_back("vertices that are not finite, used by no face with area: " +
                          std::to_string(missing_));
   }
   if (stray_bytes > 0) {
@@ -480,7 +202,9 @@ class PlyTextReader {
   }
   double take_whole(std::string_view needs);
   std::uint32_t take_length(std::string_view what);
+  void read_corners(const PlyElement& element, const PlyProperty& property);
   void read_corner(const PlyElement& element, const PlyProperty& property);
+  [[noreturn]] void fail_not_finite(std::uint32_t vertex, const char* where) const;
   void read_coordinate(ReadNumber& number);
   void skip_value();
 
@@ -488,9 +212,10 @@ class PlyTextReader {
   PlyGeometry& geometry_;
   bool is_first_ = true;  // Whether no record has been read yet.
   bool is_free_form_ = false;
-  bool may_wrap_ = false;          // Whether the values of a record may stand on several lines.
-  const char* value_ = nullptr;    // The beginning of the last value.
-  const char* missing_ = nullptr;  // A coordinate of this vertex that is not finite.
+  bool may_wrap_ = false;           // Whether the values of a record may stand on several lines.
+  const char* value_ = nullptr;     // The beginning of the last value.
+  const char* missing_ = nullptr;   // A coordinate of this vertex that is not finite.
+  const char* unusable_ = nullptr;  // A corner of this face whose vertex is not finite.
   std::array<ReadNumber, 3> at_;
   ReadNumber whole_;
 };
@@ -547,11 +272,8 @@ void PlyTextReader::end_record(const PlyElement& element) {
 
 void PlyTextReader::read_property(const PlyElement& element, const PlyProperty& property) {
   switch (property.role) {
-    case Role::Corners: {
-      const std::uint32_t count = take_length("the number of corners");
-      for (std::uint32_t i = 0; i < count; ++i) read_corner(element, property);
-      return;
-    }
+    case Role::Corners:
+      return read_corners(element, property);
     case Role::None: {
       const std::uint32_t count = property.length ? take_length("the length of a list") : 1;
       for (std::uint32_t i = 0; i < count; ++i) skip_value();
@@ -583,6 +305,14 @@ std::uint32_t PlyTextReader::take_length(std::string_view what) {
   in_.cursor().fail_token(value_text(), what);
 }
 
+void PlyTextReader::read_corners(const PlyElement& element, const PlyProperty& property) {
+  const std::uint32_t count = take_length("the number of corners");
+  for (std::uint32_t i = 0; i < count; ++i) read_corner(element, property);
+  if (unusable_ == nullptr) return;
+  if (const auto vertex = geometry_.needed_missing(count)) fail_not_finite(*vertex, unusable_);
+  unusable_ = nullptr;
+}
+
 void PlyTextReader::read_corner(const PlyElement& element, const PlyProperty& property) {
   const double value = take_whole("the number of a vertex");
   const std::uint32_t vertices = geometry_.vertex_count();
@@ -597,14 +327,20 @@ void PlyTextReader::read_corner(const PlyElement& element, const PlyProperty& pr
                       value_);
   }
   const auto v = static_cast<std::uint32_t>(value);
-  if (!geometry_.is_usable(v)) {
-    in_.cursor().fail(
-        ErrorCode::NumberOutOfRange,
-        in_.record_name() + " uses vertex " + quoted(value_text()) + ", which is not finite",
-        value_);
+  if (element.kind == Kind::Strips) {
+    if (!geometry_.is_usable(v)) fail_not_finite(v, value_);
+    return geometry_.add_to_strip(v);
   }
-  if (element.kind == Kind::Strips) return geometry_.add_to_strip(v);
+  if (!geometry_.is_usable(v) && unusable_ == nullptr) unusable_ = value_;
   geometry_.mesh().add_corner(v);
+}
+
+/// Reports a vertex that a face needs. Only a place in the current line can be reported.
+void PlyTextReader::fail_not_finite(std::uint32_t vertex, const char* where) const {
+  in_.cursor().fail(
+      ErrorCode::NumberOutOfRange,
+      in_.record_name() + " uses vertex " + std::to_string(vertex) + ", which is not finite",
+      is_free_form_ ? nullptr : where);
 }
 
 void PlyTextReader::read_coordinate(ReadNumber& number) {
@@ -645,6 +381,7 @@ class PlyBinaryReader {
       : in_(std::move(in)),
         format_(header.format),
         geometry_(geometry),
+        vertices_(geometry.vertex_count()),
         context_(context),
         total_bytes_(in_.position() + in_.bytes_left()) {}
 
@@ -655,11 +392,15 @@ class PlyBinaryReader {
 
  private:
   void read_property(const PlyProperty& property);
+  void read_corners(const PlyProperty& property);
   void end_record();
   std::uint64_t take_length(const PlyProperty& property);
   double take(PlyType type);
   double take_coordinate(PlyType type);
-  void read_corner(PlyType type);
+  template <class Number>
+  void read_usual_corners(std::uint64_t count, PlyType type);
+  void read_corner(double value, PlyType type);
+  [[noreturn]] void fail_not_finite(std::uint32_t vertex, std::size_t at) const;
   std::string record_name() const {
     return std::string(name_of(kind_)) + ' ' + std::to_string(std::uint64_t{index_} + 1);
   }
@@ -667,13 +408,15 @@ class PlyBinaryReader {
   BinaryInput in_;
   PlyFormat format_;
   PlyGeometry& geometry_;
+  std::uint32_t vertices_;
   Context& context_;
   std::size_t total_bytes_;
   Kind kind_ = Kind::Other;  // Kind of the record.
   std::uint32_t index_ = 0;
   std::uint64_t spare_ = 0;  // Bytes available for the lists of this record.
   std::array<double, 3> at_{};
-  std::size_t missing_ = 0;  // Where a coordinate of this vertex is that is not finite.
+  std::size_t missing_ = 0;   // Where a coordinate of this vertex is that is not finite.
+  std::size_t unusable_ = 0;  // Where a corner of this face is whose vertex is not finite.
 };
 
 /// Reads the records of one element. Before each, the bytes of its fixed parts must exist; what is
@@ -711,15 +454,27 @@ void PlyBinaryReader::end_record() {
 
 void PlyBinaryReader::read_property(const PlyProperty& property) {
   if (property.role == Role::Corners) {
-    for (std::uint64_t count = take_length(property); count > 0; --count) {
-      read_corner(property.type);
-    }
+    read_corners(property);
   } else if (property.role == Role::None) {
     const std::uint64_t count = property.length ? take_length(property) : 1;
     in_.skip(count * size_of(property.type));
   } else {
     at_[static_cast<std::size_t>(property.role) - 1] = take_coordinate(property.type);
   }
+}
+
+void PlyBinaryReader::read_corners(const PlyProperty& property) {
+  const std::uint64_t count = take_length(property);
+  if (kind_ == Kind::Face && property.type == PlyType::Int32) {
+    read_usual_corners<std::int32_t>(count, property.type);
+  } else if (kind_ == Kind::Face && property.type == PlyType::UInt32) {
+    read_usual_corners<std::uint32_t>(count, property.type);
+  } else {
+    for (std::uint64_t i = 0; i < count; ++i) read_corner(take(property.type), property.type);
+  }
+  if (unusable_ == 0) return;
+  if (const auto vertex = geometry_.needed_missing(count)) fail_not_finite(*vertex, unusable_);
+  unusable_ = 0;
 }
 
 /// Returns the length of a list for which there are enough bytes besides those that the other
@@ -769,24 +524,43 @@ double PlyBinaryReader::take_coordinate(PlyType type) {
   return value;
 }
 
-void PlyBinaryReader::read_corner(PlyType type) {
-  const double value = take(type);
-  const std::uint32_t vertices = geometry_.vertex_count();
-  if (kind_ == Kind::Strips && ends_strip(value, type, vertices)) return geometry_.end_strip();
-  if (!is_vertex(value, vertices)) {
+/// Reads the corners of a face in one of the types that nearly all files have. A hot path.
+template <class Number>
+void PlyBinaryReader::read_usual_corners(std::uint64_t count, PlyType type) {
+  for (; count > 0; --count) {
+    const auto v = in_.take<Number>();
+    if (std::cmp_greater_equal(v, 0) && std::cmp_less(v, vertices_) &&
+        geometry_.is_usable(static_cast<std::uint32_t>(v))) {
+      geometry_.mesh().add_corner(static_cast<std::uint32_t>(v));
+    } else {
+      read_corner(v, type);
+    }
+  }
+}
+
+/// Takes a number of a list of corners or strips, which has just been read.
+void PlyBinaryReader::read_corner(double value, PlyType type) {
+  const std::size_t at = in_.position() - size_of(type);
+  if (kind_ == Kind::Strips && ends_strip(value, type, vertices_)) return geometry_.end_strip();
+  if (!is_vertex(value, vertices_)) {
     in_.fail(ErrorCode::BadIndex,
              record_name() + " names vertex " + format_double(value) + "; there are " +
-                 std::to_string(vertices),
-             in_.position() - size_of(type));
+                 std::to_string(vertices_),
+             at);
   }
   const auto v = static_cast<std::uint32_t>(value);
-  if (!geometry_.is_usable(v)) {
-    in_.fail(ErrorCode::NumberOutOfRange,
-             record_name() + " uses vertex " + std::to_string(v) + ", which is not finite",
-             in_.position() - size_of(type));
+  if (kind_ == Kind::Strips) {
+    if (!geometry_.is_usable(v)) fail_not_finite(v, at);
+    return geometry_.add_to_strip(v);
   }
-  if (kind_ == Kind::Strips) return geometry_.add_to_strip(v);
+  if (!geometry_.is_usable(v) && unusable_ == 0) unusable_ = at;
   geometry_.mesh().add_corner(v);
+}
+
+/// Reports a vertex that a face needs.
+void PlyBinaryReader::fail_not_finite(std::uint32_t vertex, std::size_t at) const {
+  in_.fail(ErrorCode::NumberOutOfRange,
+           record_name() + " uses vertex " + std::to_string(vertex) + ", which is not finite", at);
 }
 
 // ---------------------------------------------------------------- both
