@@ -217,6 +217,18 @@ TEST(PlyReader, makes_triangles_of_strips) {
   }
 }
 
+TEST(PlyReader, reads_strips_before_vertices) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\n"
+      "element vertex 4\nproperty int x\nproperty int y\nproperty int z\nend_header\n"
+      "9 0 2\n1 3 0\n-1 3\n2 1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const PolygonMesh expected =
+      triangles_of(testing::tetrahedron().points, {{0, 2, 1, 3, 0}, {3, 2, 1}});
+  EXPECT_TRUE(is_same(read(text).mesh, expected));
+  expect_refused(changed(text, "0 1 0", "0 nan 0"), ErrorCode::NumberOutOfRange,
+                 "vertex 3 is not finite, but a face uses it");
+}
+
 template <class Number>
 void expect_strips(const std::string& type) {
   const PolygonMesh expected =

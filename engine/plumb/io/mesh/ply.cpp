@@ -237,7 +237,7 @@ void PlyTextReader::begin_record(const PlyElement& element, std::uint32_t index)
   in_.next_record(name_of(element.kind), index, element.count);
   if (!is_first_) return;
   is_first_ = false;
-  may_wrap_ = is_free_form_ = is_free_form(element);
+  if (is_free_form(element)) may_wrap_ = is_free_form_ = true;
 }
 
 /// Whether line breaks mean nothing: some programs write all vertices on one line, or each value on

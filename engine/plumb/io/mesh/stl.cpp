@@ -224,8 +224,9 @@ MeshFile read_text(std::string_view text, std::size_t stray, const ReadOptions& 
     text = copy;
   }
   MeshFile file = StlTextReader(text, options, context).read();
-  if (stray > 0)
+  if (stray > 0) {
     file.notes.push_back("passed over: " + count_of(stray, "byte") + " behind the text");
+  }
   return file;
 }
 
@@ -368,9 +369,9 @@ std::size_t first_control_byte(std::string_view bytes) {
   if (bytes.size() < kLeastBinaryBytes) {
     file.fail(ErrorCode::UnknownFormat, message + "it is too short for that");
   }
-  file.fail(ErrorCode::CountMismatch, message + count_of(announced(bytes), "triangle") +
-                                          " are announced, " + std::to_string(bytes.size()) +
-                                          " bytes are there");
+  file.fail(ErrorCode::CountMismatch, message + std::to_string(announced(bytes)) +
+                                          " triangles are announced, " +
+                                          std::to_string(bytes.size()) + " bytes are there");
 }
 
 MeshFile read_triangles(std::string_view bytes, const ReadOptions& options, Context& context) {
