@@ -65,8 +65,8 @@ struct PlyHeader {
 
 /// Reads the header, from the first line to the end of that of end_header. A file has one element
 /// of vertices, with x, y and z, and at most one of faces and one of triangle strips, each with a
-/// list of vertices. Counts are compared with the bytes that follow. Throws with the place: NotText,
-/// Syntax, UnknownFormat, CountMismatch.
+/// list of vertices. Counts are compared with the bytes that follow. Throws with the place:
+/// NotText, Syntax, UnknownFormat, CountMismatch.
 PlyHeader read_ply_header(RecordReader& in);
 
 }  // namespace plumb
