@@ -337,6 +337,35 @@ TEST_F(SolidProgram, rules_say_what_is_inside) {
   EXPECT_EQ(volume(info(cubes)), 15);
 }
 
+TEST_F(SolidProgram, warns_of_geometry_that_is_not_read_even_if_quiet) {
+  const std::string mesh = holding(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nvw 1\nsurf 0 1 0 1 "
+      "1\n",
+      "a.obj");
+  const std::string warning = mesh + ": warning: geometry that was not read: free-form surfaces\n";
+  const std::string note = mesh + ": passed over: unknown statements 'vw'\n";
+  for (const Words& words :
+       {Words{"solid", "info", mesh}, Words{"solid", "interior", mesh, "-o", file("b.nef")},
+        Words{"convex", "check", mesh}}) {
+    EXPECT_EQ(run(words).err, note + warning) << words[1];
+    Words quiet = words;
+    quiet.push_back("--quiet");
+    EXPECT_EQ(run(quiet).err, warning) << words[1];
+  }
+}
+
+TEST_F(SolidProgram, files_without_faces_are_refused) {
+  const std::string mesh = holding("OFF 2 0 0\n0 0 0\n1 0 0\n", "a.off");
+  for (const char* group : {"solid", "convex"}) {
+    const Words words{group, group == std::string("solid") ? "info" : "check", mesh};
+    expect_refusal(run(words), mesh, "has 2 vertices but no faces");
+  }
+  const RunResult empty = run({"solid", "info", mesh, "--surface", "--quiet"});
+  EXPECT_EQ(empty.code, 0);
+  EXPECT_EQ(empty.err,
+            mesh + ": warning: the file has 2 vertices but no faces; the set is empty\n");
+}
+
 TEST_F(SolidProgram, wrong_usage_is_refused) {
   const auto refuse = [](Words words, const std::string& part) {
     words.insert(words.begin(), "solid");

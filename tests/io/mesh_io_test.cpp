@@ -56,6 +56,10 @@ TEST(SolidIo, tells_formats_by_their_first_bytes) {
   EXPECT_EQ(guess_mesh_format("# x\n\n  STCNOFF 8"), MeshFormat::Off);
   EXPECT_EQ(guess_mesh_format("4 4 6"), MeshFormat::Off);
   EXPECT_EQ(guess_mesh_format("\xEF\xBB\xBFOFF"), MeshFormat::Off);
+  EXPECT_EQ(guess_mesh_format("coff\n"), MeshFormat::Off);
+  EXPECT_EQ(guess_mesh_format("OFF8 6 12"), MeshFormat::Off);
+  EXPECT_EQ(guess_mesh_format("nOFF\n4"), MeshFormat::Off);
+  EXPECT_EQ(guess_mesh_format("offset"), MeshFormat::Obj);
   EXPECT_EQ(guess_mesh_format("# x\no thing\n"), MeshFormat::Obj);
   EXPECT_EQ(guess_mesh_format(""), MeshFormat::Obj);
   EXPECT_EQ(guess_mesh_format("solid"), MeshFormat::Stl);

@@ -239,6 +239,49 @@ TEST(scene_reader, reads_the_model_beside_the_scene) {
   fs::remove_all(folder);
 }
 
+/// A face that gives no triangle would shift the numbers of the faces after it.
+TEST(scene_reader, refuses_models_with_faces_without_area) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "plumb-scene-degenerate-test";
+  fs::create_directories(folder);
+  std::ofstream(folder / "a.json")
+      << R"({"model": "m.obj", "points": [[1, 0.5, 0.25], [1, 0.25, 0.5]], "polygons": [[0, 1]]})";
+  const auto read = [&](const std::string& face) {
+    std::ofstream(folder / "m.obj")
+        << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\n" + face + "f 1 3 4\nsurf 0 1\n";
+    Context context;
+    return read_scene_file((folder / "a.json").string(), {}, context);
+  };
+  EXPECT_EQ(read("").warnings,
+            std::vector<std::string>{"geometry that was not read: free-form surfaces"});
+  for (const std::string face : {"f 1 3\n", "f 2\n", "f\n", "f 1 3 3\n", "f 1 3 3 4\n"}) {
+    try {
+      read(face);
+      ADD_FAILURE() << "read a model with " << face;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::DegenerateFace) << face;
+      EXPECT_EQ(error.place().file, (folder / "m.obj").string());
+      EXPECT_NE(error.message().find("face 1"), std::string::npos) << error.message();
+    }
+  }
+  std::ofstream(folder / "m.stl")
+      << "solid\nfacet normal 0 0 1 outer loop vertex 0 0 0 vertex 0 0 0 "
+         "vertex 1 0 0 endloop endfacet\nfacet normal 0 0 1 outer loop "
+         "vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet\n"
+         "endsolid\n";
+  std::ofstream(folder / "b.json")
+      << R"({"model": "m.stl", "points": [[0, 0.5, 0.25], [0, 0.25, 0.5]], "polygons": [[0, 1]]})";
+  Context context;
+  try {
+    read_scene_file((folder / "b.json").string(), {}, context);
+    ADD_FAILURE() << "read a model without its first face";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::DegenerateFace);
+    EXPECT_EQ(error.place().file, (folder / "m.stl").string());
+  }
+  fs::remove_all(folder);
+}
+
 std::vector<HostileText> hostile_scenes() {
   const std::string head = R"({"model": "m", )";
   const std::string triangle = R"("points": [[0, 0.1, 0.1], [1, 0.1, 0.1], [2, 0.1, 0.1]], )";

@@ -80,9 +80,64 @@ TEST(SolidSets, FacesWithoutAreaAreLeftOutAndNamed) {
   for (const auto& [name, text] : files) {
     Context context;
     const SolidRead read = read_solid(name, text, {}, context);
-    EXPECT_TRUE(read.set == solid(tetrahedron_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})))
+    EXPECT_TRUE(read.set == solid(tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1})))
         << name;
     EXPECT_TRUE(has_note(read, "faces without area, left out: 4, 5, 6, 7")) << name;
+  }
+}
+
+TEST(SolidSets, WhatOtherProgramsWriteIsRead) {
+  const Nef3 expected = solid(tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}));
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("corpus/regress/meshes")) {
+    Context context;
+    const SolidRead read = read_solid_file(entry.path().string(), {}, context);
+    EXPECT_TRUE(read.set == expected) << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 15U);
+}
+
+/// Files without any face, and what must be said of each.
+const std::pair<std::pair<std::string, std::string>, std::string> kFilesWithoutFaces[] = {
+    {{"a.obj", "v 0 0 0\n"}, "the file has 1 vertex but no faces"},
+    {{"a.obj", "v 0 0 0\nv 1 0 0\np 1\nl 1 2\n"},
+     "the file has 2 vertices but no faces; passed over: points, lines"},
+    {{"a.obj", "v 0 0 0\nsurf 0 1 0 1 1 1 1 1\n"},
+     "the file has 1 vertex but no faces; geometry that was not read: free-form surfaces"},
+    {{"a.obj", "call b.obj\n"},
+     "the file has no faces; geometry that was not read: other files (call)"},
+    {{"a.off", "OFF\n2 0 0\n0 0 0\n1 0 0\n"}, "the file has 2 vertices but no faces"},
+};
+
+TEST(SolidSets, FilesWithoutFacesAreRefusedOrEmptyOnRequest) {
+  for (const auto& [file, expected] : kFilesWithoutFaces) {
+    Context context;
+    try {
+      read_solid(file.first, file.second, {}, context);
+      ADD_FAILURE() << "was read: " << file.second;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::BadShape);
+      EXPECT_EQ(error.place().file, file.first);
+      EXPECT_EQ(error.message(),
+                expected + "; export it as polygons; --surface reads it as the empty set");
+    }
+    SolidReadOptions options;
+    options.surface = true;
+    const SolidRead empty = read_solid(file.first, file.second, options, context);
+    EXPECT_TRUE(empty.set.is_empty());
+    ASSERT_FALSE(empty.warnings.empty());
+    EXPECT_EQ(empty.warnings.back(), expected + "; the set is empty");
+  }
+}
+
+TEST(SolidSets, FilesOfNothingAreEmpty) {
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"a.off", "OFF\n0 0 0\n"}, {"a.obj", "# plumb\n"}, {"a.stl", "solid a\nendsolid a\n"}}) {
+    Context context;
+    const SolidRead read = read_solid(name, text, {}, context);
+    EXPECT_TRUE(read.set.is_empty());
+    EXPECT_TRUE(read.warnings.empty());
   }
 }
 

@@ -48,12 +48,6 @@ std::string_view first_word(std::string_view text) {
   }
 }
 
-bool begins_off(std::string_view word) {
-  if (!word.empty() && '0' <= word.front() && word.front() <= '9') return true;
-  for (const std::string_view prefix : {"ST", "C", "N", "4", "n"}) take_prefix(word, prefix);
-  return word.starts_with("OFF");
-}
-
 }  // namespace
 
 std::optional<MeshFormat> mesh_format_named(std::string_view name) {
@@ -106,6 +100,21 @@ MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const Rea
                       context);
   };
   return read_gltf(bytes, load, options, context);
+}
+
+std::string lack_of_faces(const MeshFile& file) {
+  const std::size_t points = file.mesh.points.size();
+  const bool is_empty = points == 0 && file.notes.empty() && file.warnings.empty();
+  if (file.mesh.face_count() > 0 || is_empty) return {};
+  std::string text = "the file has no faces";
+  if (points > 0) {
+    text = "the file has " + std::to_string(points) + (points == 1 ? " vertex" : " vertices") +
+           " but no faces";
+  }
+  for (const auto* sentences : {&file.notes, &file.warnings}) {
+    for (const std::string& sentence : *sentences) text += "; " + sentence;
+  }
+  return text;
 }
 
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,

@@ -2,14 +2,15 @@
 //
 // Reading: the caller may state the format. Otherwise the extension of the file determines the
 // format. If the extension names no format, the format is guessed from the bytes of the file. Faces
-// are not changed: they have the corners that the file lists. MeshFile::notes reports all contents
-// of the file that are not in the mesh.
+// are not changed: they have the corners that the file lists. MeshFile::notes and
+// MeshFile::warnings report all contents of the file that are not in the mesh.
 //
 // Writing: the coordinates in OFF, OBJ, PLY and text STL are doubles. The coordinates in binary STL
 // are floats. The coordinates in exact OFF are fractions. STL files contain triangles only.
 // as_written() returns the mesh that a reader of the written file will get.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
@@ -30,6 +31,12 @@ struct MeshFile {
   /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
   /// that are not in `mesh`.
   std::vector<std::string> notes;
+  /// Warnings for a human reader. Each warning is one sentence. The warnings report geometry of the
+  /// file that is not in `mesh`. A program should show them even if it shows no notes.
+  std::vector<std::string> warnings;
+  /// How many faces of the file are not in `mesh` because two of their corners are equal. If there
+  /// are any, the faces of `mesh` have other numbers than in the file.
+  std::size_t faces_left_out = 0;
 };
 
 /// Formats of mesh files. For some formats there are several forms, such as text and binary STL. A
@@ -60,8 +67,8 @@ std::optional<MeshFormat> mesh_format_named(std::string_view name);
 ///   - STL if the bytes begin with "solid"
 ///   - STL if the bytes state a number of triangles as a binary STL file does, and the number of
 ///     bytes agrees with this number of triangles
-///   - OFF if the bytes begin with "OFF", with a variant of this word such as "COFF", or with a
-///     number
+///   - OFF if the bytes begin with "OFF" in capital or small letters, with a variant of this word
+///     such as "COFF", or with a number
 ///   - STL if there are 84 bytes or more, with control characters among the first
 ///   - OBJ in all other cases
 MeshFormat guess_mesh_format(std::string_view bytes);
@@ -77,6 +84,11 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
 /// files are read from the folder of `path`. Throws as read_mesh() does.
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
+
+/// Returns a sentence that states what the file has if the mesh has no faces although the file is
+/// not empty: the mesh has vertices, or the reader left something out. Otherwise returns an empty
+/// text.
+std::string lack_of_faces(const MeshFile& file);
 
 /// Reads the file `path`, or standard input if `path` is "-", and returns its mesh. If `format` is
 /// not given, the format is found as in read_mesh_of(). `options.name` is ignored. The bytes of the

@@ -308,6 +308,26 @@ class SceneMaker {
   Context& context_;
 };
 
+/// Throws Error{DegenerateFace} if a face of the file gives no triangle. Scenes name faces by their
+/// numbers, so such a face must not be left out.
+void require_triangles_of_all(const MeshFile& file, const std::string& name) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorCode::DegenerateFace,
+                what + "; remove such faces, and number the faces of the scene without them",
+                {name});
+  };
+  if (file.faces_left_out > 0) {
+    refuse("the file has faces of which two corners are equal; their number is " +
+           std::to_string(file.faces_left_out));
+  }
+  for (std::size_t f = 0; f < file.mesh.face_count(); ++f) {
+    const std::size_t corners = file.mesh.face(f).size();
+    if (corners >= 3) continue;
+    refuse("face " + std::to_string(f) + " has " + std::to_string(corners) +
+           (corners == 1 ? " corner" : " corners"));
+  }
+}
+
 /// Returns the surface of a mesh. Errors of the mesh are reported with the name of its file.
 SurfaceMesh surface_in(const PolygonMesh& mesh, const std::string& name, Context& context) {
   context.charge_memory(std::uint64_t{60} * (mesh.corners.size() - 2 * mesh.face_count()),
@@ -371,6 +391,7 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
   SceneNotes notes;
   const std::string model = beside(scene.model);
   MeshFile file = read_mesh_file(model, {}, options, context);
+  require_triangles_of_all(file, model);
   const auto mesh = std::make_shared<const SurfaceMesh>(surface_in(file.mesh, model, context));
   add_notes(model, file.notes, notes);
   if (const std::size_t turned = turned_faces(*mesh); turned > 0) {
@@ -388,7 +409,8 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
     entry->second = read_drawing(name, d.tolerance, context);
     add_notes(name, entry->second.drawing.notes, notes);
   }
-  return {make_scene(scene, mesh, text, options, context, drawings), model, std::move(notes)};
+  return {make_scene(scene, mesh, text, options, context, drawings), model, std::move(notes),
+          std::move(file.warnings)};
 }
 
 }  // namespace plumb

@@ -42,6 +42,7 @@
 //
 // Errors name their position in the file:
 //   - the errors of the readers of JSON and of the model
+//   - DegenerateFace if the model has a face of fewer than three different corners
 //   - BadIndex
 //   - BadShape for a point outside its face, for two consecutive points that no path joins, and for
 //     a point of a drawing that would lie beyond the border of the surface
@@ -66,6 +67,9 @@ struct SceneFile {
   /// Notes for a human. The readers of the mesh and of the drawings make these notes. Each note
   /// names the file that it is about.
   std::vector<std::string> notes;
+  /// Warnings for a human: geometry in the file of the mesh that is not in the scene. A program
+  /// should show them even if it shows no notes.
+  std::vector<std::string> warnings;
 };
 
 /// Reads a scene, its mesh and its drawings. The scene is in the file `path`, or in standard input

@@ -49,7 +49,7 @@ SolidRead read_nef_set(const std::string& bytes, const ReadOptions& text, Contex
     throw Error(ErrorCode::BadShape, "no set of space: " + flaw->invariant + ": " + flaw->place,
                 {text.name});
   }
-  return {Nef3::from_minimal_unchecked(std::move(complex)), {}};
+  return {Nef3::from_minimal_unchecked(std::move(complex)), {}, {}};
 }
 
 /// Returns the set of a mesh. Errors of the mesh are reported with the name of its file.
@@ -60,6 +60,19 @@ Nef3 set_of(const PolygonMesh& mesh, const FromMeshOptions& reading, const std::
   } catch (const OpenMesh& error) {
     throw OpenMesh(error.report(), {name});
   }
+}
+
+/// Refuses a file without faces, unless it is to be read as the set of its facets: then the set is
+/// empty, with a warning.
+void refuse_without_faces(const MeshFile& file, bool is_surface, const std::string& name,
+                          std::vector<std::string>& warnings) {
+  const std::string lack = lack_of_faces(file);
+  if (lack.empty()) return;
+  if (!is_surface) {
+    throw Error(ErrorCode::BadShape,
+                lack + "; export it as polygons; --surface reads it as the empty set", {name});
+  }
+  warnings.push_back(lack + "; the set is empty");
 }
 
 }  // namespace
@@ -75,13 +88,15 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   const ReadOptions text{input_name(path), options.exact_decimals};
   if (is_nef_file(path, bytes)) return read_nef_set(bytes, text, context);
   MeshFile file = read_mesh_of(path, bytes, text, context);
+  std::vector<std::string> warnings = file.warnings;
+  refuse_without_faces(file, options.surface, text.name, warnings);
   MeshReport report;
   const FromMeshOptions reading{
       .rule = options.rule, .surface = options.surface, .report = &report};
   Nef3 set = set_of(file.mesh, reading, text.name, context);
   std::vector<std::string> notes = std::move(file.notes);
   describe(report, notes);
-  return {std::move(set), std::move(notes)};
+  return {std::move(set), std::move(notes), std::move(warnings)};
 }
 
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,

@@ -36,6 +36,9 @@ struct SolidReadOptions {
 struct SolidRead {
   Nef3 set;                        ///< The set that the file describes.
   std::vector<std::string> notes;  ///< Notes for a human. Each note is one sentence.
+  /// Warnings for a human: geometry of the file that is not in the set. Each warning is one
+  /// sentence. A program should show them even if it shows no notes.
+  std::vector<std::string> warnings;
 };
 
 /// Whether a file is a .nef file. The extension of `path` decides. If the extension names no
@@ -45,6 +48,8 @@ bool is_nef_file(const std::string& path, std::string_view bytes);
 /// Reads the file `path`, or standard input if `path` is "-", and returns its set. Throws:
 ///   - the errors of mesh_io.h and nef3_reader.h
 ///   - Error{BadShape} if the audit (space_audit.h) finds a flaw in a .nef file
+///   - Error{BadShape} if the mesh has no faces although the file is not empty, and
+///     `options.surface` is false
 ///   - Error{BadShape} if the mesh is open and `options.surface` is false; the error lists the
 ///     borders of the mesh
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options = {},

@@ -106,11 +106,17 @@ class ConvexCheck : public CommandBody {
     ReadOptions options;
     options.name = input_name(file_);
     options.exact_decimals = session.options().exact_decimals;
-    const PolygonMesh mesh = read_mesh_of(file_, bytes, options, context).mesh;
+    const MeshFile mesh_file = read_mesh_of(file_, bytes, options, context);
+    if (!lack_of_faces(mesh_file).empty()) {
+      return convexity_of_set(input_.read(file_, bytes, session), context);
+    }
     session.begin("convexity");
-    ConvexityEvidence of_mesh = convexity_of_mesh(mesh, context);
+    ConvexityEvidence of_mesh = convexity_of_mesh(mesh_file.mesh, context);
     const bool is_solid = of_mesh.is_convex || of_mesh.reflex_edges > 0;
-    if (input_.is_plain() && is_solid) return of_mesh;
+    if (input_.is_plain() && is_solid) {
+      print_notes(file_, mesh_file, session);
+      return of_mesh;
+    }
     ConvexityEvidence of_set = convexity_of_set(input_.read(file_, bytes, session), context);
     if (!of_set.is_convex) of_set.faces = std::move(of_mesh.faces);
     return of_set;

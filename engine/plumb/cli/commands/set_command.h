@@ -65,8 +65,8 @@ inline void require_one_stdin(const std::string& a, const std::string& b) {
   }
 }
 
-/// Returns the sets of some files, read in parallel if there are threads for that. Notes come in
-/// the order of the files.
+/// Returns the sets of some files, read in parallel if there are threads for that. Notes and
+/// warnings come in the order of the files.
 template <SetInput Input>
 auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session) {
   using Read = decltype(input.load(files[0], session.options(), session.context()));
@@ -78,7 +78,7 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
   });
   std::vector<decltype(Read::set)> sets;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    for (const std::string& note : reads[i].notes) session.note(input_name(files[i]) + ": " + note);
+    print_notes(files[i], reads[i], session);
     sets.push_back(std::move(reads[i].set));
   }
   return sets;

@@ -192,7 +192,7 @@ Nef3 SolidInput::read(const std::string& file, Session& session) const {
 Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session& session) const {
   require_solid(file, bytes);
   SolidRead solid = read_solid(file, bytes, read_options(session.options()), session.context());
-  for (const std::string& note : solid.notes) session.note(input_name(file) + ": " + note);
+  print_notes(file, solid, session);
   return std::move(solid.set);
 }
 
@@ -250,6 +250,7 @@ DividedScene SurfaceInput::read(Session& session) const {
   SceneFile file = read_scene_file(file_, {.exact_decimals = session.options().exact_decimals},
                                    session.context());
   for (const std::string& note : file.notes) session.note(note);
+  for (const std::string& warning : file.warnings) session.warn(file.model, warning);
   std::vector<SurfaceRepair> repairs;
   if (repairs_) repairs = repair(file.scene, session.context());
   session.begin("divide");

@@ -57,6 +57,17 @@ inline constexpr const char* kSolidOrPlaneHelp =
     "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; or a set of the plane: .wkt, .geojson, "
     ".wkb, .nef2; - is standard input";
 
+/// Prints the notes and the warnings of a file that was read: of a SolidRead or a MeshFile, or the
+/// notes of a set of the plane.
+template <class Read>
+void print_notes(const std::string& file, const Read& read, Session& session) {
+  const std::string name = input_name(file);
+  for (const std::string& note : read.notes) session.note(name + ": " + note);
+  if constexpr (requires { read.warnings; }) {
+    for (const std::string& warning : read.warnings) session.warn(name, warning);
+  }
+}
+
 /// How meshes are read as sets: the same options for all operands of a command.
 class SolidInput {
  public:
@@ -66,9 +77,9 @@ class SolidInput {
   Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session) const;
   /// Whether no option says how meshes are read.
   bool is_plain() const { return rule_.empty() && !surface_; }
-  /// Returns a solid with its notes. May be called from several threads at once.
+  /// Returns a solid with its notes and warnings. May be called from several threads at once.
   SolidRead load(const std::string& file, const CommonOptions& options, Context& context) const;
-  /// Returns a solid and prints its notes.
+  /// Returns a solid and prints its notes and warnings.
   Nef3 read(const std::string& file, Session& session) const;
   /// Does the same if the bytes of the file have been read.
   Nef3 read(const std::string& file, const std::string& bytes, Session& session) const;

@@ -217,8 +217,14 @@ void Session::deliver() {
 }
 
 void Session::note(std::string_view text) {
-  if (options_.quiet) return;
-  std::string line(text);
+  if (!options_.quiet) print(std::string(text));
+}
+
+void Session::warn(const std::string& file, const std::string& text) {
+  print(file + ": warning: " + text);
+}
+
+void Session::print(std::string line) {
   std::replace_if(line.begin(), line.end(), is_control, '?');
   progress_.print(line);
 }

@@ -127,6 +127,9 @@ class Session {
 
   /// Prints a line on standard error, unless --quiet, without control characters.
   void note(std::string_view text);
+  /// Prints the line "FILE: warning: TEXT" even with --quiet: the result lacks something that a
+  /// file has.
+  void warn(const std::string& file, const std::string& text);
 
   /// Sets what the command will do, for the progress bar; begin() is called when each stage begins
   /// (progress.h).
@@ -136,6 +139,8 @@ class Session {
   void deliver();
 
  private:
+  void print(std::string line);
+
   CommonOptions options_;
   ProgressBar progress_;
   Context context_;

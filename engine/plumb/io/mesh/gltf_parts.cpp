@@ -224,6 +224,7 @@ MeshFile GltfTriangles::take() {
     file.notes.push_back(std::to_string(dropped) + (dropped == 1 ? " triangle" : " triangles") +
                          " with two equal corners left out");
   }
+  file.faces_left_out = dropped;
   return file;
 }
 

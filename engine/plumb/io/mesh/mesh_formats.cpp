@@ -13,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +46,24 @@ std::uint64_t exact_bytes(const RationalPoint3& p) {
     bytes += 2 * kBlock + limbs * sizeof(mp_limb_t);
   }
   return bytes;
+}
+
+/// Whether three corners of a face are different.
+bool has_three_corners(std::span<const std::uint32_t> face) {
+  const auto second = std::ranges::find_if(face, [&](std::uint32_t v) { return v != face[0]; });
+  return std::any_of(second, face.end(),
+                     [&](std::uint32_t v) { return v != face[0] && v != *second; });
+}
+
+/// Adds a sentence that lists `items` behind `begin`, unless there are none.
+void add_sentence(std::string_view begin, const std::vector<std::string_view>& items,
+                  std::vector<std::string>& sentences) {
+  if (items.empty()) return;
+  std::string sentence(begin);
+  for (const std::string_view& item : items) {
+    sentence.append(&item == items.data() ? "" : ", ").append(item);
+  }
+  sentences.push_back(std::move(sentence));
 }
 
 }  // namespace
@@ -81,15 +100,41 @@ void MeshCollector::add_exact_point(const RationalPoint3& p) {
   add_point({clamped_to_finite(x.value), clamped_to_finite(y.value), clamped_to_finite(z.value)});
 }
 
-MeshFile MeshCollector::take() {
-  MeshFile file{std::move(mesh_), {}};
-  if (passed_.empty()) return file;
-  std::string sentence;
-  for (const std::string_view what : passed_) {
-    sentence.append(sentence.empty() ? "passed over: " : ", ").append(what);
+void MeshCollector::add_missing_point() {
+  charge(kGrowth * sizeof(std::uint32_t));
+  missing_.push_back(point_count());
+  add_point(Point3{});
+}
+
+std::optional<std::uint32_t> MeshCollector::needed_missing_point() const {
+  if (missing_.empty()) return {};
+  for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+    const auto face = mesh_.face(f);
+    const auto found = std::ranges::find_if(
+        face, [&](std::uint32_t v) { return std::ranges::binary_search(missing_, v); });
+    if (found != face.end() && has_three_corners(face)) return *found;
   }
-  file.notes.push_back(std::move(sentence));
+  return {};
+}
+
+MeshFile MeshCollector::take() {
+  MeshFile file{std::move(mesh_), {}, {}, 0};
+  add_sentence("passed over: ", passed_, file.notes);
+  if (!missing_.empty()) {
+    file.notes.push_back("vertices that are not finite, used by no face with area: " +
+                         std::to_string(missing_.size()));
+  }
+  add_sentence("geometry that was not read: ", left_out_, file.warnings);
   return file;
+}
+
+void MeshCollector::clear() {
+  context_.release_memory(charged_bytes_);
+  mesh_ = {};
+  passed_.clear();
+  left_out_.clear();
+  missing_.clear();
+  charged_bytes_ = charged_points_ = charged_corners_ = charged_faces_ = 0;
 }
 
 void MeshCollector::end_face() {

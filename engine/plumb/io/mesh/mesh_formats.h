@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,13 +13,14 @@
 
 #include "plumb/base/context.h"
 #include "plumb/io/mesh_io.h"
+#include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/space/mesh_arrays.h"
 
 namespace plumb {
 
-/// Collects a mesh. Strings given to it are literals. Limits are thrown without a place; readers
+/// Collects a mesh. Strings given to it must outlive it. Limits are thrown without a place; readers
 /// add it (input_cursors.h).
 class MeshCollector {
  public:
@@ -46,6 +48,12 @@ class MeshCollector {
     }
   }
 
+  /// Adds a vertex of which a coordinate is not finite, as the point 0 0 0.
+  void add_missing_point();
+  /// Returns such a vertex if a face of three different corners uses it. Cost: O(n) if there are
+  /// such vertices.
+  std::optional<std::uint32_t> needed_missing_point() const;
+
   /// Adds the next corner of the face that end_face() ends.
   void add_corner(std::uint32_t vertex) {
     if (mesh_.corners.size() == charged_corners_) charge_corners();
@@ -57,26 +65,48 @@ class MeshCollector {
 
   /// Notes something in the file that no mesh holds, named as in "normals of vertices". It is
   /// reported once.
-  void pass_over(std::string_view what) {
-    if (std::find(passed_.begin(), passed_.end(), what) == passed_.end()) passed_.push_back(what);
-  }
+  void pass_over(std::string_view what) { add_once(what, passed_); }
+  /// Does the same for geometry, which the mesh lacks; the report is a warning.
+  void leave_out(std::string_view geometry) { add_once(geometry, left_out_); }
 
-  /// Returns the mesh, with a note on what was skipped.
+  /// Returns the mesh, with a note and a warning on what was skipped.
   MeshFile take();
+  /// Forgets everything and releases the memory that was charged.
+  void clear();
 
  private:
+  static void add_once(std::string_view what, std::vector<std::string_view>& list) {
+    if (std::find(list.begin(), list.end(), what) == list.end()) list.push_back(what);
+  }
   void add_exact_point(const RationalPoint3& p);
-  void charge(std::uint64_t bytes) { context_.charge_memory(bytes, "the mesh"); }
+  void charge(std::uint64_t bytes) {
+    context_.charge_memory(bytes, "the mesh");
+    charged_bytes_ += bytes;
+  }
   void charge_points();
   void charge_corners();
 
   Context& context_;
   PolygonMesh mesh_;
   std::vector<std::string_view> passed_;
+  std::vector<std::string_view> left_out_;
+  std::vector<std::uint32_t> missing_;  // Vertices that are not finite.
+  std::uint64_t charged_bytes_ = 0;
   std::uint64_t charged_points_ = 0;
   std::uint64_t charged_corners_ = 0;
   std::uint64_t charged_faces_ = 0;
 };
+
+/// Returns `read(text)`. If the lines of the text end with CR alone, `read` gets a copy with LF,
+/// whose memory is charged while it exists.
+template <class Read>
+MeshFile read_lines(std::string_view text, const ReadOptions& options, Context& context,
+                    Read read) {
+  if (!ends_lines_with_cr(text)) return read(text);
+  MemoryCharge charge(context);
+  with_place(WholeFile{options.name}, [&] { charge.add(text.size(), "the lines of the file"); });
+  return read(with_line_feeds(text, text.size()));
+}
 
 // Welding: vertices at one place become one, for formats that list the corners of every triangle.
 

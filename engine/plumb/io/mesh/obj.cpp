@@ -1,11 +1,14 @@
 // Reading and writing of OBJ, statement by statement.
 //
-// A statement is a line, continued by a backslash at its end. Only v and f carry geometry; every
-// other keyword of the format is skipped with a note, and an unknown keyword is an error, because
-// it usually means that the file is something else. The common corner, a short positive number, is
-// read without taking a token; other forms are validated in full. Format: Wavefront OBJ, as in
-// docs/formats.md, section OBJ.
-// Tested by tests/io/obj_test.cpp.
+// A statement is a line, continued by a backslash at its end. Only v and f carry geometry that a
+// mesh holds. Statements with other geometry are skipped with a warning, and all other statements
+// with a note; programs add keywords of their own, so unknown keywords are named and skipped, too.
+// A text without any v and f is something else, and its first unknown keyword is an error. Fields
+// of v and f that are dropped are not parsed (exporters write nan there, or nothing). The common
+// corner, a short positive number, is read without taking a token. A face may precede its vertices,
+// so the largest number of a vertex that was still to come is compared with their count at the end.
+//
+// Format: Wavefront OBJ, as in docs/formats.md, section OBJ. Tested by tests/io/obj_test.cpp.
 #include "plumb/io/mesh/obj.h"
 
 #include <algorithm>
@@ -14,35 +17,45 @@
 #include <cstdint>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
+#include "plumb/predicates/strong_id.h"
 
 namespace plumb {
 namespace {
 
-/// Statements that carry no geometry: a name for the note, and their keywords between blanks.
-struct PassedOver {
+/// Statements that are skipped: a name for the message, and their keywords between blanks.
+struct Skipped {
   std::string_view name;
   std::string_view keywords;
+  bool is_geometry = false;
+  /// Whether the arguments are names. A backslash behind a blank continues such a statement, but
+  /// one at the end of a name is part of it ("mtllib C:\\models\\").
+  bool has_names = false;
 };
 
-constexpr std::array<PassedOver, 8> kPassedOver{{
+constexpr std::array<Skipped, 11> kSkipped{{
     {"normals of vertices", " vn "},
     {"texture coordinates", " vt "},
-    {"names, groups and materials", " o g s mg usemtl mtllib usemap maplib "},
+    {"names, groups and materials", " o g s mg usemtl mtllib usemap maplib ", false, true},
     {"lines", " l "},
     {"points", " p "},
-    {"display attributes", " bevel c_interp d_interp lod shadow_obj trace_obj ctech stech "},
-    {"free-form curves and surfaces",
-     " vp cstype deg bmat step curv curv2 surf parm trim hole scrv sp end con bzp bsp cdc cdp "
-     "res "},
-    {"commands", " call csh "},
+    {"display attributes", " bevel c_interp d_interp lod shadow_obj trace_obj ctech stech ", false,
+     true},
+    {"free-form curves", " curv cdc ", true},
+    {"free-form surfaces", " surf bzp bsp cdp ", true},
+    {"parameters of free-form curves and surfaces",
+     " vp cstype deg bmat step curv2 parm trim hole scrv sp end con res "},
+    {"other files (call)", " call ", true, true},
+    {"commands", " csh ", false, true},
 }};
 
 constexpr std::string_view kCorner = "a corner: v, v/vt, v//vn or v/vt/vn";
+constexpr std::string_view kContinuation = "\\";
 
 /// Whether the text is a number of something, from the front or (negative) from the back.
 bool is_reference(std::string_view text) {
@@ -50,17 +63,11 @@ bool is_reference(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
 }
 
-/// Returns the vertex of a corner, or an empty text if it does not have the form of one.
+/// Returns the vertex of a corner, or an empty text if it does not have the form of one. Texture
+/// and normal may be missing behind their slashes.
 std::string_view vertex_of(std::string_view corner) {
   const std::string_view vertex = corner.substr(0, corner.find('/'));
-  std::string_view rest = corner.substr(vertex.size());
-  if (!is_reference(vertex)) return {};
-  if (!take_prefix(rest, "/")) return vertex;
-  const std::string_view texture = rest.substr(0, rest.find('/'));
-  rest.remove_prefix(texture.size());
-  const bool has_normal = take_prefix(rest, "/");
-  const bool is_corner =
-      (texture.empty() ? has_normal : is_reference(texture)) && (!has_normal || is_reference(rest));
+  const bool is_corner = is_reference(vertex) && std::ranges::count(corner, '/') <= 2;
   return is_corner ? vertex : std::string_view();
 }
 
@@ -71,37 +78,79 @@ class ObjReader {
         numbers_(context.limits(), options.exact_decimals, text.size()),
         mesh_(context),
         context_(context),
+        name_(options.name),
         total_bytes_(text.size()) {}
 
   MeshFile read() {
     return with_place(cursor_, [this] {
-      while (cursor_.next_line()) {
-        checkpoint();
-        read_statement();
+      const TextCursor start = cursor_;
+      read_statements();
+      if (const auto vertex = mesh_.needed_missing_point()) {
+        required_ = *vertex;
+        cursor_ = start;
+        mesh_.clear();
+        read_statements();  // Throws at the vertex.
       }
-      return mesh_.take();
+      require_obj();
+      require_vertices();
+      return take();
     });
   }
 
  private:
+  /// A token, and where it is.
+  struct Mention {
+    std::string_view token;
+    std::size_t line = 0;
+    std::size_t column = 0;
+  };
+
   void checkpoint();
+  void read_statements();
   void read_statement();
-  void pass_over(std::string_view keyword);
-  bool at_end();
+  void read_other(std::string_view keyword);
+  void skip(std::string_view keyword);
+  void skip_unknown(std::string_view keyword);
+  void skip_arguments(bool has_names);
+  /// Whether the statement is at its end.
+  bool at_end() {
+    if (cursor_.at_line_end_or_comment()) return true;
+    return *cursor_.position() == kContinuation[0] && is_at_end_if_continued();
+  }
+  bool is_at_end_if_continued();
   bool take_continuation();
   void read_vertex();
+  void skip_rest_of_vertex();
   void read_face();
   void read_corner();
-  std::uint32_t find_vertex(std::string_view number) const;
-  std::string face_name() const { return "face " + std::to_string(mesh_.face_count() + 1); }
+  std::uint32_t find_vertex(std::string_view number);
+  void expect_vertex(std::uint32_t number, std::string_view token);
+  void require_obj() const;
+  void require_vertices() const;
+  MeshFile take();
+  Mention mention(std::string_view token) const {
+    return {token, cursor_.line(),
+            static_cast<std::size_t>(token.data() - cursor_.line_start()) + 1};
+  }
+  [[noreturn]] void fail_at(const Mention& where, ErrorCode code, std::string message) const {
+    throw Error(code, std::move(message), {name_, where.line, where.column});
+  }
 
   TextCursor cursor_;
   NumberReader numbers_;
   MeshCollector mesh_;
   Context& context_;
+  const std::string& name_;
   std::size_t total_bytes_;
   std::size_t statements_ = 0;
-  ReadNumber x_, y_, z_, dropped_;
+  ReadNumber x_, y_, z_;
+  std::uint32_t required_ = kNone;       // A vertex that must be finite.
+  Mention unknown_;                      // The first unknown keyword.
+  std::vector<std::string_view> named_;  // Unknown keywords, the first few.
+  bool has_more_unknown_ = false;
+  std::uint32_t latest_ = 0;  // The largest number of a vertex that was named before its v.
+  Mention latest_place_;
+  std::size_t latest_face_ = 0;
 };
 
 void ObjReader::checkpoint() {
@@ -111,60 +160,113 @@ void ObjReader::checkpoint() {
   }
 }
 
+void ObjReader::read_statements() {
+  while (cursor_.next_line()) {
+    checkpoint();
+    read_statement();
+  }
+}
+
 void ObjReader::read_statement() {
+  const char* const start = cursor_.position();
   const std::string_view keyword = cursor_.token();
   if (keyword == "v") return read_vertex();
   if (keyword == "f") return read_face();
-  pass_over(keyword);
+  if (keyword.find(kContinuation) == keyword.npos) return read_other(keyword);
+  cursor_.move_back(start);
+  if (!at_end()) read_other(cursor_.word(kContinuation));
 }
 
-void ObjReader::pass_over(std::string_view keyword) {
+/// The statement fo is an f of old versions of the format.
+void ObjReader::read_other(std::string_view keyword) {
+  if (keyword == "v" || keyword == "V") return read_vertex();
+  if (keyword == "f" || keyword == "F" || keyword == "fo") return read_face();
+  skip(keyword);
+}
+
+void ObjReader::skip(std::string_view keyword) {
   std::string between_blanks(" ");
   between_blanks.append(keyword).append(" ");
   const auto* const found =
-      std::find_if(kPassedOver.begin(), kPassedOver.end(), [&](const PassedOver& statements) {
+      std::find_if(kSkipped.begin(), kSkipped.end(), [&](const Skipped& statements) {
         return statements.keywords.find(between_blanks) != statements.keywords.npos;
       });
-  if (found == kPassedOver.end()) cursor_.fail_token(keyword, "a statement such as v or f");
-  while (!at_end()) cursor_.token();
-  mesh_.pass_over(found->name);
+  if (found == kSkipped.end()) return skip_unknown(keyword);
+  skip_arguments(found->has_names);
+  if (found->is_geometry) {
+    mesh_.leave_out(found->name);
+  } else {
+    mesh_.pass_over(found->name);
+  }
 }
 
-/// Whether the statement is at its end.
-bool ObjReader::at_end() {
+void ObjReader::skip_unknown(std::string_view keyword) {
+  constexpr std::size_t kMostNamed = 8;
+  if (text_prefix(keyword) < keyword.size()) cursor_.fail_token(keyword, "a statement");
+  if (named_.empty()) unknown_ = mention(keyword);
+  if (std::ranges::find(named_, keyword) == named_.end()) {
+    if (named_.size() < kMostNamed) {
+      named_.push_back(keyword);
+    } else {
+      has_more_unknown_ = true;
+    }
+  }
+  if (cursor_.rest().starts_with(kContinuation)) cursor_.token();  // A part of the keyword.
+  skip_arguments(true);
+}
+
+void ObjReader::skip_arguments(bool has_names) {
+  while (!at_end()) cursor_.word(has_names ? std::string_view() : kContinuation);
+}
+
+/// Takes backslashes at the ends of lines. Returns whether the statement is then at its end.
+bool ObjReader::is_at_end_if_continued() {
   while (!cursor_.at_line_end_or_comment()) {
     if (!take_continuation()) return false;
   }
   return true;
 }
 
-/// Takes a backslash at the end of a line and moves to the next line; returns false if there is
-/// none.
+/// Takes a backslash at the end of a line, which blanks may follow, and moves to the next line;
+/// returns false if there is none.
 bool ObjReader::take_continuation() {
   std::string_view rest = cursor_.rest();
-  if (!take_prefix(rest, "\\")) return false;
+  if (!take_prefix(rest, kContinuation)) return false;
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
   take_prefix(rest, "\r");
   if (!rest.empty() && !take_prefix(rest, "\n")) return false;
   cursor_.move_to(rest.data());
   return true;
 }
 
-/// Reads x y z, possibly followed by a weight, a colour or both.
+/// A vertex need not be finite if no face needs it.
 void ObjReader::read_vertex() {
-  int count = 0;
-  for (ReadNumber* number : {&x_, &y_, &z_, &dropped_, &dropped_, &dropped_, &dropped_}) {
-    if (at_end()) break;
-    numbers_.read_next(cursor_, *number);
-    ++count;
+  bool is_missing = false;
+  for (ReadNumber* number : {&x_, &y_, &z_}) {
+    if (at_end()) {
+      cursor_.fail(ErrorCode::Syntax, "vertex " + std::to_string(mesh_.point_count() + 1) +
+                                          " needs three numbers, x, y and z");
+    }
+    if (numbers_.read_next_if_finite(cursor_, *number, kContinuation)) continue;
+    const std::string_view token = cursor_.word(kContinuation);
+    if (mesh_.point_count() == required_) cursor_.fail_token(token, "a number");
+    is_missing = true;
   }
-  if (count < 3 || count == 5 || !at_end()) {
-    cursor_.fail(ErrorCode::Syntax, "vertex " + std::to_string(mesh_.point_count() + 1) +
-                                        " needs three numbers, x, y and z, or with a weight 4, a "
-                                        "colour 6, both 7");
+  if (is_missing) {
+    mesh_.add_missing_point();
+  } else {
+    mesh_.add_point(x_, y_, z_);
   }
-  if (count == 4) mesh_.pass_over("weights of vertices");
-  if (count > 4) mesh_.pass_over("colours of vertices");
-  mesh_.add_point(x_, y_, z_);
+  if (!at_end()) skip_rest_of_vertex();
+}
+
+/// Drops what follows the coordinates: a weight, a colour, both, or something else.
+void ObjReader::skip_rest_of_vertex() {
+  std::size_t count = 0;
+  for (; !at_end(); ++count) cursor_.word(kContinuation);
+  mesh_.pass_over(count == 1                 ? "weights of vertices"
+                  : count == 3 || count == 4 ? "colours of vertices"
+                                             : "other numbers of vertices");
 }
 
 void ObjReader::read_face() {
@@ -175,30 +277,76 @@ void ObjReader::read_face() {
 /// Reads a corner, usually a short number and nothing else.
 void ObjReader::read_corner() {
   const char* const start = cursor_.position();
+  const auto token = [&] {
+    return std::string_view(start, static_cast<std::size_t>(cursor_.position() - start));
+  };
   std::uint32_t number = 0;
-  if (cursor_.short_number(number) && 0 < number && number <= mesh_.point_count()) {
+  if (cursor_.short_number(number) && 0 < number) {
+    if (number > mesh_.point_count()) expect_vertex(number, token());
     return mesh_.add_corner(number - 1);
   }
-  if (cursor_.position() == start) cursor_.token();
-  const std::string_view token(start, static_cast<std::size_t>(cursor_.position() - start));
-  const std::string_view vertex = vertex_of(token);
-  if (vertex.empty()) cursor_.fail_token(token, kCorner);
+  if (cursor_.position() == start) cursor_.word(kContinuation);
+  const std::string_view vertex = vertex_of(token());
+  if (vertex.empty()) cursor_.fail_token(token(), kCorner);
   mesh_.add_corner(find_vertex(vertex));
 }
 
-std::uint32_t ObjReader::find_vertex(std::string_view number) const {
+/// Returns the index of a vertex that is counted from the front, where it may come later, or from
+/// the back.
+std::uint32_t ObjReader::find_vertex(std::string_view number) {
+  constexpr std::int64_t kMost = 0xffff'ffff;
   const std::int64_t count = mesh_.point_count();
   std::int64_t value = 0;
   const char* const end = number.data() + number.size();
   const auto [rest, code] = std::from_chars(number.data(), end, value);
-  const std::int64_t vertex = value < 0 ? count + value : value - 1;
-  if (code != std::errc() || vertex < 0 || vertex >= count) {
+  if (code == std::errc() && 0 < value && value <= kMost) {
+    const auto from_front = static_cast<std::uint32_t>(value);
+    if (value > count) expect_vertex(from_front, number);
+    return from_front - 1;
+  }
+  const std::int64_t vertex = count + value;
+  if (code != std::errc() || value >= 0 || vertex < 0) {
     cursor_.fail(ErrorCode::BadIndex,
-                 face_name() + " names vertex " + quoted(number) + "; " + std::to_string(count) +
+                 "face " + std::to_string(mesh_.face_count() + 1) + " names vertex " +
+                     quoted(number) + "; " + std::to_string(count) +
                      (count == 1 ? " vertex has" : " vertices have") + " been given before it",
                  number.data());
   }
   return static_cast<std::uint32_t>(vertex);
+}
+
+/// Notes that vertex `number` must come later.
+void ObjReader::expect_vertex(std::uint32_t number, std::string_view token) {
+  if (number <= latest_) return;
+  latest_ = number;
+  latest_place_ = mention(token);
+  latest_face_ = mesh_.face_count() + 1;
+}
+
+void ObjReader::require_obj() const {
+  if (named_.empty() || mesh_.point_count() > 0 || mesh_.face_count() > 0) return;
+  fail_at(unknown_, ErrorCode::Syntax,
+          "expected a statement such as v or f, found " + quoted(unknown_.token));
+}
+
+void ObjReader::require_vertices() const {
+  const std::uint32_t count = mesh_.point_count();
+  if (latest_ <= count) return;
+  fail_at(latest_place_, ErrorCode::BadIndex,
+          "face " + std::to_string(latest_face_) + " names vertex " + quoted(latest_place_.token) +
+              "; the file has " + std::to_string(count) + (count == 1 ? " vertex" : " vertices"));
+}
+
+MeshFile ObjReader::take() {
+  MeshFile file = mesh_.take();
+  if (named_.empty()) return file;
+  std::string note = "passed over: unknown statements ";
+  for (const std::string_view& keyword : named_) {
+    note.append(&keyword == named_.data() ? "" : ", ").append(quoted(keyword));
+  }
+  if (has_more_unknown_) note += " and others";
+  file.notes.push_back(std::move(note));
+  return file;
 }
 
 }  // namespace
@@ -208,7 +356,9 @@ MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& co
     WholeFile{options.name}.fail(ErrorCode::CountMismatch, "the file has no content");
   }
   const RoundToNearest rounding;
-  return ObjReader(text, options, context).read();
+  return read_lines(text, options, context, [&](std::string_view lines) {
+    return ObjReader(lines, options, context).read();
+  });
 }
 
 void write_obj(std::ostream& stream, const PolygonMesh& mesh) {

@@ -1,13 +1,14 @@
 // Reads and writes OBJ (docs/formats.md, "OBJ"): vertices `v`, faces `f`.
 //
 // Corners are v, v/vt, v//vn or v/vt/vn, numbered from 1, or from -1 backwards from the vertex
-// given last. Faces name vertices that were given before them. A comment may end a line; a
-// backslash at the end of a line continues the statement on the next one. All other statements of
-// the format are skipped, with a note.
+// given last; vt and vn may be missing behind their slashes. Faces may precede their vertices. A
+// comment may end a line; a backslash at the end of a line continues the statement on the next one.
+// All other statements are skipped: with a note, or with a warning if they are geometry. Unknown
+// statements are skipped, too, and a note names them.
 //
 // Cost: O(bytes). Errors are thrown with the place (file, line, column): NotText, Syntax (also for
-// statements that are not in the format), NumberOutOfRange, BadIndex, CountMismatch (a file of nothing but blanks),
-// ResourceLimit; Cancelled.
+// a file that has neither v nor f, but unknown statements), NumberOutOfRange, BadIndex,
+// CountMismatch (a file of nothing but blanks), ResourceLimit; Cancelled.
 #pragma once
 
 #include <ostream>

@@ -2,17 +2,18 @@
 // any number of corners.
 //
 // Main flow of read_off():
-//  1. read_keyword   reads [ST][C][N]OFF, or nothing; 4OFF, nOFF and OFF BINARY are other formats
+//  1. read_keyword   reads [ST][C][N]OFF in capital or small letters, or nothing; 4OFF and nOFF are
+//                    other formats; after OFF BINARY the rest of the file is binary
 //  2. read_counts    reads the numbers of vertices, faces and edges (the last is ignored); claims
 //                    are checked against the bytes that follow
-//  3. read_vertices  reads three coordinates a line; normals, colours and texture coordinates as
-//                    announced
-//  4. read_faces     reads the number of corners, the corners from 0, and up to four numbers for a
-//                    colour
-//  5. require_end    requires that nothing but blank and comment lines follows
+//  3. read_records   reads three coordinates for each vertex, and for each face the number of
+//                    corners and the corners from 0. Records are lines, or share lines, or extend
+//                    over lines. Normals, colours and texture coordinates are dropped
+//  4. require_end    requires that no numbers follow
 //
-// A comment may also end a line. Cost: O(bytes). Errors are thrown with the place (file, line,
-// column): NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex, UnknownFormat, ResourceLimit; Cancelled.
+// Comments may stand between any two numbers. Cost: O(bytes), also for a file that is refused.
+// Errors are thrown with the place (file, line, column; in the binary form file and byte): NotText,
+// Syntax, NumberOutOfRange, CountMismatch, BadIndex, UnknownFormat, ResourceLimit; Cancelled.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,10 @@
 
 namespace plumb {
 
-/// Returns the mesh of an OFF text. Its memory stays charged to `context`.
+/// Whether a file with this first word can be OFF: a keyword of the format, or a number.
+bool begins_off(std::string_view word);
+
+/// Returns the mesh of an OFF file. Its memory stays charged to `context`.
 MeshFile read_off(std::string_view text, const ReadOptions& options, Context& context);
 
 // Writes meshes as OFF (docs/formats.md, "OFF").

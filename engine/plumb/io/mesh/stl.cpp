@@ -411,6 +411,7 @@ MeshFile read_stl(std::string_view bytes, const ReadOptions& options, Context& c
   if (dropped > 0) {
     file.notes.push_back(count_of(dropped, "triangle") + " with two equal corners left out");
   }
+  file.faces_left_out = dropped;
   return file;
 }
 

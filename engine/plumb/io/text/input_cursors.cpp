@@ -114,7 +114,13 @@ std::string_view TextCursor::token() {
 }
 
 std::string_view TextCursor::word(std::string_view marks) {
-  const auto is_mark = [&](char c) { return marks.find(c) != marks.npos; };
+  // A loop, because std::string_view::find() calls a function for each character.
+  const auto is_mark = [&](char c) {
+    for (const char mark : marks) {
+      if (c == mark) return true;
+    }
+    return false;
+  };
   if (is_mark(*p_)) return {p_++, 1};
   const char* const first = p_;
   p_ = std::find_if(p_, end_, [&](char c) { return ends_token(c) || is_mark(c); });

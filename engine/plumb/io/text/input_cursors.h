@@ -48,6 +48,15 @@ class TextCursor {
     return true;
   }
 
+  /// Moves to the next token, on this line or on a later one. Comments may end lines. Returns false
+  /// at the end of the text. This function is for formats whose records need not be lines.
+  bool find_token() {
+    while (at_line_end_or_comment()) {
+      if (!next_line()) return false;
+    }
+    return true;
+  }
+
   /// Returns the next token. The token ends before the next blank or at the end of the line.
   /// Requires !at_line_end().
   std::string_view token();
@@ -82,6 +91,8 @@ class TextCursor {
   std::string_view rest() const { return {p_, bytes_left()}; }
   /// Skips `bytes` bytes of the line.
   void skip(std::size_t bytes) { p_ += bytes; }
+  /// Moves back to `where`. Requires a position of the current line before this one.
+  void move_back(const char* where) { p_ = where; }
   const char* line_start() const { return line_begin_; }
   std::size_t line() const { return line_; }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - p_); }

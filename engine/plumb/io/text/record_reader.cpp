@@ -367,15 +367,17 @@ std::string RecordReader::record_name() const {
 }
 
 void RecordReader::read_number(ReadNumber& number, std::string_view needs) {
+  if (!read_number_if_finite(number, needs)) numbers_.read_next(cursor_, number);
+}
+
+bool RecordReader::read_number_if_finite(ReadNumber& number, std::string_view needs) {
   if (cursor_.at_line_end()) {
     cursor_.fail(ErrorCode::Syntax, record_name() + " needs " + std::string(needs));
   }
   std::uint32_t small = 0;
-  if (cursor_.short_number(small)) {
-    number.set(small);
-  } else {
-    numbers_.read_next(cursor_, number);
-  }
+  if (!cursor_.short_number(small)) return numbers_.read_next_if_finite(cursor_, number, {});
+  number.set(small);
+  return true;
 }
 
 void RecordReader::read_point(PointTable2& points) {

@@ -24,6 +24,13 @@
 
 namespace plumb {
 
+/// Whether a number that is not finite begins here, as some C library writes it: nan, -inf, 1.#IND.
+inline bool starts_not_finite(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const char c = text.empty() ? '0' : text.front();
+  return c == 'n' || c == 'N' || c == 'i' || c == 'I' || text.starts_with("1.#");
+}
+
 /// A number as read: a double if a double holds it exactly or was asked for, else a rational.
 class ReadNumber {
  public:
@@ -67,6 +74,14 @@ class NumberReader {
   /// ordinary length is scanned once. Requires !at_line_end().
   void read_next(TextCursor& cursor, ReadNumber& number) {
     if (!read_ordinary(cursor, number)) read(cursor, cursor.token(), number);
+  }
+  /// Does the same, but takes nothing and returns false if the number is not finite. Each character
+  /// in `marks` ends a token, too (TextCursor::word()).
+  bool read_next_if_finite(TextCursor& cursor, ReadNumber& number, std::string_view marks) {
+    if (read_ordinary(cursor, number)) return true;
+    if (starts_not_finite(cursor.rest())) return false;
+    read(cursor, cursor.word(marks), number);
+    return true;
   }
 
  private:
@@ -121,6 +136,8 @@ class RecordReader {
 
   /// Reads the next number of the line; throws "face 3 needs NEEDS" if there is none.
   void read_number(ReadNumber& number, std::string_view needs);
+  /// Does the same, but takes nothing and returns false if the number is not finite.
+  bool read_number_if_finite(ReadNumber& number, std::string_view needs);
   /// Reads two numbers x y and the end of the line, and appends the point; exact numbers are
   /// charged.
   void read_point(PointTable2& points);
