@@ -188,5 +188,63 @@ TEST(SolidSets, OpenMeshesAreRefusedOrSurfaces) {
   EXPECT_FALSE(surface.set.contains(Point3{0.5, 0.5, 0.5}));
 }
 
+TEST(SolidSets, MeshesThatEncloseNothingAreRefused) {
+  const PolygonMesh doubled = joined(kCube, reversed(kCube));
+  const PolygonMesh inside_out = reversed(kCube);
+  EXPECT_THROW(read(doubled), EnclosesNothing);
+  SolidReadOptions options;
+  options.rule = WindingRule::Positive;
+  EXPECT_THROW(read(inside_out, options), EnclosesNothing);
+  options.may_be_empty = true;
+  EXPECT_TRUE(read(inside_out, options).set.is_empty());
+  EXPECT_TRUE(read(doubled, options).set.is_empty());
+  options = {};
+  options.surface = true;
+  EXPECT_FALSE(read(doubled, options).set.is_empty());
+}
+
+TEST(SolidSets, MeshesAreMendedOnRequest) {
+  SolidReadOptions options;
+  options.repair.doubled = DoubledFaces::Drop;
+  const SolidRead single = read(joined(kCube, reversed(kCube)), options);
+  EXPECT_TRUE(single.set == solid(kCube));
+  EXPECT_TRUE(has_note(single, "faces with the corners of an earlier one, dropped: 6, 7"));
+  PolygonMesh open = kCube;
+  open.face_begin.pop_back();
+  open.corners.resize(open.face_begin.back());
+  options.repair = {.fill_holes = 4};
+  EXPECT_TRUE(read(open, options).set == solid(kCube));
+  options.repair = {.fill_holes = 3};
+  EXPECT_THROW(read(open, options), OpenMesh);
+}
+
+// The remedy is the mildest one, and adds to what was asked for.
+TEST(SolidSets, RemediesAreOnesThatHelp) {
+  PolygonMesh flipped = kCube;
+  std::reverse(flipped.corners.begin(), flipped.corners.begin() + 4);
+  EXPECT_EQ(remedy_for(flipped, {}), (RepairOptions{.reorient = true}));
+  PolygonMesh open = kCube;
+  open.face_begin.pop_back();
+  open.corners.resize(open.face_begin.back());
+  EXPECT_EQ(remedy_for(open, {}), (RepairOptions{.fill_holes = 4}));
+  SolidReadOptions turning;
+  turning.repair.reorient = true;
+  EXPECT_EQ(remedy_for(open, turning), (RepairOptions{.reorient = true, .fill_holes = 4}));
+  EXPECT_EQ(remedy_for(joined(kCube, reversed(kCube)), {}),
+            (RepairOptions{.doubled = DoubledFaces::Drop}));
+  EXPECT_EQ(remedy_for(reversed(kCube), {.rule = WindingRule::Positive}),
+            (RepairOptions{.reorient = true}));
+  PolygonMesh apart = kCube;  // A corner in two places.
+  apart.points.push_back({2, 2 + 0x1p-20, 2});
+  *std::ranges::find(apart.corners, 6U) = 8;
+  const auto welded = remedy_for(apart, {});
+  ASSERT_TRUE(welded);
+  EXPECT_EQ(*welded, (RepairOptions{.weld = 1e-6}));
+  PolygonMesh sheet;
+  sheet.points = kCube.points;
+  sheet.add_face(kCube.face(0));
+  EXPECT_EQ(remedy_for(sheet, {}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace plumb::testing::solid_io_test

@@ -111,6 +111,7 @@ solid halfspaces h.txt -o OUT.nef
 solid info torus.off
 solid locate torus.off 0 0 0
 solid compare torus.off moved.off
+solid repair torus.off -o OUT.off
 convex check torus.off
 convex decompose torus.off -o OUT
 convex report torus.off

@@ -14,6 +14,7 @@
 #include "plumb/space/canonical.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/repair_mesh.h"
 #include "plumb/space/rounded_mesh.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
@@ -111,6 +112,14 @@ OperationRoom space_operations() {
           {"intersection", set([s](Context& own) { return Nef3::intersection(s->corner, own); })},
           {"mesh", set([s](Context& own) {
              return Nef3::from_mesh(s->mesh, {.rule = WindingRule::NonZero}, own);
+           })},
+          {"mended mesh", set([s](Context& own) {
+             PolygonMesh mesh = s->mesh;
+             mesh.points.push_back(mesh.points[mesh.corners[0]]);
+             mesh.points.back().x += 1e-9;
+             mesh.corners[0] = static_cast<std::uint32_t>(mesh.points.size() - 1);
+             repair_mesh(mesh, {.weld = 1e-6, .reorient = true, .fill_holes = 3}, own);
+             return Nef3::from_mesh(mesh, {}, own);
            })},
           {"facet", set([](Context&) {
              return Nef3::facet(std::array<Point3, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}});

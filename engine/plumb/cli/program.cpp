@@ -31,7 +31,6 @@
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/session.h"
 #include "plumb/predicates/error.h"
-#include "plumb/space/from_mesh.h"
 
 namespace plumb::cli {
 
@@ -159,8 +158,7 @@ std::string overview(std::string_view group = {}) {
   text +=
       "\nOptions of every command:\n"
       "  --json  -o OUT  --format NAME  --exact-decimals  --threads N  --progress  -q\n"
-      "  --limit-memory MB  --limit-seconds S  --help\n"
-      "  FILE or OUT may be - (standard input, standard output)\n"
+      "  --limit-memory MB  --limit-seconds S  --help; FILE, OUT: - is stdin, stdout\n"
       "plumb COMMAND --help says more; plumb --version prints the version.\n"
       "Exit: 0 yes, 1 no, 2 bad input, 3 limit, 4 cancelled, 70 bug in plumb.\n";
   return text;
@@ -334,12 +332,9 @@ void print_line(std::string_view text) {
 ExitCode report(const Error& error) {
   const ExitCode code = exit_code_of(error.code());
   if (code == ExitCode::ClosedPipe) return code;
-  std::string text = error.what();
-  if (dynamic_cast<const OpenMesh*>(&error) != nullptr) {
-    text += "; --surface reads it as the set of its facets";
-  }
+  const std::string_view text = error.what();
   if (error.place().file.empty()) {
-    std::fprintf(stderr, "plumb: %s\n", text.c_str());
+    std::fprintf(stderr, "plumb: %s\n", error.what());
   } else {
     print_line(text);
   }

@@ -1,6 +1,17 @@
+// Files as sets of space: a file is read as a mesh or .nef, a mesh is mended if that is asked for
+// and becomes a set, and notes say what was done.
+//
+// A mesh that is refused can often be read if it is mended. remedy_for() does not conclude from
+// defects how to mend it, but tries: a hint that it gives is one that works. The ways are tried
+// from the one that changes least to the one that changes most, and steps that turn out to change
+// nothing are left out of the answer.
+//
+// Tested by tests/io/solid_io_test.cpp.
 #include "plumb/io/solid_io.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -12,6 +23,7 @@
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/space_audit.h"
+#include "plumb/space/weld_points.h"
 
 namespace plumb {
 namespace {
@@ -62,17 +74,53 @@ Nef3 set_of(const PolygonMesh& mesh, const FromMeshOptions& reading, const std::
   }
 }
 
-/// Refuses a file without faces, unless it is to be read as the set of its facets: then the set is
+/// Refuses a file without faces, unless the set may be empty: then the set is
 /// empty, with a warning.
-void refuse_without_faces(const MeshFile& file, bool is_surface, const std::string& name,
+void refuse_without_faces(const MeshFile& file, bool may_be_empty, const std::string& name,
                           std::vector<std::string>& warnings) {
   const std::string lack = lack_of_faces(file);
   if (lack.empty()) return;
-  if (!is_surface) {
+  if (!may_be_empty) {
     throw Error(ErrorCode::BadShape,
                 lack + "; export it as polygons; --surface reads it as the empty set", {name});
   }
   warnings.push_back(lack + "; the set is empty");
+}
+
+/// Mends a mesh, and describes what was done. If faces are dropped, later notes number the faces
+/// that are left.
+void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& name,
+          std::vector<std::string>& notes, Context& context) {
+  const RepairReport report =
+      with_place(WholeFile{name}, [&] { return repair_mesh(mesh, options, context); });
+  for (std::string& note : sentences(report)) notes.push_back(std::move(note));
+  if (!report.degenerate.empty() || !report.doubled.empty()) {
+    notes.push_back("faces below are numbered without those dropped");
+  }
+}
+
+/// Throws EnclosesNothing with the reason.
+[[noreturn]] void refuse_empty(const PolygonMesh& mesh, const MeshReport& report,
+                               const SolidReadOptions& options, const std::string& name) {
+  const std::size_t count = mesh.face_count() - report.degenerate.size();
+  if (count == 0) throw EnclosesNothing("none of its faces has an area", name);
+  std::vector<std::uint32_t> doubled;
+  for (const auto& [face, earlier] : report.doubled) {
+    doubled.push_back(face);
+    doubled.push_back(earlier);
+  }
+  std::ranges::sort(doubled);
+  const auto repeats = std::ranges::unique(doubled);
+  doubled.erase(repeats.begin(), repeats.end());
+  if (doubled.size() == count) {
+    throw EnclosesNothing("every face is there in both directions", name);
+  }
+  const WindingRule rule = options.rule.value_or(WindingRule::Positive);
+  throw EnclosesNothing(
+      std::string("no winding number is ") + (rule == WindingRule::EvenOdd   ? "odd"
+                                              : rule == WindingRule::NonZero ? "other than 0"
+                                                                             : "above 0"),
+      name);
 }
 
 }  // namespace
@@ -89,12 +137,17 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   if (is_nef_file(path, bytes)) return read_nef_set(bytes, text, context);
   MeshFile file = read_mesh_of(path, bytes, text, context);
   std::vector<std::string> warnings = file.warnings;
-  refuse_without_faces(file, options.surface, text.name, warnings);
+  refuse_without_faces(file, options.surface || options.may_be_empty, text.name, warnings);
+  std::vector<std::string> notes = std::move(file.notes);
+  if (options.repair.asks()) mend(file.mesh, options.repair, text.name, notes, context);
   MeshReport report;
   const FromMeshOptions reading{
       .rule = options.rule, .surface = options.surface, .report = &report};
   Nef3 set = set_of(file.mesh, reading, text.name, context);
-  std::vector<std::string> notes = std::move(file.notes);
+  const bool must_enclose = !options.surface && !options.may_be_empty;
+  if (must_enclose && file.mesh.face_count() > 0 && set.is_empty()) {
+    refuse_empty(file.mesh, report, options, text.name);
+  }
   describe(report, notes);
   return {std::move(set), std::move(notes), std::move(warnings)};
 }
@@ -105,6 +158,126 @@ SolidRead read_solid_file(const std::string& path, const SolidReadOptions& optio
   SolidRead read = read_solid(path, bytes, options, context);
   context.release_memory(bytes.size());
   return read;
+}
+
+namespace {
+
+/// Tries ways of mending a mesh.
+class RemedySearch {
+ public:
+  RemedySearch(const PolygonMesh& mesh, const SolidReadOptions& options, Context& context)
+      : mesh_(mesh), options_(options), context_(context) {}
+
+  std::optional<RepairOptions> run() {
+    RepairOptions turned = options_.repair;
+    turned.reorient = true;
+    PolygonMesh merged = mesh_;
+    weld_points(merged, options_.repair.weld, context_);
+    const bool is_torn = has_loose_faces(merged);
+    std::size_t longest = 0;  // The edges of the longest hole.
+    if (!is_torn) {
+      if (auto found = tried(turned, &longest)) return found;
+      RepairOptions single = turned;
+      single.doubled = DoubledFaces::Drop;
+      std::size_t longest_of_single = 0;
+      if (auto found = tried(single, &longest_of_single)) return found;
+      // A mesh that is closed because it is double-sided may have a hole in each side.
+      if (longest == 0) return filled(single, longest_of_single);
+    }
+    if (auto found = welded(turned)) return found;
+    return is_torn ? std::nullopt : filled(turned, longest);
+  }
+
+ private:
+  std::optional<RepairOptions> filled(RepairOptions repair, std::size_t longest) const {
+    repair.fill_holes = static_cast<std::uint32_t>(longest);
+    return longest > options_.repair.fill_holes ? tried(repair) : std::nullopt;
+  }
+
+  /// Whether so many edges have one face only that the mesh is a heap of loose faces, such as an
+  /// STL file whose corners differ in the last bits. To mend it as it is would be slow and useless.
+  static bool has_loose_faces(const PolygonMesh& mesh) {
+    constexpr std::size_t kMostShare = 8;
+    std::vector<std::uint64_t> edges;
+    edges.reserve(mesh.corners.size());
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      const auto face = mesh.face(f);
+      for (std::size_t i = 0; i < face.size(); ++i) {
+        const std::uint32_t a = face[i], b = face[i + 1 < face.size() ? i + 1 : 0];
+        if (a != b) edges.push_back(std::uint64_t{std::min(a, b)} << 32U | std::max(a, b));
+      }
+    }
+    std::ranges::sort(edges);
+    std::size_t lonely = 0;
+    for (std::size_t i = 0; i < edges.size();) {
+      const std::size_t first = i;
+      while (i < edges.size() && edges[i] == edges[first]) ++i;
+      if (i == first + 1) ++lonely;
+    }
+    return lonely > 100 && lonely > edges.size() / kMostShare;
+  }
+
+  /// Returns the options without the steps that change nothing, if the mended mesh is read.
+  std::optional<RepairOptions> tried(RepairOptions repair, std::size_t* longest = nullptr) const {
+    PolygonMesh mesh = mesh_;
+    const RepairReport report = repair_mesh(mesh, repair, context_);
+    for (const auto& hole : report.holes) {
+      if (longest != nullptr) *longest = std::max(*longest, hole.size());
+    }
+    if (!report.is_closed() || !is_read(mesh)) return {};
+    const RepairOptions& given = options_.repair;
+    if (report.doubled.empty()) repair.doubled = given.doubled;
+    const bool turns = !report.turned.empty() || (!report.flipped.empty() && report.filled.empty());
+    if (!turns) repair.reorient = given.reorient;
+    return repair;
+  }
+
+  bool is_read(const PolygonMesh& mesh) const {
+    try {
+      return !Nef3::from_mesh(mesh, {.rule = options_.rule}, context_).is_empty();
+    } catch (const OpenMesh&) {
+      return false;
+    }
+  }
+
+  /// Tries tolerances that are powers of ten, least first.
+  std::optional<RepairOptions> welded(RepairOptions repair) const {
+    const double size = extent();
+    if (!(size > 0) || !std::isfinite(size)) return {};
+    const int exponent = static_cast<int>(std::floor(std::log10(size)));
+    for (int digits = 9; digits >= 5; --digits) {
+      const std::string text = "1e" + std::to_string(exponent - digits);
+      repair.weld = std::strtod(text.c_str(), nullptr);
+      if (!(repair.weld > options_.repair.weld)) continue;
+      PolygonMesh mesh = mesh_;
+      const bool moves = weld_points(mesh, repair.weld, context_).moved > 0;
+      if (!moves || has_loose_faces(mesh)) continue;
+      if (auto found = tried(repair)) return found;
+    }
+    return {};
+  }
+
+  /// Returns the largest extent along an axis.
+  double extent() const {
+    double most = 0;
+    for (double Point3::*const axis : {&Point3::x, &Point3::y, &Point3::z}) {
+      const auto [low, high] = std::ranges::minmax_element(
+          mesh_.points, {}, [axis](const Point3& p) { return p.*axis; });
+      if (low != mesh_.points.end()) most = std::max(most, (*high).*axis - (*low).*axis);
+    }
+    return most;
+  }
+
+  const PolygonMesh& mesh_;
+  const SolidReadOptions& options_;
+  Context& context_;
+};
+
+}  // namespace
+
+std::optional<RepairOptions> remedy_for(const PolygonMesh& mesh, const SolidReadOptions& options,
+                                        Context& context) {
+  return RemedySearch(mesh, options, context).run();
 }
 
 HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options,

@@ -10,12 +10,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/io/read_options.h"
+#include "plumb/predicates/error.h"
 #include "plumb/space/half_space_list.h"
 #include "plumb/space/nef3.h"
+#include "plumb/space/repair_mesh.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
@@ -30,6 +33,21 @@ struct SolidReadOptions {
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
   /// is rounded to the nearest double.
   bool exact_decimals = false;
+  /// How a mesh is mended before it becomes a set. By default it is not.
+  RepairOptions repair = {};
+  /// Whether the set may be empty although the mesh has faces. If it may not be, such a mesh is
+  /// refused with the error EnclosesNothing.
+  bool may_be_empty = false;
+};
+
+/// The error that is thrown if a mesh has faces, but no volume belongs to its set. For example,
+/// every face of a double-sided mesh occurs in both directions.
+class EnclosesNothing : public Error {
+ public:
+  /// Constructs the error from the reason, and the file of the mesh.
+  EnclosesNothing(const std::string& reason, std::string file)
+      : Error(ErrorCode::BadShape, "the mesh encloses nothing: " + reason,
+              TextPlace{std::move(file)}) {}
 };
 
 /// A set read from a file.
@@ -49,9 +67,11 @@ bool is_nef_file(const std::string& path, std::string_view bytes);
 ///   - the errors of mesh_io.h and nef3_reader.h
 ///   - Error{BadShape} if the audit (space_audit.h) finds a flaw in a .nef file
 ///   - Error{BadShape} if the mesh has no faces although the file is not empty, and
-///     `options.surface` is false
-///   - Error{BadShape} if the mesh is open and `options.surface` is false; the error lists the
-///     borders of the mesh
+///     neither `options.surface` nor `options.may_be_empty` is true
+///   - OpenMesh, an Error{BadShape}, if the mesh is open and `options.surface` is false; the error
+///     lists the borders of the mesh, and its flipped faces
+///   - EnclosesNothing, an Error{BadShape}, if the set of a mesh with faces is empty, unless
+///     `options.surface` or `options.may_be_empty` is true
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options = {},
                           Context& context = unlimited_context());
 /// Returns the set of the file `path`. The caller has already read the bytes of the file. Throws as
@@ -65,6 +85,21 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
 /// Error{NumberOutOfRange}, each with its position in the file.
 HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options = {},
                                     Context& context = unlimited_context());
+
+// Meshes that are refused.
+
+/// Returns how a mesh must be mended so that read_solid() with these options reads it, if it
+/// refuses the mesh with OpenMesh or EnclosesNothing. The result changes as little as possible. It
+/// is one of the following, tried in this order, each combined with `options.repair`:
+///   - turning faces
+///   - dropping doubled faces, and turning faces
+///   - welding points at most 1e-9, ..., 1e-5 times the size of the mesh apart, and turning faces
+///   - turning faces and filling holes; for a double-sided mesh also dropping doubled faces
+///
+/// Returns nullopt if none of these helps. Every answer has been tried. The cost is at most that of
+/// reading the mesh some ten times. Throws what the context throws.
+std::optional<RepairOptions> remedy_for(const PolygonMesh& mesh, const SolidReadOptions& options,
+                                        Context& context = unlimited_context());
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -23,8 +23,10 @@
 
 #include "plumb/space/boolean/simplify.h"
 #include "plumb/space/mesh/link_facets.h"
+#include "plumb/space/mesh/listed.h"
 #include "plumb/space/mesh/mesh_crossings.h"
 #include "plumb/space/mesh/mesh_facets.h"
+#include "plumb/space/mesh/mesh_orientation.h"
 #include "plumb/space/mesh/mesh_topology.h"
 #include "plumb/space/mesh/mesh_vertices.h"
 
@@ -134,6 +136,25 @@ void rename_faces(std::span<const std::uint32_t> name, MeshFacets& facets, MeshR
   std::ranges::sort(report.doubled);
 }
 
+using Chains = std::vector<std::vector<std::uint32_t>>;
+
+/// Gives vertices of chains the numbers that points have in the mesh that was read.
+void rename_chains(const MeshVertices& vertices, Chains& chains) {
+  for (auto& chain : chains) {
+    for (std::uint32_t& v : chain) v = vertices.input[v];
+  }
+}
+
+/// Finds out why a mesh is open.
+void describe_borders(const MeshView& mesh, const MeshVertices& vertices, const Point3Table& points,
+                      MeshReport& report, Context& context) {
+  MeshOrientation orientation = orient_faces(mesh, vertices, points, context, &report.borders);
+  report.flipped = std::move(orientation.flipped);
+  report.holes = std::move(orientation.holes);
+  report.one_sided = std::move(orientation.one_sided);
+  rename_chains(vertices, report.holes);
+}
+
 /// Returns the complex of `ordered`, which comes from `input`, or of `input` if that is empty.
 /// Borders have the numbers that points have in the mesh that was read.
 MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const MeshOptions& options,
@@ -147,13 +168,16 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   MeshFacets facets = flatten_mesh(mesh, vertices, *tables, result.report, context);
   MeshLinks links = link_corners(facets, vertices.point.size());
   result.report.doubled = merge_doubled(facets, links, vertices.point.size());
-  if (!ordered.is_empty()) rename_faces(ordered.face, facets, result.report);
+  const bool has_input_order = ordered.is_empty();
+  if (!has_input_order) rename_faces(ordered.face, facets, result.report);
   ordered = {};
   result.report.borders = trace_borders(facets, links, vertices.point, tables->points);
-  for (auto& chain : result.report.borders) {
-    for (std::uint32_t& v : chain) v = vertices.input[v];
+  const bool is_refused = !result.report.is_closed() && !options.surface;
+  if (is_refused && has_input_order) {
+    describe_borders(input, vertices, tables->points, result.report, context);
   }
-  if (!result.report.is_closed() && !options.surface) return result;
+  rename_chains(vertices, result.report.borders);
+  if (is_refused) return result;
 
   context.checkpoint("linking facets", 0, 1);
   drop_unused(facets, links, vertices);
@@ -168,17 +192,27 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
 
 /// Returns a text such as "the mesh is open: 2 border(s), the first along the vertices 3, 8, 11 and
 /// 5 more (0-based)".
+std::string text_of_chains(const Chains& chains) {
+  std::string text = "the mesh is open: " + std::to_string(chains.size()) + " border(s)";
+  if (chains.empty()) return text;
+  return text + ", the first along the vertices " + listed(chains.front()) + " (0-based)";
+}
+
+/// Returns a text such as "the mesh has no holes, but 2 faces are flipped: 0, 7 (0-based)".
 std::string open_mesh_message(const MeshReport& report) {
-  constexpr std::size_t kMost = 5;
-  std::string text = "the mesh is open: " + std::to_string(report.borders.size()) + " border(s)";
-  if (report.borders.empty()) return text;
-  const std::vector<std::uint32_t>& first = report.borders.front();
-  text += ", the first along the vertices ";
-  for (std::size_t i = 0; i < std::min(first.size(), kMost); ++i) {
-    text += (i == 0 ? "" : ", ") + std::to_string(first[i]);
+  const bool is_one = report.flipped.size() == 1;
+  const std::string flipped =
+      (is_one ? "1 face is flipped: "
+              : std::to_string(report.flipped.size()) + " faces are flipped: ") +
+      listed(report.flipped) + " (0-based)";
+  if (!report.one_sided.empty()) {
+    return "the mesh has a component with one side only, as a Moebius strip: neighbouring faces "
+           "cannot all agree; its first face is " +
+           std::to_string(report.one_sided.front()) + " (0-based)";
   }
-  if (first.size() > kMost) text += " and " + std::to_string(first.size() - kMost) + " more";
-  return text + " (0-based)";
+  if (report.flipped.empty()) return text_of_chains(report.borders);
+  if (report.holes.empty()) return "the mesh has no holes, but " + flipped;
+  return text_of_chains(report.holes) + "; besides, " + flipped;
 }
 
 }  // namespace

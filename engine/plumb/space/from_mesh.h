@@ -14,7 +14,8 @@
 //  5. trace_borders        cuts each directed edge at the vertices that lie on the edge. Then the
 //                          step checks that each directed part of an edge occurs as often as the
 //                          same part in the opposite direction. If this is not the case, the step
-//                          lists the borders in the order of the input
+//                          lists the borders in the order of the input, and orient_faces
+//                          (mesh_orientation.h) tells flipped faces and holes apart
 //  6. link_facets          makes edges, edge uses, the radial order of the edge uses, and stars
 //  7. find_components      finds the connected components and the signs of their volumes
 //  8. find_mesh_crossings  finds where the mesh meets itself outside common vertices and edges
@@ -100,9 +101,21 @@ struct MeshReport {
   /// Pairs of a face and an earlier face with the same boundary. The two faces of a pair became the
   /// same facet.
   std::vector<FacePair> doubled;
-  /// Closed chains of vertices along which faces are missing. Each chain has the direction that the
-  /// boundary of a missing face would have.
+  /// Closed chains of vertices along which faces are missing or flipped. Each chain has the
+  /// direction that the boundary of a missing face would have.
   std::vector<std::vector<std::uint32_t>> borders;
+  // The next three lists say why there are borders. They are filled if the mesh is open and was not
+  // read as a surface.
+  /// Faces whose direction disagrees with that of their neighbours, so that they should be turned:
+  /// the smaller part of each connected set of faces. If both parts have the same number of faces,
+  /// the volume is positive after these faces have been turned.
+  std::vector<std::uint32_t> flipped;
+  /// Closed chains of vertices along which faces are missing after `flipped` have been turned. If
+  /// this list is empty, turning these faces closes the mesh.
+  std::vector<std::vector<std::uint32_t>> holes;
+  /// For each connected set of faces whose directions cannot agree, as on a Moebius strip, its face
+  /// with the least index.
+  std::vector<std::uint32_t> one_sided;
   /// Number of pairs of facets that meet outside common vertices and edges.
   std::uint64_t crossing_count = 0;
   std::vector<FacePair> crossings;  ///< The first pairs of faces that cross; each pair occurs once.

@@ -31,12 +31,8 @@ Flaw audit_nef3(const std::string& text, const ReadOptions& options, Context& co
 }
 
 /// Audits a mesh as the set it describes.
-Flaw audit_mesh(const std::string& path, const std::string& bytes, const ReadOptions& options,
-                Context& context) {
-  SolidReadOptions solid;
-  solid.exact_decimals = options.exact_decimals;
-  const auto flaw =
-      audit(read_solid(path, bytes, solid, context).set.complex(), AuditForm::Minimal, context);
+Flaw audit_mesh(const Nef3& set, Context& context) {
+  const auto flaw = audit(set.complex(), AuditForm::Minimal, context);
   if (!flaw) return std::nullopt;
   return DcelFlaw{flaw->invariant, flaw->place};
 }
@@ -67,16 +63,17 @@ Flaw audit_map(const std::string& text, const ReadOptions& options, Session& ses
   return flaw ? flaw : dcel.audit_planar();
 }
 
-Flaw audit_text(const std::string& path, const std::string& text, const ReadOptions& options,
-                Session& session) {
+Flaw audit_text(const std::string& path, const std::string& text, const SolidInput& solids,
+                const ReadOptions& options, Session& session) {
   const FileKind kind = kind_of_file(path, text);
+  if (kind != FileKind::Solid) solids.require_plain();
   if (kind == FileKind::Map) return audit_map(text, options, session);
   session.expect({kind == FileKind::Solid ? auditing_solid() : auditing_plane(), writing()});
   session.begin("audit");
   Context& context = session.context();
   if (kind == FileKind::Solid) {
-    return is_nef_file(path, text) ? audit_nef3(text, options, context)
-                                   : audit_mesh(path, text, options, context);
+    if (is_nef_file(path, text)) return audit_nef3(text, options, context);
+    return audit_mesh(solids.load(path, text, session.options(), context).set, context);
   }
   const PlaneFormat format = plane_format_of(path, text);
   if (format == PlaneFormat::Nef2) return audit_nef2(text, options, context);
@@ -103,12 +100,13 @@ class Audit : public CommandBody {
     app.add_option("FILE", file_, "A set (.nef, .nef2, .off, .wkt ...) or a .map; - is stdin")
         ->required()
         ->type_name("");
+    solids_.declare(app);
   }
 
   ExitCode run(Session& session) override {
     const ReadOptions options{input_name(file_), session.options().exact_decimals};
     const std::string text = read_input(file_, session.context());
-    return answer(audit_text(file_, text, options, session), session);
+    return answer(audit_text(file_, text, solids_, options, session), session);
   }
 
  private:
@@ -118,6 +116,7 @@ class Audit : public CommandBody {
   }
 
   std::string file_;
+  SolidInput solids_;
 };
 
 }  // namespace

@@ -116,8 +116,7 @@ class SetOperation : public CommandBody {
     app.add_flag("--raw", raw_,
                  "Write the nearest numbers as they are, even if faces or edges then cross");
     if constexpr (kHasCanonical) {
-      app.add_flag("--canonical", canonical_,
-                   "Number what is written by the set alone: equal sets give equal .nef files");
+      app.add_flag("--canonical", canonical_, "Number by the set alone: equal sets, equal .nef");
     }
   }
 

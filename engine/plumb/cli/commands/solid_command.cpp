@@ -245,7 +245,7 @@ class SectionOperation : public SolidOperation {
                "closed: <= 0, open: < 0, plane: = 0")
         ->required();
     add_choice(app, "--keep", keep_, {"inside", "outside"},
-               "inside: what lies there (default); outside: what lies beyond instead");
+               "What lies there (default), or what lies beyond");
   }
 
   Nef3 compute(Session& session) override {

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -146,16 +147,49 @@ Nef2 read_plane(const std::string& file, const std::string& bytes, Session& sess
   return std::move(read.set);
 }
 
+void RepairFlags::declare(CLI::App& app) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  app.add_option("--weld", weld_, "Make vertices at most EPS apart one")
+      ->type_name("EPS")
+      ->check(CLI::Range(0., kMost).description(""));
+  app.add_flag("--one-side", one_side_, "Keep one of faces with the same corners");
+  app.add_flag("--reorient", reorients_, "Turn faces that disagree with their neighbours");
+  app.add_option("--fill-holes", fill_holes_, "Fill holes of at most N edges")->type_name("N");
+}
+
+RepairOptions RepairFlags::options() const {
+  return {.weld = weld_,
+          .doubled = one_side_ ? DoubledFaces::Drop : DoubledFaces::Keep,
+          .reorient = reorients_,
+          .fill_holes = fill_holes_};
+}
+
+std::string words_of(const RepairOptions& repair) {
+  std::string words;
+  const auto add = [&words](const std::string& word) {
+    words += (words.empty() ? "" : " ") + word;
+  };
+  if (repair.weld > 0) add("--weld " + format_double(repair.weld));
+  if (repair.doubled == DoubledFaces::Drop) add("--one-side");
+  if (repair.reorient) add("--reorient");
+  if (repair.fill_holes > 0) add("--fill-holes " + std::to_string(repair.fill_holes));
+  return words;
+}
+
 void SolidInput::declare(CLI::App& app) {
   add_choice(app, "--rule", rule_, {"positive", "nonzero", "odd"},
              "Winding numbers inside (default: positive, and components inside out are turned)");
   app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
+  app.add_flag("--allow-empty", allows_empty_, "Read a mesh that encloses nothing as empty");
+  repair_.declare(app);
 }
 
 SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
   SolidReadOptions options;
   options.exact_decimals = common.exact_decimals;
   options.surface = surface_;
+  options.may_be_empty = allows_empty_;
+  options.repair = repair_.options();
   if (!rule_.empty()) {
     options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
                    : rule_ == "nonzero" ? WindingRule::NonZero
@@ -173,13 +207,52 @@ void require_solid(const std::string& file, const std::string& bytes) {
               {.file = input_name(file)});
 }
 
+namespace {
+
+/// Returns the message of a refused mesh with the options that read it all the same. The search for
+/// them may exceed a limit that reading alone keeps; then they are not named.
+std::string with_hints(const Error& error, const std::string& file, const std::string& bytes,
+                       const SolidReadOptions& options, Context& context) {
+  std::string words;
+  try {
+    const ReadOptions text{input_name(file), options.exact_decimals};
+    const MeshFile mesh = read_mesh_of(file, bytes, text, context);
+    if (const auto remedy = remedy_for(mesh.mesh, options, context)) words = words_of(*remedy);
+  } catch (const Error& other) {
+    if (other.code() != ErrorCode::ResourceLimit) throw;
+  }
+  std::string text = error.message();
+  if (!words.empty()) text += "; " + words + " mends it";
+  text += "; --surface reads it as the set of its facets";
+  const bool is_empty = dynamic_cast<const EnclosesNothing*>(&error) != nullptr;
+  return is_empty ? text + "; --allow-empty reads it as the empty set" : text;
+}
+
+}  // namespace
+
 SolidRead SolidInput::load(const std::string& file, const CommonOptions& options,
                            Context& context) const {
   const std::string bytes = read_input(file, context);
-  require_solid(file, bytes);
-  SolidRead solid = read_solid(file, bytes, read_options(options), context);
+  SolidRead solid = load(file, bytes, options, context);
   context.release_memory(bytes.size());
   return solid;
+}
+
+SolidRead SolidInput::load(const std::string& file, const std::string& bytes,
+                           const CommonOptions& common, Context& context) const {
+  require_solid(file, bytes);
+  const SolidReadOptions options = read_options(common);
+  const auto refuse = [&](const Error& error) {
+    throw Error(error.code(), with_hints(error, file, bytes, options, context), error.place());
+  };
+  try {
+    return read_solid(file, bytes, options, context);
+  } catch (const OpenMesh& error) {
+    refuse(error);
+  } catch (const EnclosesNothing& error) {
+    refuse(error);
+  }
+  return {};
 }
 
 Nef3 SolidInput::read(const std::string& file, Session& session) const {
@@ -190,15 +263,20 @@ Nef3 SolidInput::read(const std::string& file, Session& session) const {
 }
 
 Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session& session) const {
-  require_solid(file, bytes);
-  SolidRead solid = read_solid(file, bytes, read_options(session.options()), session.context());
+  SolidRead solid = load(file, bytes, session.options(), session.context());
   print_notes(file, solid, session);
   return std::move(solid.set);
 }
 
+void SolidInput::require_plain() const {
+  if (is_plain()) return;
+  throw Error(ErrorCode::Usage,
+              "--rule, --surface and the options that mend a mesh are for meshes");
+}
+
 Nef2 SolidInput::read_plane(const std::string& file, const std::string& bytes,
                             Session& session) const {
-  if (!is_plain()) throw Error(ErrorCode::Usage, "--rule and --surface are for meshes");
+  require_plain();
   return cli::read_plane(file, bytes, session);
 }
 

@@ -68,6 +68,22 @@ void print_notes(const std::string& file, const Read& read, Session& session) {
   }
 }
 
+/// The options that mend a mesh.
+class RepairFlags {
+ public:
+  void declare(CLI::App& app);
+  RepairOptions options() const;
+
+ private:
+  double weld_ = 0;
+  bool one_side_ = false;
+  bool reorients_ = false;
+  std::uint32_t fill_holes_ = 0;
+};
+
+/// Returns the options that ask for a repair, such as "--weld 1e-06 --reorient".
+std::string words_of(const RepairOptions& repair);
+
 /// How meshes are read as sets: the same options for all operands of a command.
 class SolidInput {
  public:
@@ -76,19 +92,29 @@ class SolidInput {
   /// how meshes are read.
   Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session) const;
   /// Whether no option says how meshes are read.
-  bool is_plain() const { return rule_.empty() && !surface_; }
-  /// Returns a solid with its notes and warnings. May be called from several threads at once.
+  bool is_plain() const {
+    return rule_.empty() && !surface_ && !allows_empty_ && !repair_.options().asks();
+  }
+  /// Throws Error{Usage} if an option says how meshes are read, for a file that is no mesh.
+  void require_plain() const;
+  /// Returns a solid with its notes and warnings. May be called from several threads at once. A mesh that is
+  /// refused is refused with a hint: options with which it is read, if there are any.
   SolidRead load(const std::string& file, const CommonOptions& options, Context& context) const;
   /// Returns a solid and prints its notes and warnings.
   Nef3 read(const std::string& file, Session& session) const;
   /// Does the same if the bytes of the file have been read.
   Nef3 read(const std::string& file, const std::string& bytes, Session& session) const;
+  /// Returns what load() does if the bytes of the file have been read.
+  SolidRead load(const std::string& file, const std::string& bytes, const CommonOptions& options,
+                 Context& context) const;
 
  private:
   SolidReadOptions read_options(const CommonOptions& common) const;
 
   std::string rule_;
   bool surface_ = false;
+  bool allows_empty_ = false;
+  RepairFlags repair_;
 };
 
 // How commands on surfaces read scenes and expressions.

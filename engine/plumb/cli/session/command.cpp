@@ -129,6 +129,7 @@ std::unique_ptr<CommandBody> make_solid_halfspaces();
 std::unique_ptr<CommandBody> make_solid_info();
 std::unique_ptr<CommandBody> make_solid_locate();
 std::unique_ptr<CommandBody> make_solid_compare();
+std::unique_ptr<CommandBody> make_solid_repair();
 std::unique_ptr<CommandBody> make_convex_check();
 std::unique_ptr<CommandBody> make_convex_decompose();
 std::unique_ptr<CommandBody> make_convex_report();
@@ -235,6 +236,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"solid compare", "A B", "Equal? One in the other? Disjoint?",
               "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
               "solid-compare", make_solid_compare},
+      Command{"solid repair", "FILE", "A mesh mended: turned, welded, filled",
+              "./plumb solid repair corpus/solids/flipped-box.off -o out.off", "solid-repair",
+              make_solid_repair},
       Command{"convex check", "A", "Convex? Reflex edges or corners, faces that fail",
               "./plumb convex check corpus/solids/ball.off", "convex-check", make_convex_check},
       Command{"convex decompose", "A", "Convex pieces of any set; -o DIR: a file each",

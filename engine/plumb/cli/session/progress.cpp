@@ -175,6 +175,9 @@ ProgressStage numbering_solid() {
            {"names of points", 1.3}}};
 }
 ProgressStage measuring_solid() { return {"measure", {{"", .3}, {"measures", 22}}}; }
+ProgressStage mending_mesh() {
+  return {"mend", {{"load", .1}, {"read", 1.1}, {"weld", .3}, {"orientation", 1}, {"", 1}}};
+}
 ProgressStage locating_solid() { return {"locate", {{"", .5}}}; }
 ProgressStage auditing_solid() {
   return {"audit",

@@ -125,6 +125,7 @@ ProgressStage measuring_solid();
 ProgressStage locating_solid();
 ProgressStage auditing_solid();
 ProgressStage drawing_solid();
+ProgressStage mending_mesh();
 ProgressStages writing_mesh();
 ProgressStages writing_nef();
 

@@ -134,7 +134,7 @@ void require_no_stop() {
 
 void CommonOptions::declare(CLI::App& app) {
   app.add_flag("--json", json, "One JSON object on standard output")->group(kCommonGroup);
-  app.add_option("-o,--output", out, "Write to OUT, format by extension; - needs --format")
+  app.add_option("-o,--output", out, "File to write; - is standard output (--format)")
       ->type_name("OUT")
       ->group(kCommonGroup);
   app.add_option("--format", format, "Format, whatever the extension of OUT")

@@ -71,38 +71,6 @@ bool take_triangle(std::span<const std::uint32_t> face, std::uint32_t f,
   return true;
 }
 
-/// Appends a corner to the loop that starts at `first`, unless it repeats the last one; removes a
-/// corner between two equal ones, an edge that is run forth and back.
-void push_corner(std::vector<std::uint32_t>& corner, std::size_t first, std::uint32_t v) {
-  const std::size_t size = corner.size() - first;
-  if (size >= 1 && corner.back() == v) return;
-  if (size >= 2 && corner[corner.size() - 2] == v) {
-    corner.pop_back();
-    return;
-  }
-  corner.push_back(v);
-}
-
-/// Trims in the same way where the end meets the beginning.
-void trim_ends(std::vector<std::uint32_t>& corner, std::size_t first) {
-  std::size_t begin = first, end = corner.size();
-  const auto is_spike = [&](std::size_t before, std::size_t after) {
-    return end - begin >= 3 && corner[before] == corner[after];
-  };
-  while (end - begin >= 2) {
-    if (corner[end - 1] == corner[begin] || is_spike(end - 2, begin)) {
-      --end;
-    } else if (is_spike(end - 1, begin + 1)) {
-      ++begin;
-    } else {
-      break;
-    }
-  }
-  corner.resize(end);
-  corner.erase(corner.begin() + static_cast<std::ptrdiff_t>(first),
-               corner.begin() + static_cast<std::ptrdiff_t>(begin));
-}
-
 /// Returns all faces, trimmed. A face with fewer than three corners left has no area; its edges
 /// cancel.
 Loops trimmed_loops(const MeshView& mesh, const MeshVertices& vertices, MeshReport& report) {
@@ -444,6 +412,35 @@ class FacetMaker {
 };
 
 }  // namespace
+
+void push_corner(std::vector<std::uint32_t>& corner, std::size_t first, std::uint32_t v) {
+  const std::size_t size = corner.size() - first;
+  if (size >= 1 && corner.back() == v) return;
+  if (size >= 2 && corner[corner.size() - 2] == v) {
+    corner.pop_back();
+    return;
+  }
+  corner.push_back(v);
+}
+
+void trim_ends(std::vector<std::uint32_t>& corner, std::size_t first) {
+  std::size_t begin = first, end = corner.size();
+  const auto is_spike = [&](std::size_t before, std::size_t after) {
+    return end - begin >= 3 && corner[before] == corner[after];
+  };
+  while (end - begin >= 2) {
+    if (corner[end - 1] == corner[begin] || is_spike(end - 2, begin)) {
+      --end;
+    } else if (is_spike(end - 1, begin + 1)) {
+      ++begin;
+    } else {
+      break;
+    }
+  }
+  corner.resize(end);
+  corner.erase(corner.begin() + static_cast<std::ptrdiff_t>(first),
+               corner.begin() + static_cast<std::ptrdiff_t>(begin));
+}
 
 // Input points define the plane by their ids; others by the coefficients of (b - a) x (c - a).
 OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, SpacePoint c) {

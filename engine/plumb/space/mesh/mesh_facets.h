@@ -44,6 +44,15 @@ struct MeshFacets {
 MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
                         MeshReport& report, Context& context);
 
+// Trimming of faces. The corners of a face are the end of a list, from index `first` on.
+
+/// Appends a corner to a face, unless it repeats the last one; removes a corner between two equal
+/// ones, an edge that is run forth and back.
+void push_corner(std::vector<std::uint32_t>& corner, std::size_t first, std::uint32_t v);
+/// Trims in the same way where the end of a face meets its beginning. Fewer than three corners may
+/// be left. The edges of such a face cancel.
+void trim_ends(std::vector<std::uint32_t>& corner, std::size_t first);
+
 /// Returns the plane of three points, with the side positive from which they are seen
 /// counter-clockwise; invalid if they lie on a line.
 OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, SpacePoint c);

@@ -41,23 +41,13 @@ namespace {
 
 using VertexPair = std::array<std::uint32_t, 2>;
 
-/// How often an edge is run through from its lesser to its greater end, less how often back. Edges
-/// with 0 are left out.
-using Surplus = std::map<VertexPair, std::int32_t>;
-
-/// Adds an edge that is run through `times` times from one vertex to another.
-void add(std::uint32_t from, std::uint32_t to, std::int32_t times, Surplus& surplus) {
-  std::int32_t& sum = surplus[{std::min(from, to), std::max(from, to)}];
-  sum += from < to ? times : -times;
-}
-
-void drop_balanced(Surplus& surplus) {
+void drop_balanced(EdgeSurplus& surplus) {
   std::erase_if(surplus, [](const auto& s) { return s.second == 0; });
 }
 
 /// Returns the boundary of the sum of all faces, with the edges of faces without area.
-Surplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
-  Surplus surplus;
+EdgeSurplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
+  EdgeSurplus surplus;
   for (std::size_t e = 0; e < links.edge_count(); ++e) {
     std::int32_t sum = 0;
     for (const std::uint32_t u : links.uses_of(e)) {
@@ -68,40 +58,35 @@ Surplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
     }
     if (sum != 0) surplus[links.end[e]] += sum;
   }
-  for (const VertexPair& e : facets.loose) add(e[0], e[1], 1, surplus);
+  for (const VertexPair& e : facets.loose) add_to(surplus, e[0], e[1], 1);
   drop_balanced(surplus);
   return surplus;
 }
 
 // ---------------------------------------------------------------- edges with vertices on them
 
-/// Cuts edges at vertices that lie on them.
-class EdgeSplitter {
+/// Finds vertices that lie inside edges.
+class InnerVertexSearch {
  public:
-  EdgeSplitter(std::span<const SpacePoint> points, const Point3Table& table)
+  InnerVertexSearch(std::span<const SpacePoint> points, const Point3Table& table)
       : points_(points), table_(table) {}
 
-  /// Returns the edges, cut at all ends of edges that lie on them. Vertices with other edges only
-  /// need no look: cutting there changes no balance.
-  Surplus split(const Surplus& edges) {
-    for (const auto& [edge, times] : edges) ends_.insert(ends_.end(), edge.begin(), edge.end());
+  /// Finds the ends of all edges that lie inside an edge. Vertices with other edges only need no
+  /// look: cutting there changes no balance.
+  InnerVertices find(std::span<const VertexPair> edges) {
+    for (const VertexPair& edge : edges) ends_.insert(ends_.end(), edge.begin(), edge.end());
     std::sort(ends_.begin(), ends_.end());
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
     std::vector<Box3> boxes;
     for (const std::uint32_t v : ends_) boxes.push_back(box_of(table_, points_[v]));
     const BoxTree tree(boxes);
-    Surplus pieces;
-    for (const auto& [edge, times] : edges) {
+    InnerVertices result;
+    for (const VertexPair& edge : edges) {
       gather_inner(edge, tree);
-      std::uint32_t from = edge[0];
-      for (const std::uint32_t v : inner_) {
-        add(from, v, times, pieces);
-        from = v;
-      }
-      add(from, edge[1], times, pieces);
+      result.vertex.insert(result.vertex.end(), inner_.begin(), inner_.end());
+      result.begin.push_back(static_cast<std::uint32_t>(result.vertex.size()));
     }
-    drop_balanced(pieces);
-    return pieces;
+    return result;
   }
 
  private:
@@ -212,12 +197,30 @@ class ChainWalker {
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
-                                                      const MeshLinks& links,
-                                                      std::span<const SpacePoint> points,
-                                                      const Point3Table& table) {
-  Surplus surplus = imbalances(facets, links);
-  if (!surplus.empty()) surplus = EdgeSplitter(points, table).split(surplus);
+InnerVertices vertices_inside(std::span<const VertexPair> edges, std::span<const SpacePoint> points,
+                              const Point3Table& table) {
+  return InnerVertexSearch(points, table).find(edges);
+}
+
+EdgeSurplus cut_at_vertices(const EdgeSurplus& edges, std::span<const SpacePoint> points,
+                            const Point3Table& table) {
+  std::vector<VertexPair> ends;
+  for (const auto& [edge, times] : edges) ends.push_back(edge);
+  const InnerVertices inner = vertices_inside(ends, points, table);
+  EdgeSurplus pieces;
+  for (std::size_t i = 0; const auto& [edge, times] : edges) {
+    std::uint32_t from = edge[0];
+    for (const std::uint32_t v : inner.of(i++)) {
+      add_to(pieces, from, v, times);
+      from = v;
+    }
+    add_to(pieces, from, edge[1], times);
+  }
+  drop_balanced(pieces);
+  return pieces;
+}
+
+std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurplus& surplus) {
   ChainWalker walker;
   for (const auto& [edge, times] : surplus) {
     const bool is_up = times < 0;  // It is run downward too often, so running up balances it.
@@ -226,6 +229,15 @@ std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
     }
   }
   return walker.chains();
+}
+
+std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
+                                                      const MeshLinks& links,
+                                                      std::span<const SpacePoint> points,
+                                                      const Point3Table& table) {
+  EdgeSurplus surplus = imbalances(facets, links);
+  if (!surplus.empty()) surplus = cut_at_vertices(surplus, points, table);
+  return chains_of(surplus);
 }
 
 namespace {

@@ -2,7 +2,9 @@
 // face, and around which vertices it cannot cross itself.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -12,6 +14,45 @@
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
+
+// Borders.
+
+/// How often each edge is run through from its lesser to its greater vertex, less how often back.
+/// Edges with 0 are left out.
+using EdgeSurplus = std::map<std::array<std::uint32_t, 2>, std::int32_t>;
+
+/// Adds an edge that is run through `times` times from one vertex to another.
+inline void add_to(EdgeSurplus& surplus, std::uint32_t from, std::uint32_t to, std::int32_t times) {
+  std::int32_t& sum = surplus[from < to ? std::array{from, to} : std::array{to, from}];
+  sum += from < to ? times : -times;
+}
+
+/// For each edge of a list, the vertices inside it, from its first end to its second.
+struct InnerVertices {
+  std::vector<std::uint32_t> begin = {0};  ///< Starts in `vertex`, one more than there are edges.
+  std::vector<std::uint32_t> vertex;       ///< The vertices.
+
+  /// Returns the vertices inside edge i.
+  std::span<const std::uint32_t> of(std::size_t i) const {
+    return std::span(vertex).subspan(begin[i], begin[i + 1] - begin[i]);
+  }
+};
+
+/// Finds the ends of the edges that lie inside other edges. The ends of an edge must be different
+/// points. `points` has the place of each vertex. O((m + c) log m) for m edges and c pairs of an
+/// end and the box of an edge that contains it.
+InnerVertices vertices_inside(std::span<const std::array<std::uint32_t, 2>> edges,
+                              std::span<const SpacePoint> points, const Point3Table& table);
+
+/// Cuts the edges of a surplus at the ends of others that lie on them, adds up the parts, and drops
+/// those that balance.
+EdgeSurplus cut_at_vertices(const EdgeSurplus& edges, std::span<const SpacePoint> points,
+                            const Point3Table& table);
+
+/// Returns the closed chains of vertices that would balance a surplus. Requires that as many edges
+/// lead into every vertex as out of it, as in the boundary of any set of faces. Each chain has a
+/// vertex once.
+std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurplus& surplus);
 
 /// Returns where directed edges and their reverses do not balance: closed chains of vertices, in
 /// the direction that would balance them; none if the mesh is closed. Places count, not indices: an

@@ -64,6 +64,16 @@ class IdIndex {
     return next;
   }
 
+  /// Returns the id with this hash for which is_same(id) is true, or 2^32 - 1 if there is none.
+  template <class IsSame>
+  std::uint32_t find(std::uint32_t hash, IsSame is_same) const {
+    if (entries_.empty()) return kNone;
+    for (std::size_t at = hash & mask(); entries_[at].id != kNone; at = (at + 1) & mask()) {
+      if (entries_[at].hash == hash && is_same(entries_[at].id)) return entries_[at].id;
+    }
+    return kNone;
+  }
+
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
   struct Entry {

@@ -1,0 +1,180 @@
+// The command `plumb solid repair FILE`: a mesh mended as a mesh, without making a set of it.
+//
+// Without options every step is done that cannot change what a correct mesh describes: equal points
+// become one, faces of fewer than three corners are dropped, doubled faces where that helps, and
+// faces and components that are the wrong way round are turned. With options exactly the steps that
+// they ask for are done. The report goes to standard output, or to standard error if the mesh is
+// written there. The mesh is written even if it is still open; only .nef needs a set.
+// Tested by tests/cli/repair_command_test.cpp.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "plumb/cli/commands/set_command.h"
+#include "plumb/cli/files/operands.h"
+#include "plumb/cli/files/outputs.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/io/mesh_io.h"
+#include "plumb/io/solid/solid_text.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/text/files.h"
+#include "plumb/picture/svg/sheet.h"
+#include "plumb/predicates/error.h"
+#include "plumb/space/nef3.h"
+#include "plumb/space/repair_mesh.h"
+
+namespace plumb::cli {
+namespace {
+
+/// Mends one mesh.
+class SolidRepair : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("FILE", file_,
+                   "A mesh: .off, .obj, .stl, .ply, .glb, .gltf; - is standard input")
+        ->required()
+        ->type_name("");
+    flags_.declare(app);
+  }
+
+  ExitCode run(Session& session) override {
+    open(session);
+    session.expect({mending_mesh(), writing()});
+    session.begin("mend");
+    read(session);
+    report_ = repair_mesh(mesh_, asked(), session.context());
+    if (!report_.is_closed()) {
+      SolidReadOptions reading;
+      reading.repair = flags_.options();
+      remedy_ = remedy_for(mesh_, reading, session.context());
+    }
+    prepare(session);
+    if (is_on_stdout_) {
+      std::istringstream lines(text());
+      for (std::string line; std::getline(lines, line);) {
+        session.note(input_name(file_) + ": " + line);
+      }
+    }
+    session.deliver();
+    return report_.is_closed() ? ExitCode::Yes : ExitCode::No;
+  }
+
+ private:
+  /// Opens the outputs before the work.
+  void open(Session& session) {
+    const CommonOptions& common = session.options();
+    if (common.out == "-" && common.format.empty()) {
+      throw Error(ErrorCode::Usage, "-o - needs --format " + names_of(solid_formats()));
+    }
+    if (!common.format.empty()) {
+      format_ = &format_named(solid_formats(), common.format);
+    } else if (!common.out.empty()) {
+      format_ = &format_of_file(solid_formats(), common.out);
+    }
+    is_on_stdout_ = format_ != nullptr && (common.out.empty() || common.out == "-");
+    if (format_ != nullptr) {
+      session.outputs().add(is_on_stdout_ ? "-" : common.out,
+                            [this, &session](std::ostream& out) { write(out, session.context()); });
+    }
+    if (common.json) {
+      session.outputs().add("-", [this](std::ostream& out) { out << json().dump() << '\n'; });
+    } else if (!is_on_stdout_) {
+      session.outputs().add("-", [this](std::ostream& out) { out << text(); });
+    }
+  }
+
+  void read(Session& session) {
+    const std::string bytes = read_input(file_, session.context());
+    require_solid(file_, bytes);
+    if (is_nef_file(file_, bytes)) {
+      throw Error(ErrorCode::UnknownFormat, "a .nef file has a set, where a mesh is needed",
+                  {input_name(file_)});
+    }
+    const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    MeshFile file = read_mesh_of(file_, bytes, options, session.context());
+    print_notes(file_, file, session);
+    mesh_ = std::move(file.mesh);
+    session.context().release_memory(bytes.size());
+  }
+
+  /// Returns what the options ask for, or else what is always safe.
+  RepairOptions asked() const {
+    const RepairOptions options = flags_.options();
+    if (options.asks()) return options;
+    return {.weld = 0, .doubled = DoubledFaces::DropIfBetter, .reorient = true, .fill_holes = 0};
+  }
+
+  /// Does what can fail before anything is written: cuts faces for formats of triangles, and makes
+  /// the set for .nef.
+  void prepare(Session& session) {
+    if (format_ == nullptr) return;
+    if (!format_->mesh) {
+      set_.emplace(Nef3::from_mesh(mesh_, {}, session.context()), *format_, session.context());
+    } else if (*format_->mesh == MeshFormat::Stl || *format_->mesh == MeshFormat::StlBinary) {
+      mesh_ = triangulated(mesh_, session.context());
+    }
+  }
+
+  void write(std::ostream& out, Context& context) const {
+    if (set_) {
+      set_->write(out, context);
+    } else {
+      write_mesh(out, mesh_, *format_->mesh);
+    }
+  }
+
+  std::string text() const {
+    std::string lines = counted(mesh_.points.size(), "vertex", "vertices") + ", " +
+                        counted(mesh_.face_count(), "face") + ", ";
+    if (report_.is_closed()) {
+      lines += "closed\n";
+    } else {
+      lines += "open: " + counted(report_.holes.size(), "border") + ", the longest of " +
+               counted(longest_hole(), "edge") + '\n';
+    }
+    for (const std::string& sentence : sentences(report_)) lines += sentence + '\n';
+    if (!report_.one_sided.empty()) {
+      lines += "a component has one side only, as a Moebius strip; its first face: " +
+               std::to_string(report_.one_sided.front()) + '\n';
+    }
+    if (!report_.has_changed()) lines += "nothing was mended\n";
+    if (remedy_) lines += words_of(*remedy_) + " closes it\n";
+    return lines;
+  }
+
+  std::size_t longest_hole() const {
+    std::size_t most = 0;
+    for (const auto& hole : report_.holes) most = std::max(most, hole.size());
+    return most;
+  }
+
+  nlohmann::ordered_json json() const {
+    return {{"closed", report_.is_closed()}, {"vertices", mesh_.points.size()},
+            {"faces", mesh_.face_count()},   {"equal", report_.equal},
+            {"welded", report_.welded},      {"farthest", report_.farthest},
+            {"trimmed", report_.trimmed},    {"degenerate", report_.degenerate},
+            {"doubled", report_.doubled},    {"flipped", report_.flipped},
+            {"turned", report_.turned},      {"filled", report_.filled},
+            {"added", report_.added},        {"holes", report_.holes},
+            {"one_sided", report_.one_sided}};
+  }
+
+  std::string file_;
+  RepairFlags flags_;
+  const SolidFormat* format_ = nullptr;  // Null if only the report is asked for.
+  bool is_on_stdout_ = false;            // Whether the mesh is.
+  PolygonMesh mesh_;
+  RepairReport report_;
+  std::optional<RepairOptions> remedy_;  // What closes the mesh if it is still open.
+  std::optional<SolidText> set_;         // For .nef.
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_solid_repair() { return std::make_unique<SolidRepair>(); }
+
+}  // namespace plumb::cli

@@ -1,0 +1,369 @@
+// The steps that mend a mesh, in their order.
+//
+// The mesh is copied, mended and moved back, so that an exception leaves it as it was. `origin_`
+// keeps the number that each face had, for the report. After the first step every place has one
+// point, so that indices tell whether faces share an edge; equal points of different indices occur
+// only before it.
+//
+// Closedness is always judged by orient_faces(), which cuts edges at vertices on them as
+// complex_of_mesh() does: what is reported as closed is read as closed.
+//
+// Tested by tests/space/repair_mesh_test.cpp.
+
+#include "plumb/space/repair_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <numeric>
+#include <span>
+
+#include "plumb/predicates/error.h"
+#include "plumb/space/from_mesh.h"
+#include "plumb/space/mesh/fill_polygons.h"
+#include "plumb/space/mesh/listed.h"
+#include "plumb/space/mesh/mesh_arrangement.h"
+#include "plumb/space/mesh/mesh_facets.h"
+#include "plumb/space/mesh/mesh_orientation.h"
+#include "plumb/space/mesh/mesh_vertices.h"
+#include "plumb/space/weld_points.h"
+
+namespace plumb {
+namespace {
+
+using Faces = std::vector<std::uint32_t>;
+
+// ---------------------------------------------------------------- doubled faces
+
+/// Faces with the same corners: each face with the first of its kind.
+class DoubledSearch {
+ public:
+  explicit DoubledSearch(const PolygonMesh& mesh) : mesh_(mesh) { list_keys(); }
+
+  /// Returns for each face the first one with its corners, in either direction.
+  std::vector<std::uint32_t> find() {
+    std::vector<std::uint32_t> order(mesh_.face_count());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, [&](std::uint32_t f, std::uint32_t g) {
+      const auto a = key(f), b = key(g);
+      if (a.size() != b.size()) return a.size() < b.size();
+      const auto [x, y] = std::ranges::mismatch(a, b);
+      return x != a.end() ? *x < *y : f < g;
+    });
+    std::vector<std::uint32_t> first(order.size());
+    are_opposite_ = true;
+    for (std::size_t i = 0; i < order.size();) {
+      std::int64_t forth = 0;
+      const std::uint32_t head = order[i];
+      for (; i < order.size() && std::ranges::equal(key(order[i]), key(head)); ++i) {
+        first[order[i]] = head;
+        forth += is_reversed_[order[i]] != 0 ? -1 : 1;
+      }
+      are_opposite_ = are_opposite_ && forth == 0;
+    }
+    return first;
+  }
+  /// Whether find() met each face as often in one direction as in the other.
+  bool are_opposite() const { return are_opposite_; }
+
+ private:
+  /// Lists the corners of each face from its least one, towards the lesser of its neighbours.
+  void list_keys() {
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      const auto face = mesh_.face(f);
+      const std::size_t n = face.size();
+      const auto least = static_cast<std::size_t>(std::ranges::min_element(face) - face.begin());
+      const bool is_reversed = face[(least + n - 1) % n] < face[(least + 1) % n];
+      is_reversed_.push_back(is_reversed ? 1 : 0);
+      for (std::size_t i = 0; i < n; ++i) {
+        keys_.push_back(face[(least + (is_reversed ? n - i : i)) % n]);
+      }
+    }
+  }
+  std::span<const std::uint32_t> key(std::uint32_t f) const {
+    return std::span(keys_).subspan(mesh_.face_begin[f],
+                                    mesh_.face_begin[f + 1] - mesh_.face_begin[f]);
+  }
+
+  const PolygonMesh& mesh_;
+  std::vector<std::uint32_t> keys_;  // Where mesh_.corners has the corners of the same face.
+  std::vector<std::uint8_t> is_reversed_;
+  bool are_opposite_ = false;
+};
+
+// ---------------------------------------------------------------- the steps
+
+/// A mesh being mended.
+class MeshRepair {
+ public:
+  MeshRepair(PolygonMesh mesh, const RepairOptions& options, Context& context)
+      : mesh_(std::move(mesh)),
+        options_(options),
+        context_(context),
+        charge_(context),
+        next_face_(static_cast<std::uint32_t>(mesh_.face_count())) {
+    constexpr std::uint64_t kBytesPerCorner = 200;
+    charge_.add(kBytesPerCorner * mesh_.corners.size(), "mending of a mesh");
+  }
+
+  RepairReport run() {
+    weld();
+    drop_doubled();
+    orient();
+    fill();
+    turn_components();
+    drop_unused();
+    return std::move(report_);
+  }
+  PolygonMesh take() { return std::move(mesh_); }
+
+ private:
+  void weld() {
+    const PointWeld weld = weld_points(mesh_, options_.weld, context_);
+    report_.equal = weld.equal;
+    report_.welded = weld.moved;
+    report_.farthest = weld.farthest;
+    trim_faces();
+  }
+
+  void trim_faces() {
+    PolygonMesh trimmed;
+    trimmed.corners.reserve(mesh_.corners.size());
+    trimmed.face_begin.reserve(mesh_.face_begin.size());
+    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+      const auto face = mesh_.face(f);
+      const std::size_t first = trimmed.corners.size();
+      for (const std::uint32_t v : face) push_corner(trimmed.corners, first, v);
+      trim_ends(trimmed.corners, first);
+      const std::size_t size = trimmed.corners.size() - first;
+      if (size < 3) {
+        trimmed.corners.resize(first);
+        report_.degenerate.push_back(f);
+        continue;
+      }
+      if (size < face.size()) ++report_.trimmed;
+      trimmed.face_begin.push_back(static_cast<std::uint32_t>(trimmed.corners.size()));
+      origin_.push_back(f);
+    }
+    mesh_.corners = std::move(trimmed.corners);
+    mesh_.face_begin = std::move(trimmed.face_begin);
+  }
+
+  // ---------------------------------------------------------------- doubled faces
+
+  void drop_doubled() {
+    if (options_.doubled == DoubledFaces::Keep) return;
+    DoubledSearch search(mesh_);
+    const std::vector<std::uint32_t> first = search.find();
+    PolygonMesh single = without_doubled(first);
+    if (single.face_count() == mesh_.face_count()) return;
+    if (options_.doubled == DoubledFaces::DropIfBetter &&
+        !is_better(single, search.are_opposite())) {
+      return;
+    }
+    std::vector<std::uint32_t> origin;
+    for (std::uint32_t f = 0; f < first.size(); ++f) {
+      if (first[f] == f) {
+        origin.push_back(origin_[f]);
+      } else {
+        report_.doubled.emplace_back(origin_[f], origin_[first[f]]);
+      }
+    }
+    origin_ = std::move(origin);
+    mesh_ = std::move(single);
+  }
+
+  PolygonMesh without_doubled(std::span<const std::uint32_t> first) const {
+    PolygonMesh single;
+    for (std::uint32_t f = 0; f < first.size(); ++f) {
+      if (first[f] == f) single.add_face(mesh_.face(f));
+    }
+    single.points = mesh_.points;
+    single.exact = mesh_.exact;
+    return single;
+  }
+
+  /// Whether the mesh without doubled faces has shorter borders, or closed ones if the mesh
+  /// encloses nothing for certain.
+  bool is_better(const PolygonMesh& single, bool encloses_nothing) const {
+    const std::size_t after = length(orientation_of(single).holes);
+    return encloses_nothing ? after == 0 : after < length(orientation_of(mesh_).holes);
+  }
+  static std::size_t length(const std::vector<std::vector<std::uint32_t>>& chains) {
+    std::size_t sum = 0;
+    for (const auto& chain : chains) sum += chain.size();
+    return sum;
+  }
+
+  // ---------------------------------------------------------------- directions and holes
+
+  /// Returns the orientation of a mesh. Chains have indices of points.
+  MeshOrientation orientation_of(const PolygonMesh& mesh) const {
+    SpaceTables tables;
+    const MeshView view(mesh);
+    const MeshVertices vertices = merge_equal_points(view, tables);
+    MeshOrientation found = orient_faces(view, vertices, tables.points, context_);
+    for (auto& chain : found.holes) {
+      for (std::uint32_t& v : chain) v = vertices.input[v];
+    }
+    return found;
+  }
+
+  // If faces must not be turned, the borders that they make are holes like any others.
+  void orient() {
+    MeshOrientation found = orientation_of(mesh_);
+    for (const std::uint32_t f : found.one_sided) report_.one_sided.push_back(origin_[f]);
+    if (found.flipped.empty()) {
+      report_.holes = std::move(found.holes);
+    } else if (options_.reorient || options_.fill_holes > 0) {
+      reverse_faces(mesh_, found.flipped);
+      for (const std::uint32_t f : found.flipped) report_.flipped.push_back(origin_[f]);
+      report_.holes = std::move(found.holes);
+    } else {
+      MeshOptions reading;
+      report_.holes = complex_of_mesh(mesh_, reading, context_).report.borders;
+    }
+  }
+
+  // What a one-sided component lacks is no hole.
+  void fill() {
+    if (options_.fill_holes == 0 || report_.holes.empty() || !report_.one_sided.empty()) return;
+    SpaceTables tables;
+    const MeshVertices vertices = merge_equal_points(mesh_, tables);
+    std::vector<SpacePoint> place;
+    for (const std::uint32_t v : vertices.of_point) {
+      place.push_back(v == kNone ? SpacePoint() : vertices.point[v]);
+    }
+    std::vector<std::vector<std::uint32_t>> left;
+    for (std::size_t i = 0; i < report_.holes.size(); ++i) {
+      if (i % 64 == 0) context_.checkpoint("filling holes", i, report_.holes.size());
+      std::vector<std::uint32_t>& chain = report_.holes[i];
+      if (chain.size() > options_.fill_holes) {
+        left.push_back(std::move(chain));
+      } else {
+        report_.filled.push_back(static_cast<std::uint32_t>(chain.size()));
+        report_.added += fill_hole(mesh_, chain, place, tables);
+      }
+    }
+    report_.holes = std::move(left);
+    while (origin_.size() < mesh_.face_count()) origin_.push_back(next_face_++);
+  }
+
+  // ---------------------------------------------------------------- inside and outside
+
+  // A component balances by itself, so the mesh stays closed if all its faces are turned. A face
+  // that is cut into triangles of several components cannot follow all of them: if that opens the
+  // mesh, nothing is turned.
+  void turn_components() {
+    if (!options_.reorient || !report_.is_closed() || mesh_.face_count() == 0) return;
+    MeshComplex made = complex_of_mesh(mesh_, {}, context_);
+    if (made.report.inside_out.empty()) return;
+    const Faces origin(made.complex.facet_origin.begin(), made.complex.facet_origin.end());
+    const std::vector<std::int32_t> jump = made.jump;
+    const Faces turned = turn_inside_out(made, context_);
+    if (turned.empty()) return;
+    const Faces faces = faces_of_turned(made, origin, jump);
+    reverse_faces(mesh_, faces);
+    const MeshOrientation after = orientation_of(mesh_);
+    if (!after.holes.empty() || !after.flipped.empty()) return reverse_faces(mesh_, faces);
+    for (const std::uint32_t f : turned) report_.turned.push_back(origin_[f]);
+  }
+
+  /// Returns the faces of the components whose jumps have changed. `origin` has the face of each
+  /// sheet, and `jump` its jump before.
+  Faces faces_of_turned(const MeshComplex& made, const Faces& origin,
+                        std::span<const std::int32_t> jump) const {
+    std::vector<std::uint8_t> is_component_turned(made.is_inside_out.size());
+    for (std::size_t s = 0; s < jump.size(); ++s) {
+      if (made.jump[s] != jump[s]) is_component_turned[made.component[s]] = 1;
+    }
+    std::vector<std::uint8_t> is_turned(mesh_.face_count());
+    for (std::size_t s = 0; s < jump.size(); ++s) {
+      if (is_component_turned[made.component[s]] != 0) is_turned[origin[s]] = 1;
+    }
+    for (const auto& [face, earlier] : made.report.doubled) is_turned[face] |= is_turned[earlier];
+    Faces faces;
+    for (std::uint32_t f = 0; f < is_turned.size(); ++f) {
+      if (is_turned[f] != 0) faces.push_back(f);
+    }
+    return faces;
+  }
+
+  // ---------------------------------------------------------------- points
+
+  void drop_unused() {
+    std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
+    for (const std::uint32_t v : mesh_.corners) number[v] = 0;
+    std::uint32_t count = 0;
+    auto exact = mesh_.exact.begin();
+    auto kept_exact = mesh_.exact.begin();
+    for (std::uint32_t v = 0; v < number.size(); ++v) {
+      const bool is_exact = exact != mesh_.exact.end() && exact->first == v;
+      if (number[v] != kNone) {
+        mesh_.points[count] = mesh_.points[v];
+        if (is_exact) *kept_exact++ = {count, std::move(exact->second)};
+        number[v] = count++;
+      }
+      if (is_exact) ++exact;
+    }
+    report_.unused = number.size() - count;
+    mesh_.points.resize(count);
+    mesh_.exact.erase(kept_exact, mesh_.exact.end());
+    for (std::uint32_t& v : mesh_.corners) v = number[v];
+    for (auto& chain : report_.holes) {
+      for (std::uint32_t& v : chain) v = number[v];
+    }
+  }
+
+  PolygonMesh mesh_;
+  const RepairOptions& options_;
+  Context& context_;
+  MemoryCharge charge_;
+  std::vector<std::uint32_t> origin_;  // The number that each face had at first.
+  std::uint32_t next_face_;            // The number of the next face that is added.
+  RepairReport report_;
+};
+
+// ---------------------------------------------------------------- sentences
+
+std::string shortest(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+void add_faces(const std::string& what, std::span<const std::uint32_t> faces,
+               std::vector<std::string>& notes) {
+  if (!faces.empty()) notes.push_back(what + ": " + listed(faces));
+}
+
+}  // namespace
+
+RepairReport repair_mesh(PolygonMesh& mesh, const RepairOptions& options, Context& context) {
+  MeshRepair repair(mesh, options, context);
+  RepairReport report = repair.run();
+  mesh = repair.take();
+  return report;
+}
+
+std::vector<std::string> sentences(const RepairReport& report) {
+  std::vector<std::string> notes;
+  if (report.welded > 0) {
+    notes.push_back(std::to_string(report.welded) + (report.welded == 1 ? " vertex" : " vertices") +
+                    " welded to others, moved by at most " + shortest(report.farthest));
+  }
+  add_faces("faces with fewer than three different corners, dropped", report.degenerate, notes);
+  std::vector<std::uint32_t> doubled;
+  for (const auto& [face, earlier] : report.doubled) doubled.push_back(face);
+  add_faces("faces with the corners of an earlier one, dropped", doubled, notes);
+  add_faces("faces that disagreed with their neighbours, turned", report.flipped, notes);
+  if (!report.filled.empty()) {
+    notes.push_back("holes filled, by their numbers of edges: " + listed(report.filled) + "; " +
+                    std::to_string(report.added) + (report.added == 1 ? " face" : " faces") +
+                    " added");
+  }
+  add_faces("components that were inside out, turned; their first faces", report.turned, notes);
+  return notes;
+}
+
+}  // namespace plumb
