@@ -47,7 +47,7 @@ inline void require_nef2_round(const Nef2& set) {
           "a set is written as it was read");
 }
 
-/// Requires a bounded closed set: it comes back as it was, or the writer said how it changed.
+/// Requires a bounded closed set: it comes back as it was rounded, and then nothing changes.
 inline void require_text_round(const Nef2& set, PlaneFormat format) {
   Context context;
   try {
@@ -56,8 +56,8 @@ inline void require_text_round(const Nef2& set, PlaneFormat format) {
     require(!losses.open && !losses.unbounded, "nothing of a closed bounded set is left out");
     const Nef2 copy = read_back(text_of(ready), format);
     require_sound(copy);
-    require(copy.counts() == (losses.reshaped ? (*losses.reshaped)[1] : set.counts()),
-            "a file is what the writer said it is");
+    require(copy == round_to_doubles(set, context).set, "a file has the rounded set");
+    require(!PlaneText(copy, format, context).losses().any(), "a set of doubles loses nothing");
     if (to_shapes(set.parts(), context).points.all_double()) {
       require(copy == set, "a set of doubles survives WKT and GeoJSON");
     }
@@ -108,7 +108,7 @@ inline void require_formats_agree(const PlaneShapes& shapes) {
   if (!is_small(shapes)) return;
   try {
     Context context;
-    const PlaneShapes doubles = rounded(shapes, context);
+    const PlaneShapes doubles = with_nearest_doubles(shapes, context);
     std::ostringstream wkt;
     std::ostringstream geojson;
     write_wkt(wkt, doubles, context);

@@ -12,6 +12,7 @@
 #include "plumb/base/version.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_arrays.h"
+#include "plumb/plane/plane_rounding.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/mesh_arrays.h"
 #include "plumb/space/nef3.h"

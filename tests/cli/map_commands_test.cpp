@@ -204,6 +204,40 @@ TEST(MapOverlayProgram, writes_what_is_asked_where_it_is_asked) {
   EXPECT_EQ(piped.out, read_file(svg));
 }
 
+/// Strips that are turned against each other: crossings are no doubles.
+TEST(MapOverlayProgram, rounds_all_cells_together) {
+  const ScratchDirectory scratch;
+  const std::string a = (scratch / "a.map").string(), b = (scratch / "b.map").string();
+  write_file(a, "6 2\n0 0\n0.3 0\n1 0\n1 1\n0.7 1\n0 1\n1 2 5 6\n2 3 4 5\n");
+  write_file(b, "6 2\n0 0\n1 0\n1 0.9\n1 1\n0 1\n0 0.1\n1 2 3 6\n6 3 4 5\n");
+  const Words overlay{"map", "overlay", a, b, "--infer-outer", "--format", "geojson"};
+  const auto with = [&](const Words& more) {
+    Words arguments = overlay;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const RunResult rounded = with({"--strict"});
+  EXPECT_EQ(rounded.code, 0);
+  EXPECT_EQ(Json::parse(rounded.out)["features"].size(), 4U);
+  EXPECT_EQ(with({"--raw"}).out, rounded.out) << "nothing breaks here";
+  // On a grid of halves the four cells remain, with corners at multiples of a half.
+  const RunResult coarse = with({"--grid", "1/2"});
+  EXPECT_EQ(coarse.code, 0);
+  for (const Json& feature : Json::parse(coarse.out)["features"]) {
+    for (const Json& ring : feature["geometry"]["coordinates"]) {
+      for (const Json& position : ring) {
+        for (const Json& c : position)
+          EXPECT_EQ(c.get<double>() * 2, std::round(c.get<double>() * 2));
+      }
+    }
+  }
+  const RunResult collapsed = with({"--grid", "3", "--strict"});
+  EXPECT_EQ(collapsed.code, 2);
+  EXPECT_TRUE(contains(collapsed.err, "rounding to the grid changed the shape")) << collapsed.err;
+  EXPECT_EQ(with({"--grid", "0"}).code, 2);
+  EXPECT_EQ(run({"map", "overlay", a, b, "--infer-outer", "--raw"}).code, 2);
+}
+
 TEST(MapOverlayProgram, refuses_what_it_cannot_overlay) {
   const ScratchDirectory scratch;
   const std::string out = (scratch / "out.geojson").string();

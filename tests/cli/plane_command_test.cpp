@@ -314,6 +314,16 @@ TEST(PlaneProgram, says_that_a_file_with_content_is_the_empty_set) {
   EXPECT_TRUE(contains(run({"plane", "info", file}).err, file + ": the file has no point"));
 }
 
+/// A decimal step is a decimal: 0.1 is a tenth.
+TEST(PlaneProgram, rounds_to_a_grid) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch / "out.wkt").string();
+  EXPECT_EQ(run({"plane", "union", kStar, kFrame, "--grid", "0.1", "-o", out}).code, 0);
+  const std::string once = run({"plane", "closure", out, "--grid", "0.1"}).out;
+  EXPECT_EQ(once, run({"plane", "closure", out}).out);
+  EXPECT_EQ(run({"plane", "union", kStar, kFrame, "--grid", "1/10"}).out, once);
+}
+
 TEST(PlaneProgram, refuses_hostile_files_and_leaves_no_output) {
   const ScratchDirectory scratch;
   const std::vector<std::pair<std::string, std::vector<HostileText>>> formats{
@@ -351,6 +361,11 @@ TEST(PlaneProgram, refuses_wrong_usage) {
       {{"plane", "locate", kStar, "", "1"}, "X: expected a number"},
       {{"plane", "locate", kStar, "nan", "1"}, "'nan'"},
       {{"plane", "info", kStar, "--strict"}, "--strict"},
+      {{"plane", "union", kStar, kFrame, "--grid", "0"}, "--grid: the step must be positive"},
+      {{"plane", "union", kStar, kFrame, "--grid", "x"}, "--grid: expected a number"},
+      {{"plane", "union", kStar, kFrame, "--grid", "1", "--raw"}, "exclude each other"},
+      {{"plane", "union", kStar, kFrame, "--raw", "--format", "nef2"}, "WKT and GeoJSON"},
+      {{"plane", "union", kStar, kFrame, "--grid", "1", "--format", "svg"}, "WKT and GeoJSON"},
   };
   for (const auto& [arguments, part] : wrong) {
     SCOPED_TRACE(::testing::PrintToString(arguments));

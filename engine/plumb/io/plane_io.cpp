@@ -6,8 +6,8 @@
 // rings are wound so that the polygon is on their left, and one sweep over all polygons with the
 // rule Positive gives the union. Polygons that cross themselves are made sets of their own.
 //
-// In the other direction, rounding to doubles may change a shape. PlaneText therefore makes the
-// rounded set and compares its counts, and reports what was lost. Formats: docs/formats.md, section
+// In the other direction, PlaneText rounds the set as a subdivision (plane_rounding.h), so that its
+// parts are valid shapes of doubles, and reports what was lost. Formats: docs/formats.md, section
 // Sets of the plane.
 // Tested by tests/io/plane_io_test.cpp.
 #include "plumb/io/plane_io.h"
@@ -24,6 +24,7 @@
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/text_output.h"
 #include "plumb/plane/sweep/sweep.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
@@ -247,7 +248,7 @@ PlaneShapes to_shapes(const PlaneParts& parts, Context& context) {
   return ShapesOfParts(context).convert(parts);
 }
 
-PlaneShapes rounded(PlaneShapes shapes, Context& context) {
+PlaneShapes with_nearest_doubles(PlaneShapes shapes, Context& context) {
   if (shapes.points.all_double()) return shapes;
   PointTable2 doubles;
   doubles.reserve(shapes.points.size());
@@ -264,15 +265,6 @@ PlaneShapes rounded(PlaneShapes shapes, Context& context) {
   shapes.points = std::move(doubles);
   return shapes;
 }
-
-namespace {
-
-std::string to_text(const PlaneCounts& counts) {
-  return std::to_string(counts.vertices) + " vertices, " + std::to_string(counts.edges) +
-         " edges, " + std::to_string(counts.faces) + " faces";
-}
-
-}  // namespace
 
 std::optional<PlaneFormat> plane_format_of(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
@@ -342,36 +334,86 @@ std::string PlaneLosses::closing() const {
   return open ? "the set is not closed; its closure was written (.nef2 keeps marks)" : "";
 }
 
+namespace {
+
+/// Returns the parts of a sentence as "a, b and c".
+std::string joined_by_and(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ";
+    text += parts[i];
+  }
+  return text;
+}
+
+/// Returns what rounding did, such as "1 face was left out and 2 vertices were merged".
+std::string changes_of(const PlaneRoundingReport& report, bool tells_moves) {
+  std::vector<std::string> parts;
+  const auto add = [&parts](std::size_t count, const char* one, const char* many,
+                            const char* what) {
+    if (count == 0) return;
+    const bool is_one = count == 1;
+    parts.push_back(std::to_string(count) + ' ' + (is_one ? one : many) +
+                    (is_one ? " was " : " were ") + what);
+  };
+  add(report.collapsed, "face", "faces", "left out");
+  add(report.edges_folded, "folded piece of an edge", "folded pieces of edges", "left out");
+  add(report.vertices_merged, "vertex", "vertices", "merged with others");
+  add(report.edges_bent, "edge", "edges", "bent");
+  if (tells_moves) add(report.vertices_moved, "vertex", "vertices", "moved further");
+  return joined_by_and(parts);
+}
+
+}  // namespace
+
+bool is_reshaped(const PlaneRoundingReport& report, const PlaneWriteOptions& options) {
+  PlaneRoundingReport changes = report;
+  if (options.grid) changes.vertices_moved = 0;
+  return changes.is_changed();
+}
+
+std::string rounding_sentence(const PlaneRoundingReport& report, const PlaneWriteOptions& options) {
+  if (!is_reshaped(report, options)) return "";
+  const std::string changes = changes_of(report, !options.grid);
+  if (!options.grid && options.rounding == OutputRounding::Nearest) {
+    return "the nearest doubles are not a valid shape, and nothing was repaired; a repair changes "
+           "the shape: " +
+           changes;
+  }
+  return "rounding to " + std::string(options.grid ? "the grid" : "doubles") +
+         " changed the shape: " + changes + "; no point moved by more than " +
+         format_double(report.largest_move);
+}
+
 std::vector<std::string> PlaneLosses::sentences() const {
   std::vector<std::string> list;
   if (unbounded) list.push_back("unbounded parts were left out; unbounded sets need .nef2");
   if (filled) {
     list.push_back("points that are missing inside the set were filled (.nef2 keeps marks)");
   }
-  if (reshaped) {
-    list.push_back("rounding to doubles changed the shape: " + to_text((*reshaped)[0]) +
-                   " became " + to_text((*reshaped)[1]) + " (.nef2 is exact)");
+  if (is_reshaped()) {
+    list.push_back(rounding_sentence(rounding, options) + " (.nef2 is exact)");
   }
   return list;
 }
 
-PlaneText::PlaneText(const Nef2& set, PlaneFormat format, Context& context)
+PlaneText::PlaneText(const Nef2& set, PlaneFormat format, const PlaneWriteOptions& options,
+                     Context& context)
     : set_(set), format_(format) {
+  losses_.options = options;
   if (format == PlaneFormat::Nef2) return;
   if (format == PlaneFormat::Wkb) {
     throw Error(ErrorCode::UnknownFormat, "WKB can be read but not written");
   }
-  const PlaneParts parts = set.parts(context);
-  losses_.unbounded = parts.dropped_unbounded;
-  losses_.open = parts.dropped_open;
-  losses_.filled = parts.filled;
-  shapes_ = to_shapes(parts, context);
-  if (shapes_.points.all_double()) return;
-  const PlaneCounts before =
-      (parts.dropped_unbounded ? to_set(shapes_, context) : set.closure(context)).counts();
-  shapes_ = rounded(std::move(shapes_), context);
-  const PlaneCounts after = to_set(shapes_, context).counts();
-  if (before != after) losses_.reshaped = {before, after};
+  losses_.unbounded = !set.is_bounded();
+  losses_.open = !set.is_closed();
+  losses_.filled = closure_fills_inside(set);
+  const RoundedSet rounded =
+      options.grid ? round_to_grid(set, *options.grid, context) : round_to_doubles(set, context);
+  losses_.rounding = rounded.report;
+  const bool is_raw = !options.grid && options.rounding == OutputRounding::Nearest;
+  shapes_ = to_shapes((is_raw ? set : rounded.set).parts(context), context);
+  if (is_raw) shapes_ = with_nearest_doubles(std::move(shapes_), context);
 }
 
 void PlaneText::write(std::ostream& out, Context& context) const {

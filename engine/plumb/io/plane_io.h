@@ -9,11 +9,12 @@
 // read from such a file is closed. Notes name the contents of a file that a set cannot hold.
 //
 // Writing: .nef2 represents every set exactly. WKT and GeoJSON represent only polygons, lines and
-// points, and the writer rounds their coordinates to doubles. If a set has properties that such a
-// file cannot represent, these losses are reported (PlaneLosses).
+// points, whose coordinates are doubles. The set is rounded so that these shapes are valid
+// (plane_rounding.h): rings meet only in common corners, and nothing is degenerate. If a set has
+// properties that such a file cannot represent, or rounding changes its shape, these losses are
+// reported (PlaneLosses).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
@@ -26,6 +27,7 @@
 #include "plumb/base/context.h"
 #include "plumb/io/read_options.h"
 #include "plumb/plane/nef2.h"
+#include "plumb/plane/plane_rounding.h"
 #include "plumb/predicates/point_table2.h"
 
 #pragma GCC visibility push(default)
@@ -91,9 +93,10 @@ Nef2 to_set(const PlaneShapes& shapes, Context& context = unlimited_context());
 /// Returns the parts of a set as shapes, with exact coordinates.
 PlaneShapes to_shapes(const PlaneParts& parts, Context& context = unlimited_context());
 
-/// Returns the shapes with every coordinate rounded to the nearest double. Throws
-/// Error{NumberOutOfRange} if a coordinate lies beyond the largest double.
-PlaneShapes rounded(PlaneShapes shapes, Context& context = unlimited_context());
+/// Returns the shapes with every coordinate rounded to the nearest double. Nothing is repaired:
+/// rings may cross or fall together. round_to_doubles() (plane_rounding.h) returns a set whose
+/// shapes are valid. Throws Error{NumberOutOfRange} if a coordinate lies beyond the largest double.
+PlaneShapes with_nearest_doubles(PlaneShapes shapes, Context& context = unlimited_context());
 
 /// Formats for sets of the plane. Only the format Nef2 (.nef2) represents every set without loss.
 /// Wkb can be read but not written.
@@ -134,6 +137,22 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
 PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                               ReadOptions options = {}, Context& context = unlimited_context());
 
+/// Options of the writers of WKT and GeoJSON. They have no effect on .nef2.
+struct PlaneWriteOptions {
+  OutputRounding rounding = OutputRounding::Valid;  ///< How coordinates become doubles.
+  /// If this has a value, coordinates are the nearest doubles of multiples of this step, and shapes
+  /// are valid. `rounding` is ignored. Requires a positive step.
+  std::optional<Rational> grid = {};
+};
+
+/// Whether rounding changed the shape of a set or of a subdivision. A vertex that moves to a grid
+/// of the caller is not a change by itself.
+bool is_reshaped(const PlaneRoundingReport& report, const PlaneWriteOptions& options);
+
+/// Returns a sentence for people which says how rounding changed the shape, or an empty string if
+/// it did not.
+std::string rounding_sentence(const PlaneRoundingReport& report, const PlaneWriteOptions& options);
+
 /// The properties of a set that a written file does not represent.
 struct PlaneLosses {
   bool unbounded = false;  ///< Unbounded faces, rays or lines were left out.
@@ -141,13 +160,15 @@ struct PlaneLosses {
   /// The written closure has points inside that do not belong to the set (PlaneParts::filled). If
   /// this is true, `open` is true, too.
   bool filled = false;
-  /// Has a value only if the rounding of coordinates changed the counts of cells. The first entry
-  /// has the counts of the set before rounding. The second entry has the counts of the set that a
-  /// reader of the file will get.
-  std::optional<std::array<PlaneCounts, 2>> reshaped;
+  /// What rounding changes. For OutputRounding::Nearest, this is what a repair would change: if it is
+  /// not changed, the nearest doubles are valid.
+  PlaneRoundingReport rounding;
+  PlaneWriteOptions options;  ///< How coordinates are rounded.
 
+  /// Whether rounding changes the shape of the set.
+  bool is_reshaped() const { return plumb::is_reshaped(rounding, options); }
   /// Whether anything is lost.
-  bool any() const { return unbounded || open || reshaped.has_value(); }
+  bool any() const { return unbounded || open || is_reshaped(); }
   /// Returns a sentence for people which says that the closure was written, or an empty string if
   /// the set is closed. This sentence is not one of sentences(). A difference of sets is seldom
   /// closed, so the program prints this sentence only if the file must represent the set exactly.
@@ -160,12 +181,15 @@ struct PlaneLosses {
 /// is written. So the caller can look at the losses and decide not to write the file.
 class PlaneText {
  public:
-  /// Prepares `set` for writing. If a coordinate must be rounded, the constructor also builds the
-  /// set that a reader of the file will get. The constructor compares the counts of cells of that
-  /// set with the counts before rounding (PlaneLosses::reshaped). Throws Error{NumberOutOfRange} if
-  /// the format is not Nef2 and a coordinate lies beyond the largest double, and
-  /// Error{UnknownFormat} if the format is Wkb.
-  PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context());
+  /// Prepares `set` for writing. If a coordinate must be rounded, the constructor rounds the set
+  /// with round_to_doubles(). Throws Error{NumberOutOfRange} if the format is not Nef2 and a
+  /// coordinate lies beyond the largest double, and Error{UnknownFormat} if the format is Wkb.
+  PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context())
+      : PlaneText(set, format, {}, context) {}
+  /// Prepares `set` for writing with options. Throws as the constructor above does, and
+  /// Error{BadArgument} if the step of the grid is not positive.
+  PlaneText(const Nef2& set, PlaneFormat format, const PlaneWriteOptions& options,
+            Context& context = unlimited_context());
 
   /// Returns the properties of the set that the file will not represent.
   const PlaneLosses& losses() const { return losses_; }

@@ -488,10 +488,15 @@ PlaneParts Nef2::parts(Context& context) const {
   const Nef2 minimal = closure(context);
   PlaneParts parts = PartCollector(minimal.complex(), context).collect();
   parts.dropped_open = true;
-  PlaneComplex closed = complex();  // The cells of this set, so that marks can be compared.
-  closed.marks = closure_marks(complex());
-  parts.filled = gains_inside(complex(), closed);
+  parts.filled = closure_fills_inside(*this);
   return parts;
+}
+
+bool closure_fills_inside(const Nef2& set) {
+  if (set.is_closed()) return false;
+  PlaneComplex closed = set.complex();  // The cells of this set, so that marks can be compared.
+  closed.marks = closure_marks(set.complex());
+  return gains_inside(set.complex(), closed);
 }
 
 }  // namespace plumb

@@ -114,6 +114,12 @@ struct PlaneParts {
   bool filled = false;
 };
 
+class Nef2;
+
+/// Whether the closure of a set has additional points that are not on the border of the closure
+/// (PlaneParts::filled). O(n).
+[[nodiscard]] bool closure_fills_inside(const Nef2& set);
+
 /// The counts of the ordinary cells. Cells of the frame are not counted.
 struct PlaneCounts {
   std::size_t vertices = 0;      ///< Corners, ends and isolated vertices.
@@ -133,7 +139,6 @@ struct PlaneSelector {
 
 class [[gnu::visibility("hidden")]] PlaneLocator;
 class [[gnu::visibility("hidden")]] PlaneTrapezoids;
-class Nef2;
 
 /// Returns the set of the points p for which f(p in a, p in b) is true.
 [[nodiscard]] Nef2 boolean_op(const Nef2& a, const Nef2& b, MarkFunction f,

@@ -10,7 +10,7 @@
 // ends after a few rounds in practice. To end in any case, after kFineRounds rounds the damaged
 // solids are snapped to a grid, and the step of the grid is doubled in each further round. If the
 // step exceeds the size of the solids, all their vertices coincide, and nothing is left of them.
-// docs/design/rounding.md has the proofs.
+// docs/design/mesh-rounding.md has the proofs.
 //
 // Tested by tests/space/valid_mesh_test.cpp.
 #include "plumb/space/valid_mesh.h"
@@ -218,7 +218,7 @@ class MeshRepair {
   /// Returns the draft without damage. `damage` is that of the draft.
   Draft run(Draft draft, Damage damage) {
     std::uint64_t fewest = damage.faces;  // Damaged faces since the last round that made new ones.
-    while (damage.faces > 0 && flipped_rounds_ < kFlippedRounds) {
+    while (damage.faces > 0 && !(damage.has_only_flipped && flipped_rounds_ >= kFlippedRounds)) {
       context_.checkpoint("repair rounding", repair_.rounds, 0);
       ++repair_.rounds;
       repair_.damaged_faces += damage.faces;

@@ -13,7 +13,7 @@
 //                        consist of the points of positive winding number. Their exact meshes
 //                        replace the damaged ones, and the flow continues with step 2
 //
-// Properties of the result (proofs: docs/design/rounding.md):
+// Properties of the result (proofs: docs/design/mesh-rounding.md):
 // - Faces meet only in common vertices and common edges. No face is degenerate, no two faces
 //   coincide, and the mesh is closed and oriented.
 // - Each vertex lies within RoundingRepair::largest_move of the exact boundary.

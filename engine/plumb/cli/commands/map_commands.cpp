@@ -13,16 +13,19 @@
 #include <string>
 #include <utility>
 
+#include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/map_io.h"
 #include "plumb/io/map_report_io.h"
 #include "plumb/io/plane/map_overlay_writer.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/io/text/files.h"
 #include "plumb/picture/map_svg.h"
 #include "plumb/picture/overlay_svg.h"
 #include "plumb/plane/map_check.h"
+#include "plumb/plane/plane_rounding.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
@@ -210,21 +213,30 @@ class MapOverlayCommand : public CommandBody {
 
  private:
   void open_outputs(Session& session);
+  void round_cells(Session& session);
   MapReport read_valid(Session& session, const std::string& file) const;
 
   Overlaid overlaid() const;
 
   std::string first_file_, second_file_;
   bool infers_outer_ = false;
+  bool is_strict_ = false;
+  RoundingOptions rounding_;
+  std::string rounded_output_;  // The output with coordinates; empty if there is none.
   std::optional<MapReport> first_, second_;
   MapOverlay overlay_;
   OverlayAreas areas_;
+  std::optional<RoundedSubdivision> rounded_;
+  std::string loss_;  // What rounding changed.
 };
 
 void MapOverlayCommand::declare(CLI::App& app) {
   app.add_option("A", first_file_, "A map; - is standard input")->required()->type_name("");
   app.add_option("B", second_file_, "Another map")->required()->type_name("");
   app.add_flag("--infer-outer", infers_outer_, "Complete outer boundaries that are not listed");
+  app.add_flag("--strict", is_strict_,
+               "Exit 2 instead of writing GeoJSON whose cells are reshaped by rounding");
+  rounding_.declare(app, true);
 }
 
 ExitCode MapOverlayCommand::run(Session& session) {
@@ -237,8 +249,24 @@ ExitCode MapOverlayCommand::run(Session& session) {
   overlay_ = overlay_maps(*first_, *second_, session.context());
   areas_ = measure(overlay_, *first_, *second_, session.context());
   if (!areas_.add_up()) throw std::logic_error("the areas of the cells do not add up");
+  round_cells(session);
   session.deliver();
+  if (!loss_.empty()) session.note(rounded_output_ + ": warning: " + loss_);
   return ExitCode::Yes;
+}
+
+/// Rounds all cells together, if coordinates are written. Throws under --strict if that changes the
+/// shape of a cell.
+void MapOverlayCommand::round_cells(Session& session) {
+  if (rounded_output_.empty()) return;
+  const PlaneWriteOptions options = rounding_.read(session);
+  rounded_ = options.grid ? round_to_grid(overlay_.complex, *options.grid, session.context())
+                          : round_to_doubles(overlay_.complex, session.context());
+  loss_ = rounding_sentence(rounded_->report, options);
+  if (is_strict_ && !loss_.empty()) {
+    throw Error(ErrorCode::CannotWrite, "--strict: " + loss_, {rounded_output_});
+  }
+  if (!options.grid && options.rounding == OutputRounding::Nearest) rounded_.reset();
 }
 
 /// Reads a map. Throws unless it is a valid subdivision, because only these have regions.
@@ -265,13 +293,20 @@ void MapOverlayCommand::open_outputs(Session& session) {
   }
   add_outputs(session.options(), kOverlayFormats, true,
               [&](const std::string& path, const OverlayFormat& format) {
+                if (format.name == "geojson") rounded_output_ = path == "-" ? "stdout" : path;
                 session.outputs().add(
                     path, [this, &format](std::ostream& out) { format.write(out, overlaid()); });
               });
+  if (rounding_.is_given() && rounded_output_.empty()) {
+    throw Error(ErrorCode::Usage, "--raw and --grid are for GeoJSON");
+  }
+  rounding_.read(session);  // Tells a wrong step before the work.
 }
 
 Overlaid MapOverlayCommand::overlaid() const {
-  return {{*first_, *second_, overlay_, areas_}, short_name(first_file_), short_name(second_file_)};
+  return {{*first_, *second_, overlay_, areas_, rounded_ ? &*rounded_ : nullptr},
+          short_name(first_file_),
+          short_name(second_file_)};
 }
 
 }  // namespace

@@ -79,11 +79,20 @@ std::string name_of_file(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
+/// Throws if coordinates are to be rounded in a format that has no doubles.
+void require_no_rounding(const SetOutput& output) {
+  const PlaneWriteOptions& options = output.rounding();
+  if (options.grid || options.rounding == OutputRounding::Nearest) {
+    throw Error(ErrorCode::Usage, "--raw and --grid are for WKT and GeoJSON");
+  }
+}
+
 /// Returns the set as a file. Without a name for the format it is WKT if the set is bounded, else
 /// .nef2.
 ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context) {
   const auto index = output.format();
   if (index && !kFormats[static_cast<std::size_t>(*index)].text) {
+    require_no_rounding(output);
     return {[set, title = output.title()](std::ostream& out) {
               write_nef2_svg(out, set, {.title = title});
             },
@@ -92,7 +101,8 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
   }
   const PlaneFormat by_itself = set.is_bounded() ? PlaneFormat::Wkt : PlaneFormat::Nef2;
   const PlaneFormat format = index ? *kFormats[static_cast<std::size_t>(*index)].text : by_itself;
-  const PlaneText text(set, format, context);
+  if (format == PlaneFormat::Nef2) require_no_rounding(output);
+  const PlaneText text(set, format, output.rounding(), context);
   std::vector<std::string> changes;
   if (const std::string closing = text.losses().closing(); !closing.empty()) {
     changes.push_back(closing);
@@ -115,6 +125,7 @@ struct Plane {
   static constexpr const char* kHelp =
       "A set: .wkt, .geojson, .json, .wkb, .nef2; - is standard input";
   static constexpr std::array<const char*, 2> kAxes{"X", "Y"};
+  static constexpr bool kHasGrid = true;
 
   static ProgressStage reading() { return reading_plane(); }
   static ProgressStage combining() { return combining_plane(); }
@@ -128,8 +139,7 @@ struct Plane {
     return *format == PlaneFormat::Nef2 ? writing_nef2() : writing_plane_text();
   }
   static const auto& formats() { return kFormats; }
-  static ReadyFile ready(const Nef2& set, const SetOutput& output, OutputRounding /*rounding*/,
-                         Context& context) {
+  static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
     return ready_file(set, output, context);
   }
   static PlaneFacts facts(const Nef2& set, Context& context) { return {set, context}; }

@@ -16,7 +16,6 @@
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/text/files.h"
-#include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
@@ -34,11 +33,12 @@ concept SetInput = std::default_initializable<Input> &&
 
 /// A kind of sets: Nef2 or Nef3, and what the commands need to know of it. A kind whose files show
 /// how a set was made has, besides, `canonical(set, context)`: the same set in a form that does not
-/// (--canonical).
+/// (--canonical). A kind whose files may hold shapes of doubles has, besides, `kHasGrid`
+/// (--raw, --grid).
 template <class Kind>
 concept SetKind = SetInput<typename Kind::Input> &&
-    requires(const typename Kind::Set& set, const SetOutput& output, OutputRounding rounding,
-             Context& context, const std::array<Rational, Kind::kAxes.size()>& point) {
+    requires(const typename Kind::Set& set, const SetOutput& output, Context& context,
+             const std::array<Rational, Kind::kAxes.size()>& point) {
   // The first operand in the help, and the names of the coordinates.
   { Kind::kHelp } -> std::convertible_to<const char*>;
   { Kind::kAxes[0] } -> std::convertible_to<const char*>;
@@ -52,7 +52,7 @@ concept SetKind = SetInput<typename Kind::Input> &&
   { Kind::locating() } -> std::same_as<ProgressStage>;
   { Kind::writing(output) } -> std::same_as<ProgressStages>;
   // The set as a file of the output's format.
-  { Kind::ready(set, output, rounding, context) } -> std::same_as<ReadyFile>;
+  { Kind::ready(set, output, context) } -> std::same_as<ReadyFile>;
   // What is known of the set.
   Kind::facts(set, context).json();
   // What the point lies on, and whether it belongs to the set.
@@ -113,8 +113,7 @@ class SetOperation : public CommandBody {
     app.add_flag("--strict", strict_,
                  "Exit 2 instead of writing a file that leaves something out or is reshaped by "
                  "rounding");
-    app.add_flag("--raw", raw_,
-                 "Write the nearest numbers as they are, even if faces or edges then cross");
+    rounding_.declare(app, kHasGrid);
     if constexpr (kHasCanonical) {
       app.add_flag("--canonical", canonical_, "Number by the set alone: equal sets, equal .nef");
     }
@@ -122,6 +121,7 @@ class SetOperation : public CommandBody {
 
   ExitCode run(Session& session) override {
     output_.open(Kind::formats(), session);
+    output_.set_rounding(rounding_.read(session));
     session.expect(all_stages(session.options()));
     const Set result = numbered(compute(session), session);
     const auto facts = [&] {
@@ -130,8 +130,7 @@ class SetOperation : public CommandBody {
     };
     const auto file = [&] {
       session.begin("result");
-      const OutputRounding rounding = raw_ ? OutputRounding::Nearest : OutputRounding::Valid;
-      return Kind::ready(result, output_, rounding, session.context());
+      return Kind::ready(result, output_, session.context());
     };
     output_.prepare(facts, file, strict_, session);
     output_.deliver(session);
@@ -156,6 +155,8 @@ class SetOperation : public CommandBody {
     Kind::canonical(set, context);
   };
 
+  static constexpr bool kHasGrid = requires { Kind::kHasGrid; };
+
   ProgressStages all_stages(const CommonOptions& common) const {
     ProgressStages all = stages();
     if constexpr (kHasCanonical) {
@@ -175,8 +176,8 @@ class SetOperation : public CommandBody {
   }
 
   typename Kind::Input input_;
+  RoundingOptions rounding_;
   bool strict_ = false;
-  bool raw_ = false;
   bool canonical_ = false;
   SetOutput output_;
 };

@@ -113,9 +113,9 @@ struct Solid {
     return output.format() ? formats()[static_cast<std::size_t>(*output.format())]
                            : format_named(formats(), "nef");
   }
-  static ReadyFile ready(const Nef3& set, const SetOutput& output, OutputRounding rounding,
-                         Context& context) {
-    const auto text = std::make_shared<SolidText>(set, format_of(output), rounding, context);
+  static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
+    const auto text =
+        std::make_shared<SolidText>(set, format_of(output), output.rounding().rounding, context);
     return {[text, &context](std::ostream& out) { text->write(out, context); }, text->losses(),
             text->changes()};
   }

@@ -109,7 +109,10 @@ FileKind kind_of_file(const std::string& path, std::string_view bytes) {
 
 namespace plumb::cli {
 
-Rational read_number_argument(const std::string& text, const std::string& name, Session& session) {
+namespace {
+
+Rational read_argument(const std::string& text, const std::string& name, bool exact_decimals,
+                       Session& session) {
   const RoundToNearest rounding;
   ReadNumber number;
   try {
@@ -119,12 +122,39 @@ Rational read_number_argument(const std::string& text, const std::string& name, 
     if (token.size() != text.size()) {
       throw Error(ErrorCode::Usage, "expected a number, found " + plumb::quoted(text));
     }
-    NumberReader numbers(session.context().limits(), session.options().exact_decimals, text.size());
+    NumberReader numbers(session.context().limits(), exact_decimals, text.size());
     numbers.read(cursor, token, number);
   } catch (const Error& error) {
     throw Error(ErrorCode::Usage, name + ": " + error.message());
   }
   return number.exact();
+}
+
+}  // namespace
+
+Rational read_number_argument(const std::string& text, const std::string& name, Session& session) {
+  return read_argument(text, name, session.options().exact_decimals, session);
+}
+
+void RoundingOptions::declare(CLI::App& app, bool has_grid) {
+  app.add_flag("--raw", is_raw_,
+               "Write the nearest numbers without repair: edges or faces may cross");
+  if (!has_grid) return;
+  app.add_option("--grid", grid_, "Round to multiples of STEP, such as 0.001 or 1/8")
+      ->type_name("STEP");
+}
+
+/// A decimal step is exact: 0.1 is a tenth, because the multiples of a tenth are what is asked for.
+PlaneWriteOptions RoundingOptions::read(Session& session) const {
+  PlaneWriteOptions options;
+  if (is_raw_) options.rounding = OutputRounding::Nearest;
+  if (grid_.empty()) return options;
+  if (is_raw_) throw Error(ErrorCode::Usage, "--raw and --grid exclude each other");
+  options.grid = read_argument(grid_, "--grid", true, session);
+  if (options.grid->sign() <= 0) {
+    throw Error(ErrorCode::Usage, "--grid: the step must be positive, found " + grid_);
+  }
+  return options;
 }
 
 std::string readable(const Rational& value) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plumb/cli/session/session.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/predicates/rational.h"
@@ -38,6 +39,22 @@ namespace plumb::cli {
 /// Returns a number given as an argument, by the rules for numbers in files. `name` appears in
 /// Error{Usage}.
 Rational read_number_argument(const std::string& text, const std::string& name, Session& session);
+
+/// The options --raw and --grid of commands that write shapes of doubles.
+class RoundingOptions {
+ public:
+  /// Declares --raw and, if the command has it, --grid.
+  void declare(CLI::App& app, bool has_grid);
+  /// Returns the options as a writer takes them. Throws Error{Usage} if the step of the grid is not
+  /// a positive number, or if both options are given.
+  PlaneWriteOptions read(Session& session) const;
+  /// Whether an option is given.
+  bool is_given() const { return is_raw_ || !grid_.empty(); }
+
+ private:
+  bool is_raw_ = false;
+  std::string grid_;
+};
 
 /// Returns the exact number, unless that is longer than a person reads (areas of doubles can have
 /// thousands of digits): then the nearest double, and how many digits the exact number has.

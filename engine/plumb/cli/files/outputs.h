@@ -13,10 +13,12 @@
 #include <ostream>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/cli/session/session.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/picture/surface_scene.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/nef2.h"
@@ -120,6 +122,9 @@ class SetOutput {
     open_streams(session);
   }
 
+  /// Sets how coordinates become doubles in shapes.
+  void set_rounding(PlaneWriteOptions rounding) { rounding_ = std::move(rounding); }
+  const PlaneWriteOptions& rounding() const { return rounding_; }
   /// Returns which of the formats was asked for, if any.
   std::optional<std::ptrdiff_t> format() const { return format_; }
   /// Returns the name of the file without folders; empty for standard output.
@@ -139,6 +144,7 @@ class SetOutput {
 
   std::string path_;  // Empty if the set is not written.
   std::optional<std::ptrdiff_t> format_;
+  PlaneWriteOptions rounding_;
   ReadyFile file_;
   nlohmann::ordered_json json_;
 };

@@ -134,7 +134,7 @@ ProgressStage locating_plane() { return {"locate", {{"", 13}}}; }
 ProgressStage auditing_plane() { return {"audit", {{"read", 1}, {"sweep", 4.5}, {"audit", 10}}}; }
 ProgressStage drawing_plane() { return {"draw", {{"", 130}}}; }
 ProgressStages writing_plane_text() {
-  return {{"result", {{"", 4}, {"parts", 10}, {"shapes", 13}, {"round", 7}, {"sweep", 8}}},
+  return {{"result", {{"", 4}, {"round", 7}, {"sweep", 8}, {"parts", 10}, {"shapes", 13}}},
           {"write", {{"", 2}}}};
 }
 ProgressStages writing_nef2() { return {{"write", {{"", 12}}}}; }

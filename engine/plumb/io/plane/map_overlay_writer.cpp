@@ -63,27 +63,65 @@ void write_id(TextOutput& out, const MapReport& report, std::uint32_t region) {
   }
 }
 
-/// Writes a ring, with the first position again at the end, as the format requires.
-void write_ring(TextOutput& out, const PlaneComplex& complex, const std::vector<VertexId>& ring) {
-  out << '[';
-  for (std::size_t i = 0; i <= ring.size(); ++i) {
-    const VertexId v = ring[i < ring.size() ? i : 0];
-    const Point2 p = approx(complex.points, complex.vertex_point[v]);
-    out << (i == 0 ? "[" : ",[") << p.x << ',' << p.y << ']';
+/// The subdivision whose coordinates are written, and its faces for each face of the overlay.
+class WrittenCells {
+ public:
+  explicit WrittenCells(const OverlayReport& report)
+      : complex_(report.rounded == nullptr ? report.overlay.complex : report.rounded->complex),
+        faces_(report.overlay.complex.face_count()) {
+    for (std::size_t f = 0; f < complex_.face_count(); ++f) {
+      const FaceId face(f);
+      const FaceId exact = report.rounded == nullptr ? face : report.rounded->exact_face[face];
+      faces_[exact].push_back(face);
+    }
   }
-  out << ']';
-}
 
-void write_feature(TextOutput& out, const OverlayReport& report, FaceId f) {
-  const MapOverlay::Origin& origin = report.overlay.origin[f.value()];
-  out << R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[)";
-  bool is_first = true;
-  for (const auto& ring : face_rings(report.overlay.complex, f)) {
-    if (!is_first) out << ',';
-    is_first = false;
-    write_ring(out, report.overlay.complex, ring);
+  const std::vector<FaceId>& of(FaceId exact) const { return faces_[exact]; }
+
+  /// Writes the rings of a face as the coordinates of a polygon.
+  void write_polygon(TextOutput& out, FaceId face) const {
+    out << '[';
+    bool is_first = true;
+    for (const auto& ring : face_rings(complex_, face)) {
+      if (!is_first) out << ',';
+      is_first = false;
+      write_ring(out, ring);
+    }
+    out << ']';
   }
-  out << R"(]},"properties":{"a":)";
+
+ private:
+  /// Writes a ring, with the first position again at the end, as the format requires.
+  void write_ring(TextOutput& out, const std::vector<VertexId>& ring) const {
+    out << '[';
+    for (std::size_t i = 0; i <= ring.size(); ++i) {
+      const Point2 p = nearest_doubles(ring[i < ring.size() ? i : 0]);
+      out << (i == 0 ? "[" : ",[") << p.x << ',' << p.y << ']';
+    }
+    out << ']';
+  }
+  Point2 nearest_doubles(VertexId v) const {
+    const std::uint32_t p = complex_.vertex_point[v];
+    if (p < complex_.points.inputs.size()) return complex_.points.inputs.approx(p);
+    const RationalPoint2 at = exact(complex_.points, p);
+    return {nearest_double(at.x), nearest_double(at.y)};
+  }
+
+  const PlaneComplex& complex_;
+  IdVector<FaceId, std::vector<FaceId>> faces_;
+};
+
+void write_feature(TextOutput& out, const OverlayReport& report, const WrittenCells& cells,
+                   FaceId f) {
+  const MapOverlay::Origin& origin = report.overlay.origin[f.value()];
+  const bool is_one = cells.of(f).size() == 1;
+  out << R"({"type":"Feature","geometry":{"type":")" << (is_one ? "Polygon" : "MultiPolygon")
+      << R"(","coordinates":)" << (is_one ? "" : "[");
+  for (std::size_t i = 0; i < cells.of(f).size(); ++i) {
+    if (i > 0) out << ',';
+    cells.write_polygon(out, cells.of(f)[i]);
+  }
+  out << (is_one ? "" : "]") << R"(},"properties":{"a":)";
   write_id(out, report.first, origin.first);
   out << ",\"b\":";
   write_id(out, report.second, origin.second);
@@ -94,10 +132,14 @@ void write_feature(TextOutput& out, const OverlayReport& report, FaceId f) {
 
 void write_overlay_geojson(std::ostream& stream, const OverlayReport& report) {
   TextOutput out(stream);
+  const WrittenCells cells(report);
   out << R"({"type":"FeatureCollection","features":[)";
+  bool is_first = true;
   for (std::size_t f = 1; f < report.overlay.complex.face_count(); ++f) {
-    if (f > 1) out << ",\n";
-    write_feature(out, report, FaceId(f));
+    if (cells.of(FaceId(f)).empty()) continue;
+    if (!is_first) out << ",\n";
+    is_first = false;
+    write_feature(out, report, cells, FaceId(f));
   }
   out << "]}\n";
   out.flush();

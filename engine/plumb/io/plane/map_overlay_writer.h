@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "plumb/plane/map_overlay.h"
+#include "plumb/plane/plane_rounding.h"
 
 namespace plumb {
 
@@ -13,13 +14,17 @@ struct OverlayReport {
   const MapReport& second;
   const MapOverlay& overlay;
   const OverlayAreas& areas;
+  /// The overlay rounded to doubles. If this is null, GeoJSON has the nearest doubles of the
+  /// vertices, and cells may be invalid.
+  const RoundedSubdivision* rounded = nullptr;
 };
 
-/// Writes one feature for every bounded face, in the order of the complex: a Polygon of nearest
-/// doubles in the coordinates of the maps, with the properties
+/// Writes one feature for every bounded face that rounding leaves something of, in the order of the
+/// complex: a Polygon of doubles in the coordinates of the maps, or a MultiPolygon if rounding has
+/// pinched the face off. Neighbours share their borders. The properties are
 ///   "a", "b"   the region of each map that it is part of: the listed cycle around it (1-based, as
 ///              `map check` numbers faces), null outside of all of them
-///   "area"     {"exact": "p/q", "double": x}
+///   "area"     {"exact": "p/q", "double": x}, the area of the exact face
 void write_overlay_geojson(std::ostream& out, const OverlayReport& report);
 
 /// Writes one JSON object: counts of vertices, edges and faces; cells by where they lie; the exact

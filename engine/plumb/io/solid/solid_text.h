@@ -12,7 +12,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/io/mesh_io.h"
-#include "plumb/io/text/text_output.h"
+#include "plumb/io/read_options.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_complex.h"
 

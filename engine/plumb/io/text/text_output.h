@@ -19,12 +19,6 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// How a writer rounds coordinates that its format cannot hold.
-enum class OutputRounding : std::uint8_t {
-  Valid,    ///< To numbers with which the written mesh or polygons are valid.
-  Nearest,  ///< To the nearest numbers, even if faces or edges then cross.
-};
-
 /// Returns a text for `value`. A reader that follows the rules of record_reader.h reads exactly
 /// `value` from this text. An integer with an absolute value less than 2^63 is written as an
 /// integer. Any other value is written as the shortest decimal that is read as `value`. Requires

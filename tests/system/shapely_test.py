@@ -1,0 +1,108 @@
+"""What `plumb plane` and `plumb map overlay` write is valid for another library: shapely (GEOS) reads it and finds nothing
+wrong. Exits with 77, which ctest counts as skipped, where shapely is not installed.
+
+    shapely_test.py PROGRAM [PAIRS]
+"""
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+
+try:
+    import shapely
+    from shapely.geometry import shape
+    from shapely.validation import explain_validity
+except ImportError:
+    print("no shapely here")
+    sys.exit(77)
+
+ULP = 2.0**-52
+OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
+COMMANDS = {"symmetric_difference": "symmetric-difference"}
+
+
+def coordinate(dice, kind):
+    if kind == 0:
+        return dice.randint(0, 40) * 0.1
+    if kind == 1:
+        return 1 + dice.randint(0, 12) * ULP + dice.choice((0, 0, 3, 7))
+    if kind == 2:
+        return dice.randint(0, 9) + dice.randint(-8, 8) * ULP
+    return dice.choice((dice.random(), dice.random() * 1e6, dice.randint(0, 5)))
+
+
+def polygon(dice, kind):
+    points = [(coordinate(dice, kind), coordinate(dice, kind)) for _ in range(dice.randint(3, 7))]
+    return "POLYGON ((%s))\n" % ", ".join("%r %r" % p for p in points + points[:1])
+
+
+def run(program, *arguments):
+    result = subprocess.run([program, *arguments, "--quiet"], capture_output=True, text=True)
+    if result.returncode != 0:
+        sys.exit("%s: exit %d\n%s" % (" ".join(arguments), result.returncode, result.stderr))
+    return result.stdout
+
+
+def require_valid(geometry, what):
+    if not geometry.is_valid:
+        sys.exit("%s: %s\n%s" % (what, explain_validity(geometry), geometry.wkt))
+
+
+def check_pair(program, folder, dice):
+    kind = dice.randint(0, 3)
+    paths = [os.path.join(folder, name) for name in ("a.wkt", "b.wkt")]
+    texts = [polygon(dice, kind) for _ in paths]
+    for path, text in zip(paths, texts):
+        with open(path, "w") as out:
+            out.write(text)
+    operation = dice.choice(OPERATIONS)
+    command = ("plane", COMMANDS.get(operation, operation), *paths)
+    what = operation + " of\n" + "".join(texts)
+    require_valid(shapely.from_wkt(run(program, *command, "--format", "wkt")), what)
+    require_valid(shape(json.loads(run(program, *command, "--format", "geojson"))), what)
+    require_valid(shapely.from_wkt(run(program, *command, "--format", "wkt", "--grid", "0.01")), "grid, " + what)
+
+
+def check_overlay(program, dice, folder):
+    """Two maps of strips that are turned against each other: the cells are a coverage."""
+    paths = []
+    for name in ("a.map", "b.map"):
+        count = dice.randint(2, 6)
+        low = sorted(dice.random() for _ in range(count - 1))
+        high = sorted(dice.random() for _ in range(count - 1))
+        points = [(0.0, 0.0)] + [(x, 0.0) for x in low] + [(1.0, 0.0)]
+        points += [(0.0, 1.0)] + [(x, 1.0) for x in high] + [(1.0, 1.0)]
+        if name == "b.map":
+            points = [(y, x) for x, y in points]
+        top = count + 1
+        cycles = [[i, i + 1, top + i + 1, top + i] for i in range(count)]
+        if name == "b.map":
+            cycles = [cycle[::-1] for cycle in cycles]
+        lines = ["%d %d" % (len(points), len(cycles))] + ["%r %r" % p for p in points]
+        lines += [" ".join(str(i + 1) for i in c) for c in cycles]
+        paths.append(os.path.join(folder, name))
+        with open(paths[-1], "w") as out:
+            out.write("\n".join(lines) + "\n")
+    text = run(program, "map", "overlay", *paths, "--infer-outer", "--format", "geojson")
+    cells = [shape(feature["geometry"]) for feature in json.loads(text)["features"]]
+    for cell in cells:
+        require_valid(cell, "a cell of an overlay")
+    if hasattr(shapely, "coverage_is_valid") and not shapely.coverage_is_valid(cells):
+        sys.exit("the cells of an overlay are no coverage:\n" + text)
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    pairs = int(sys.argv[2]) if len(sys.argv) > 2 else 120
+    dice = random.Random(7)
+    with tempfile.TemporaryDirectory() as folder:
+        for _ in range(pairs):
+            check_pair(program, folder, dice)
+        for _ in range(pairs // 6):
+            check_overlay(program, dice, folder)
+    print("%d pairs and %d overlays are valid" % (pairs, pairs // 6))
+
+
+main()
