@@ -155,7 +155,7 @@ TEST(ValidMesh, WhatCollapsesIsTold) {
 }
 
 /// A set of random boxes and tetrahedra that are nearly in the same places.
-Nef3 random_scene(Dice& dice) {
+Nef3 near_degenerate_set(Dice& dice) {
   const auto corner = [&] {
     const auto coordinate = [&] {
       const double about = static_cast<double>(dice.between(0, 3));
@@ -190,7 +190,7 @@ TEST(ValidMesh, RandomSetsAreValidNearAndStill) {
   for (int i = 0; i < cases && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
     Dice dice(static_cast<std::uint64_t>(i));
-    const Nef3 set = random_scene(dice);
+    const Nef3 set = near_degenerate_set(dice);
     const auto type = i % 2 == 0 ? CoordinateType::Double : CoordinateType::Float;
     const auto faces = i % 3 == 0 ? MeshFaces::PlanarPolygons : MeshFaces::Triangles;
     repaired += checked(set, type, faces).repair.rounds > 0 ? 1 : 0;

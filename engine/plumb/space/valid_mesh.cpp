@@ -1,15 +1,16 @@
-// Rounds a mesh and repairs what rounding has damaged.
+// Rounds a mesh and repairs what rounding has damaged, round by round.
 //
-// The unit of a repair is a solid, that is, one marked volume with its whole boundary. The winding
-// number of the boundary of a solid is 1 inside and 0 outside. After rounding, the sum of the
-// winding numbers of all damaged solids is still an integer at every point off their faces, and
-// the points where it is positive form the new solid. Solids that are not damaged cross no other
-// face, so they need not take part.
+// Most damage is local: where vertices are nearly on a line or nearly in a plane, rounding folds
+// thin triangles over their neighbours. snap_damaged() makes the parts that nearly touch meet in
+// common vertices, at first those within one unit of the last digit. If the damage does not shrink,
+// the distance doubles. Where nothing is near, mended() takes out each solid (marked volume) with a
+// damaged face: the sum of the winding numbers of these solids is an integer at every point off
+// their faces, and the points where it is positive form the new solids. Solids without damaged
+// faces cross no other face, so they need not take part.
 //
-// A repair makes new vertices where faces crossed. Rounding these can damage the mesh again. This
-// ends after a few rounds in practice. To end in any case, after kFineRounds rounds the damaged
-// solids are snapped to a grid, and the step of the grid is doubled in each further round. If the
-// step exceeds the size of the solids, all their vertices coincide, and nothing is left of them.
+// Both steps can cause new damage. They end after a few rounds in practice. To end in any case, the
+// damaged solids are snapped to a coarser grid after each kRoundsOfAGrid rounds. If the step of the
+// grid exceeds the size of the solids, all their vertices coincide, and nothing is left of them.
 // docs/design/mesh-rounding.md has the proofs.
 //
 // Tested by tests/space/valid_mesh_test.cpp.

@@ -9,20 +9,22 @@
 //  2. round_points()     rounds each vertex to the nearest numbers of the output
 //  3. check_rounding()   finds the faces that rounding has damaged. If there are none, the mesh is
 //                        finished
-//  4. mended             reads the boundaries of all damaged solids as a mesh: the new solids
-//                        consist of the points of positive winding number. Their exact meshes
-//                        replace the damaged ones, and the flow continues with step 2
+//  4. MeshRepair         makes damaged parts that nearly touch meet in common vertices
+//                        (mesh/snap_near.h). Where this does not help, it reads the boundaries of
+//                        the damaged solids as one mesh; the points of positive winding number form
+//                        the new solids. The flow continues with step 3
 //
 // Properties of the result (proofs: docs/design/mesh-rounding.md):
 // - Faces meet only in common vertices and common edges. No face is degenerate, no two faces
 //   coincide, and the mesh is closed and oriented.
-// - Each vertex lies within RoundingRepair::largest_move of the exact boundary.
-// - A vertex moves only if its coordinates are not numbers of the output, or if it belongs to a
-//   damaged solid that had to be rounded more coarsely (RoundingRepair::coarse_rounds).
-// - A mesh of a set whose mesh is valid after rounding consists of the nearest numbers.
+// - Each point of the mesh lies within RoundingRepair::largest_move of the exact boundary.
+// - If rounding to the nearest numbers causes no damage, the mesh consists of the nearest numbers.
+//   Otherwise, a vertex whose coordinates are numbers of the output moves only if it is near a
+//   damaged face, or if its solid had to be rounded more coarsely (RoundingRepair::coarse_rounds).
 //
-// Cost: the cost of mesh_of_complex() and of check_rounding(). If there is damage, each round adds
-// the cost of reading the boundaries of the damaged solids.
+// Cost: the cost of mesh_of_complex() and of check_rounding(). Each round of a repair adds the cost
+// of checking the faces near the damage, and O(n) for a mesh of n corners. A round that reads the
+// damaged solids adds the cost of reading them.
 #pragma once
 
 #include <cstdint>
@@ -38,8 +40,8 @@ namespace plumb {
 /// What valid_mesh() has changed in a mesh of nearest numbers.
 struct RoundingRepair {
   std::uint64_t rounded_vertices = 0;  ///< Vertices of the set whose coordinates were rounded.
-  std::uint32_t rounds = 0;            ///< Number of repairs. 0: the nearest numbers are valid.
-  /// Number of repairs that rounded to a grid that is coarser than the numbers of the output.
+  std::uint32_t rounds = 0;  ///< Number of rounds of repair. 0: the nearest numbers are valid.
+  /// Number of rounds that snapped solids to a grid that is coarser than the numbers of the output.
   std::uint32_t coarse_rounds = 0;
   /// Faces of the nearest numbers that crossed, coincided, flipped or lost their area. A face may
   /// be counted in several rounds.

@@ -73,14 +73,16 @@ void describe(const RoundingReport& rounding, std::vector<std::string>& losses) 
 void describe(const RoundingRepair& repair, std::vector<std::string>& losses,
               std::vector<std::string>& changes) {
   if (repair.rounds == 0) return;
-  const std::string distance =
-      decimal_text(exact_rational(repair.largest_move), 2) + "; .nef keeps the exact set";
+  const auto with_distance = [](double distance) {
+    return decimal_text(exact_rational(distance), 2) + "; .nef keeps the exact set";
+  };
   if (repair.changes_topology) {
     losses.push_back("rounding closed gaps or holes, or removed parts, that are narrower than " +
-                     distance);
+                     with_distance(2 * repair.largest_move));
   } else {
     changes.push_back("rounding damaged " + counted(repair.damaged_faces, "face") +
-                      ", and the repair moved the boundary by up to " + distance);
+                      ", and the repair moved the boundary by up to " +
+                      with_distance(repair.largest_move));
   }
 }
 
