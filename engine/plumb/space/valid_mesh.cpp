@@ -210,10 +210,10 @@ Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Co
 // ---------------------------------------------------------------- rounds
 
 /// Repairs a draft, round by round. It is a class for what a round has to know of earlier ones.
-class MeshRepair {
+class RoundingRepairer {
  public:
-  MeshRepair(const ToMeshOptions& options, CoordinateType type, RoundingRepair& repair,
-             Context& context)
+  RoundingRepairer(const ToMeshOptions& options, CoordinateType type, RoundingRepair& repair,
+                   Context& context)
       : options_(options), type_(type), repair_(repair), context_(context) {}
 
   /// Returns the draft without damage. `damage` is that of the draft.
@@ -355,7 +355,8 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   Topology before;
   if (damage.faces > 0) before = topology_of(draft);
   if (damage.faces > 0) {
-    draft = MeshRepair(exactly, type, repair, context).run(std::move(draft), std::move(damage));
+    draft =
+        RoundingRepairer(exactly, type, repair, context).run(std::move(draft), std::move(damage));
   }
   draft.mesh.exact.clear();
   if (repair.rounds > 0 || has_equal_vertices) {

@@ -9,7 +9,7 @@
 //  2. round_points()     rounds each vertex to the nearest numbers of the output
 //  3. check_rounding()   finds the faces that rounding has damaged. If there are none, the mesh is
 //                        finished
-//  4. MeshRepair         makes damaged parts that nearly touch meet in common vertices
+//  4. RoundingRepairer   makes damaged parts that nearly touch meet in common vertices
 //                        (mesh/snap_near.h). Where this does not help, it reads the boundaries of
 //                        the damaged solids as one mesh; the points of positive winding number form
 //                        the new solids. The flow continues with step 3
