@@ -13,11 +13,11 @@
 #include "plumb/io/map_io.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <ostream>
 
 #include "plumb/io/plane/geojson.h"
+#include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/record_reader.h"
@@ -250,23 +250,21 @@ bool CoverageBuilder::add_ring(std::uint32_t ring, Sign orientation) {
   return true;
 }
 
-bool begins_with_word(std::string_view text, std::string_view word) {
-  return text.size() >= word.size() &&
-         std::equal(word.begin(), word.end(), text.begin(), [](char w, char c) {
-           return w == std::toupper(static_cast<unsigned char>(c));
-         });
-}
-
 /// The format of a file of polygons; nothing for a map.
 std::optional<PlaneFormat> polygon_format(const std::string& path, std::string_view text) {
   const std::optional<PlaneFormat> named = plane_format_of(path);
   if (named) return *named == PlaneFormat::Nef2 ? std::nullopt : named;
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  if (text.starts_with('{') || text.starts_with('[')) return PlaneFormat::GeoJson;
-  for (const std::string_view word : {"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"}) {
-    if (begins_with_word(text, word)) return PlaneFormat::Wkt;
-  }
-  return std::nullopt;
+  const PlaneFormat guessed = guess_plane_format(text);
+  if (guessed == PlaneFormat::Nef2) return std::nullopt;
+  return guessed == PlaneFormat::Wkt && !begins_like_wkt(text) ? std::nullopt
+                                                               : std::optional(guessed);
+}
+
+PlaneFile read_polygons(const std::string& text, PlaneFormat format, const ReadOptions& options,
+                        Context& context) {
+  if (format == PlaneFormat::GeoJson) return read_geojson(text, options, context);
+  if (format == PlaneFormat::Wkb) return read_wkb(text, options, context);
+  return read_wkt(text, options, context);
 }
 
 }  // namespace
@@ -280,9 +278,9 @@ MapFile read_map_or_polygons(const std::string& path, ReadOptions options, Conte
   const std::string text = read_input(path, context);
   MapFile file;
   if (const auto format = polygon_format(path, text)) {
-    const PlaneShapes shapes = *format == PlaneFormat::GeoJson
-                                   ? read_geojson(text, options, context)
-                                   : read_wkt(text, options, context);
+    PlaneFile read = read_polygons(text, *format, options, context);
+    const PlaneShapes& shapes = read.shapes;
+    file.notes = std::move(read.notes);
     file.is_polygons = true;
     file.dropped = shapes.line_count() + shapes.single_points.size();
     file.map = map_of_polygons(shapes, context);

@@ -22,6 +22,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/io/plane_io.h"
@@ -51,13 +52,14 @@ Map map_of_polygons(const PlaneShapes& shapes, Context& context = unlimited_cont
 
 /// What read_map_or_polygons() found.
 struct MapFile {
-  Map map;                   ///< The map.
-  bool is_polygons = false;  ///< Whether the file is WKT or GeoJSON (map_of_polygons()).
-  std::size_t dropped = 0;   ///< Number of lines and single points that were left out.
+  Map map;                         ///< The map.
+  bool is_polygons = false;        ///< Whether the file lists polygons (map_of_polygons()).
+  std::vector<std::string> notes;  ///< Contents of a file of polygons that were passed over.
+  std::size_t dropped = 0;         ///< Number of lines and single points that were left out.
 };
 
-/// Reads the file `path`, or standard input if `path` is "-". A file in WKT or GeoJSON, by its
-/// extension or, if that is unknown, by its first character, is read as a coverage of polygons; any
+/// Reads the file `path`, or standard input if `path` is "-". A file in WKT, GeoJSON or WKB,
+/// by its extension or, if that is unknown, by how it begins, is read as a coverage of polygons; any
 /// other file is read by read_map(). `options.name` is ignored. Throws the errors of these readers.
 MapFile read_map_or_polygons(const std::string& path, ReadOptions options = {},
                              Context& context = unlimited_context());

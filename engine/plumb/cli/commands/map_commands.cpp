@@ -110,6 +110,7 @@ ExitCode MapCheck::run(Session& session) {
   if (outer_.empty() && file.is_polygons) outer_ = "infer";
   options_.name_places = file.is_polygons;
   options_.outer = outer_rule(outer_);
+  for (const std::string& note : file.notes) session.note(input_name(file_) + ": " + note);
   if (file.dropped > 0) {
     session.note(input_name(file_) + ": passed over: " + std::to_string(file.dropped) +
                  (file.dropped == 1 ? " line or point" : " lines and points"));

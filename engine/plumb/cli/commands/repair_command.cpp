@@ -113,7 +113,8 @@ class SolidRepair : public CommandBody {
   void prepare(Session& session) {
     if (format_ == nullptr) return;
     if (!format_->mesh) {
-      set_.emplace(Nef3::from_mesh(mesh_, {}, session.context()), *format_, session.context());
+      set_.emplace(Nef3::from_mesh(mesh_, {}, session.context()), *format_, OutputRounding::Valid,
+                   session.context());
     } else if (*format_->mesh == MeshFormat::Stl || *format_->mesh == MeshFormat::StlBinary) {
       mesh_ = triangulated(mesh_, session.context());
     }
