@@ -284,7 +284,7 @@ const std::string kPolygons =
 
 TEST(MapOfPolygons, shares_positions_and_turns_rings) {
   Context context;
-  const Map map = map_of_polygons(read_wkt(kPolygons, {"some.file"}, context), context);
+  const Map map = map_of_polygons(read_wkt(kPolygons, {"some.file"}, context).shapes, context);
   EXPECT_EQ(map.vertex_count(), 9U);
   ASSERT_EQ(map.cycle_count(), 3U);
   EXPECT_EQ(map.cycle(0).size(), 5U);
@@ -300,7 +300,8 @@ TEST(MapOfPolygons, shares_positions_and_turns_rings) {
 
 TEST(MapOfPolygons, refuses_an_outer_ring_without_three_corners) {
   Context context;
-  const PlaneShapes shapes = read_wkt("POLYGON ((0 0, 1 0, 1 0, 0 0))", {"some.file"}, context);
+  const PlaneShapes shapes =
+      read_wkt("POLYGON ((0 0, 1 0, 1 0, 0 0))", {"some.file"}, context).shapes;
   EXPECT_THROW(map_of_polygons(shapes, context), Error);
 }
 
