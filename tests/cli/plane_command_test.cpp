@@ -364,8 +364,8 @@ TEST(PlaneProgram, refuses_wrong_usage) {
       {{"plane", "union", kStar, kFrame, "--grid", "0"}, "--grid: the step must be positive"},
       {{"plane", "union", kStar, kFrame, "--grid", "x"}, "--grid: expected a number"},
       {{"plane", "union", kStar, kFrame, "--grid", "1", "--raw"}, "exclude each other"},
-      {{"plane", "union", kStar, kFrame, "--raw", "--format", "nef2"}, "WKT and GeoJSON"},
-      {{"plane", "union", kStar, kFrame, "--grid", "1", "--format", "svg"}, "WKT and GeoJSON"},
+      {{"plane", "union", kStar, kStar, "--raw", "--format", "nef2"}, "WKT and GeoJSON"},
+      {{"plane", "union", kStar, kStar, "--grid", "1", "--format", "svg"}, "WKT and GeoJSON"},
   };
   for (const auto& [arguments, part] : wrong) {
     SCOPED_TRACE(::testing::PrintToString(arguments));

@@ -69,7 +69,8 @@ struct Damage {
   bool has_equal_vertices = false;  ///< Whether vertices coincide that did not before.
 };
 
-Damage find_damage(const Draft& draft, Context& context) {
+/// Finds damage. A polygon that is not flat counts as damage, unless `faces` allows it.
+Damage find_damage(const Draft& draft, MeshFaces faces, Context& context) {
   const RoundingReport found =
       check_rounding(draft.mesh, std::numeric_limits<std::uint64_t>::max(), context);
   Damage damage{std::vector<std::uint8_t>(draft.mesh.face_count(), 0),
@@ -84,9 +85,9 @@ Damage find_damage(const Draft& draft, Context& context) {
     damage.of_face[f] = 1;
     damage.of_solid[draft.solid[f]] = 1;
   };
-  for (const auto* const faces : {&found.degenerate, &found.not_simple}) {
-    std::ranges::for_each(*faces, note);
-  }
+  std::ranges::for_each(found.degenerate, note);
+  std::ranges::for_each(found.not_simple, note);
+  if (faces != MeshFaces::Polygons) std::ranges::for_each(found.not_planar, note);
   for (const auto* const pairs : {&found.doubled, &found.crossings}) {
     for (const auto& [f, g] : *pairs) {
       note(f);
@@ -225,7 +226,7 @@ class RoundingRepairer {
       repair_.damaged_faces += damage.faces;
       flipped_rounds_ += damage.has_only_flipped ? 1 : 0;
       repair_.largest_move += next(draft, damage);
-      damage = find_damage(draft, context_);
+      damage = find_damage(draft, options_.faces, context_);
       if (is_new_) fewest = damage.faces + 1;
       width_ = damage.faces < fewest ? 0 : width_ + 1;
       fewest = std::min(fewest, damage.faces);
@@ -342,6 +343,8 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   const SpaceComplex& complex = set.complex();
   ToMeshOptions exactly = options;
   exactly.keeps_exact = true;
+  // Corners that are doubles lie in one plane, but not when they are floats.
+  if (type == CoordinateType::Float) exactly.faces = MeshFaces::Triangles;
   ValidMesh result{mesh_of_complex(complex, exactly, context), {}};
   RoundingRepair& repair = result.repair;
 
@@ -350,7 +353,7 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   draft.solid_count = static_cast<std::uint32_t>(complex.volume_count());
   repair.largest_move = round_points(draft.mesh, type);
   repair.rounded_vertices = draft.mesh.exact.size();
-  Damage damage = find_damage(draft, context);
+  Damage damage = find_damage(draft, exactly.faces, context);
   const bool has_equal_vertices = damage.has_equal_vertices;
   Topology before;
   if (damage.faces > 0) before = topology_of(draft);

@@ -64,7 +64,7 @@ struct ValidMesh {
 
 /// Returns the boundary of regularization() as a valid mesh. If a marked volume is unbounded, the
 /// mesh is empty and report.is_unbounded is set. Throws Error{NumberOutOfRange} if a coordinate is
-/// larger than the largest number of the output.
+/// larger than the largest number of the output. Meshes of floats consist of triangles.
 [[nodiscard]] ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options = {},
                                    CoordinateType type = CoordinateType::Double,
                                    Context& context = unlimited_context());

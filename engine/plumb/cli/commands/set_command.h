@@ -110,9 +110,7 @@ class SetOperation : public CommandBody {
   void declare(CLI::App& app) override {
     declare_operands(app);
     input_.declare(app);
-    app.add_flag("--strict", strict_,
-                 "Exit 2 instead of writing a file that leaves something out or is reshaped by "
-                 "rounding");
+    app.add_flag("--strict", strict_, "Exit 2 if the file would differ from the result");
     rounding_.declare(app, kHasGrid);
     if constexpr (kHasCanonical) {
       app.add_flag("--canonical", canonical_, "Number by the set alone: equal sets, equal .nef");

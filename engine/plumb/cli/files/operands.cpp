@@ -137,8 +137,7 @@ Rational read_number_argument(const std::string& text, const std::string& name, 
 }
 
 void RoundingOptions::declare(CLI::App& app, bool has_grid) {
-  app.add_flag("--raw", is_raw_,
-               "Write the nearest numbers without repair: edges or faces may cross");
+  app.add_flag("--raw", is_raw_, "Write the nearest numbers without repair");
   if (!has_grid) return;
   app.add_option("--grid", grid_, "Round to multiples of STEP, such as 0.001 or 1/8")
       ->type_name("STEP");

@@ -203,7 +203,7 @@ class Snapping {
     if (corners_.size() < 3) return;
     if (before.size() > 3) {
       add(corners_, f);
-    } else if (corners_.size() == 3 && has_inside) {
+    } else if (has_inside && std::ranges::equal(corners_, before)) {
       const std::array<std::uint32_t, 3> t{corners_[0], corners_[1], corners_[2]};
       for (std::size_t i = 0; i < 3; ++i) {
         add(std::array{t[i], t[(i + 1) % 3], inside->second}, f);
