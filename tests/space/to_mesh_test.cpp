@@ -11,6 +11,7 @@
 #include "plumb/space/nef3.h"
 #include "plumb/space/query/volumes.h"
 #include "plumb/space/rounded_mesh.h"
+#include "plumb/testing/dice.h"
 #include "space/complex_links.h"
 
 namespace plumb::testing::to_mesh_test {
@@ -175,6 +176,38 @@ TEST(ToMesh, FacetsWithHolesAreCut) {
     const MeshComplex again = complex_of(out.mesh);
     EXPECT_EQ(enclosed_volume(again.complex, again.jump), 6 * (27 - 2));
   }
+}
+
+/// Voids touch the bottom of a cube along an edge and at points: triangles end at the edge.
+TEST(ToMesh, EdgesInsideAFacetAreSidesOfTriangles) {
+  int cases = 0;
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    SCOPED_TRACE(i);
+    Dice dice(i);
+    const auto at = [&](double z) {
+      const auto coordinate = [&] { return static_cast<double>(dice.between(1, 23)) / 8; };
+      return Point3{coordinate(), coordinate(), z};
+    };
+    Nef3 set = solid(kCube);
+    const auto hollow_out = [&](const PolygonMesh& mesh) {
+      set = set - solid(mesh) - solid(reversed(mesh));
+    };
+    const Point3 a = at(0), b = at(0);
+    hollow_out(tetrahedron_mesh(a, b, {a.x, a.y, 2}, {b.x + 0x1p-5, b.y + 0x1p-6, 2}));
+    for (int k = 0; k < 4; ++k) {
+      const Point3 p = at(0);
+      hollow_out(tetrahedron_mesh(p, {p.x, p.y, 0x1p-3}, {p.x + 0x1p-4, p.y, 0x1p-3},
+                                  {p.x, p.y + 0x1p-4, 0x1p-3}));
+    }
+    const MeshOfComplex made = mesh_of(set.regularization().complex(),
+                                       {.faces = MeshFaces::Triangles, .keeps_exact = true});
+    if (!made.mesh.exact.empty()) continue;  // The voids meet.
+    ++cases;
+    const MeshReport report = complex_of_mesh(made.mesh).report;
+    EXPECT_TRUE(report.is_closed());
+    EXPECT_FALSE(report.crosses_itself());
+  }
+  EXPECT_GT(cases, 20);
 }
 
 TEST(ToMesh, WhatIsDroppedAndFilledIsCounted) {

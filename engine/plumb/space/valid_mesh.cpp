@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "plumb/base/internal/round_to_nearest.h"
+#include "plumb/base/internal/union_find.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh/snap_near.h"
 
@@ -168,6 +169,42 @@ void snap_to_grid(Draft& draft, const Damage& damage, int exponent) {
 
 // ---------------------------------------------------------------- solids
 
+/// Lets faces name the first of the points with equal coordinates.
+void merge_equal_points(PolygonMesh& mesh) {
+  std::vector<std::uint32_t> order(mesh.points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto place = [&](std::uint32_t v) {
+    const Point3& p = mesh.points[v];
+    return std::array<double, 3>{p.x, p.y, p.z};
+  };
+  std::ranges::sort(order, {}, [&](std::uint32_t v) { return std::pair(place(v), v); });
+  std::vector<std::uint32_t> first(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_equal = i > 0 && place(order[i]) == place(order[i - 1]);
+    first[order[i]] = is_equal ? first[order[i - 1]] : order[i];
+  }
+  for (std::uint32_t& v : mesh.corners) v = first[v];
+}
+
+/// Returns 1 for each damaged solid and for each solid that is connected with a damaged one by
+/// common vertices. A set of one of them alone would not have the vertices at which others touch it.
+std::vector<std::uint8_t> connected_with_damage(const Draft& draft, const Damage& damage) {
+  UnionFind classes(draft.solid_count);
+  std::vector<std::uint32_t> solid_of_point(draft.mesh.points.size(), kNone);
+  for (std::uint32_t f = 0; f < draft.solid.size(); ++f) {
+    for (const std::uint32_t v : draft.mesh.face(f)) {
+      if (solid_of_point[v] == kNone) solid_of_point[v] = draft.solid[f];
+      classes.unite(solid_of_point[v], draft.solid[f]);
+    }
+  }
+  std::vector<std::uint8_t> has_damage(draft.solid_count, 0), result(draft.solid_count, 0);
+  for (std::uint32_t s = 0; s < draft.solid_count; ++s) {
+    if (damage.of_solid[s] != 0) has_damage[classes.root(s)] = 1;
+  }
+  for (std::uint32_t s = 0; s < draft.solid_count; ++s) result[s] = has_damage[classes.root(s)];
+  return result;
+}
+
 /// Appends a mesh of a set that bounds new solids.
 void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<const FacetId> facet,
             Draft& draft) {
@@ -186,15 +223,17 @@ void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<co
   draft.solid_count += static_cast<std::uint32_t>(complex.volume_count());
 }
 
-/// Replaces the damaged solids by the points of positive winding number.
+/// Replaces the damaged solids, and those that touch them, by the points of positive winding number.
 Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Context& context) {
+  merge_equal_points(draft.mesh);
+  const std::vector<std::uint8_t> is_broken = connected_with_damage(draft, damage);
   Draft kept;
   kept.solid_count = draft.solid_count;
   PolygonMesh broken;
   std::vector<FacetId> facet;  // Of the faces of `broken`.
   for (std::uint32_t f = 0; f < draft.solid.size(); ++f) {
     const auto corners = draft.mesh.face(f);
-    if (damage.of_solid[draft.solid[f]] != 0) {
+    if (is_broken[draft.solid[f]] != 0) {
       broken.add_face(corners);
       facet.push_back(draft.facet[f]);
     } else {
@@ -307,23 +346,9 @@ Topology topology_of(const Draft& draft) {
   return {euler_characteristic(draft.mesh), std::ranges::count(is_seen, 1)};
 }
 
-/// Makes vertices with equal coordinates one, if `merges`, and drops those without faces.
-void tidy_vertices(PolygonMesh& mesh, bool merges) {
-  std::vector<std::uint32_t> order(mesh.points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto place = [&](std::uint32_t v) {
-    const Point3& p = mesh.points[v];
-    return std::array<double, 3>{p.x, p.y, p.z};
-  };
-  std::vector<std::uint32_t> first(order);  // The first vertex at the place of each vertex.
-  if (merges) {
-    std::ranges::sort(order, {}, [&](std::uint32_t v) { return std::pair(place(v), v); });
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      if (place(order[i]) == place(order[i - 1])) first[order[i]] = first[order[i - 1]];
-    }
-  }
+/// Drops the points without faces.
+void drop_unused_points(PolygonMesh& mesh) {
   std::vector<std::uint32_t> number(mesh.points.size(), kNone);
-  for (std::uint32_t& v : mesh.corners) v = first[v];
   for (const std::uint32_t v : mesh.corners) number[v] = 0;
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < number.size(); ++v) {
@@ -363,7 +388,8 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   }
   draft.mesh.exact.clear();
   if (repair.rounds > 0 || has_equal_vertices) {
-    tidy_vertices(draft.mesh, !options.split_vertices);
+    if (!options.split_vertices) merge_equal_points(draft.mesh);
+    drop_unused_points(draft.mesh);
   }
   if (repair.rounds > 0) repair.changes_topology = !(topology_of(draft) == before);
   result.made.mesh = std::move(draft.mesh);

@@ -121,7 +121,6 @@ void FacetTriangles::cut(FacetId f) {
   triangles_.clear();
   if (is_single_cycle(f) && shown_.size() == edges_.size() && cut_as_fan()) return;
   triangles_.clear();
-  cancel_reverses(edges_);  // Edges with the facet on both sides.
   PLUMB_CHECK(triangulate(flat_, edges_, triangles_));
 }
 
