@@ -457,7 +457,7 @@ void expect_quantised(int component) {
     std::vector<Number> rows;  // Elements begin at multiples of 4 bytes.
     const std::size_t stride = (3 * sizeof(Number) + 3) / 4 * 4;
     for (std::size_t v = 0; v < 4; ++v) {
-      rows.insert(rows.end(), numbers.begin() + 3 * v, numbers.begin() + 3 * v + 3);
+      for (std::size_t k = 3 * v; k < 3 * v + 3; ++k) rows.push_back(numbers[k]);
       rows.resize((v + 1) * stride / sizeof(Number), 42);
     }
     const std::size_t accessor = add_accessor(d, rows, component, "VEC3", stride / sizeof(Number));
@@ -473,7 +473,8 @@ void expect_quantised(int component) {
                              meant(numbers[3 * v + 2], is_normalized)});
     }
     for (std::size_t i = 0; i < kFaces.size(); i += 3) {
-      mesh.add_face(std::vector<std::uint32_t>(kFaces.begin() + i, kFaces.begin() + i + 3));
+      const auto first = kFaces.begin() + static_cast<std::ptrdiff_t>(i);
+      mesh.add_face(std::vector<std::uint32_t>(first, first + 3));
     }
     Context context;
     weld_vertices(mesh, context);
@@ -633,7 +634,7 @@ const std::array<const char*, 3> kDracoStreams{
 Document draco_document(const std::string& stream) {
   Document d = tetrahedron_document();
   const std::size_t view = add_view(d, stream);
-  for (std::size_t a : {0, 1}) d.json["accessors"][a].erase("bufferView");
+  for (const std::size_t a : {0U, 1U}) d.json["accessors"][a].erase("bufferView");
   d.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
       {"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
   d.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
@@ -804,7 +805,7 @@ TEST(GltfReader, refuses_hostile_meshopt) {
 // Data that are there uncompressed are read as they are, with the libraries and without.
 TEST(GltfReader, prefers_data_that_are_not_compressed) {
   Document d = draco_document("no stream");
-  for (std::size_t a : {0, 1}) d.json["accessors"][a]["bufferView"] = a;
+  for (const std::size_t a : {0U, 1U}) d.json["accessors"][a]["bufferView"] = a;
   EXPECT_TRUE(is_same(read(glb(d)).mesh, expected()));
   d = tetrahedron_document();
   d.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};

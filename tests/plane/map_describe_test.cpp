@@ -155,8 +155,8 @@ TEST(MapDescribe, HintsNameADozenVertices) {
   }
 }
 
-/// A polygon of `sides` corners and a ring of quadrangles around it, all listed the wrong way round,
-/// and a triangle at a corner of the ring: edges of all quadrangles bound the polygon.
+/// A polygon of `sides` corners and a ring of quadrangles around it, all listed the wrong way
+/// round, and a triangle at a corner of the ring: edges of all quadrangles bound the polygon.
 Map turned_ring(std::uint32_t sides) {
   Places places;
   for (std::uint32_t i = 0; i < 2 * sides; ++i) {

@@ -111,7 +111,7 @@ TEST(RepairMesh, AFaceListedTwiceIsDroppedOnce) {
   for (const bool is_reversed : {false, true}) {
     PolygonMesh mesh = kCube;
     Faces copy(kCube.face(3).begin(), kCube.face(3).end());
-    std::ranges::rotate(copy, copy.begin() + 2);
+    std::rotate(copy.begin(), copy.begin() + 2, copy.end());
     if (is_reversed) std::ranges::reverse(copy);
     mesh.add_face(copy);
     EXPECT_FALSE(complex_of_mesh(mesh).report.is_closed());

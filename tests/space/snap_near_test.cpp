@@ -12,6 +12,7 @@
 
 #include "generate/meshes.h"
 #include "generate/test_share.h"
+#include "plumb/predicates/strong_id.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::snap_near_test {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/from_mesh.h"

@@ -58,9 +58,9 @@ struct MapFile {
   std::size_t dropped = 0;         ///< Number of lines and single points that were left out.
 };
 
-/// Reads the file `path`, or standard input if `path` is "-". A file in WKT, GeoJSON or WKB,
-/// by its extension or, if that is unknown, by how it begins, is read as a coverage of polygons; any
-/// other file is read by read_map(). `options.name` is ignored. Throws the errors of these readers.
+/// Reads the file `path`, or standard input if `path` is "-". A file in WKT, GeoJSON or WKB, by its
+/// extension or, if that is unknown, by how it begins, is read as a coverage of polygons; any other
+/// file is read by read_map(). `options.name` is ignored. Throws the errors of these readers.
 MapFile read_map_or_polygons(const std::string& path, ReadOptions options = {},
                              Context& context = unlimited_context());
 

@@ -160,8 +160,8 @@ struct PlaneLosses {
   /// The written closure has points inside that do not belong to the set (PlaneParts::filled). If
   /// this is true, `open` is true, too.
   bool filled = false;
-  /// What rounding changes. For OutputRounding::Nearest, this is what a repair would change: if it is
-  /// not changed, the nearest doubles are valid.
+  /// What rounding changes. For OutputRounding::Nearest, this is what a repair would change: if it
+  /// is not changed, the nearest doubles are valid.
   PlaneRoundingReport rounding;
   PlaneWriteOptions options;  ///< How coordinates are rounded.
 

@@ -110,8 +110,7 @@ void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& na
     doubled.push_back(earlier);
   }
   std::ranges::sort(doubled);
-  const auto repeats = std::ranges::unique(doubled);
-  doubled.erase(repeats.begin(), repeats.end());
+  doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
   if (doubled.size() == count) {
     throw EnclosesNothing("every face is there in both directions", name);
   }

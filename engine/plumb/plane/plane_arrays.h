@@ -37,8 +37,8 @@ Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cyc
                   std::span<const std::uint32_t> corners);
 
 /// Returns the coordinates x y x y ... of all points. A coordinate that is not a double is rounded
-/// to the nearest double. Nothing is repaired: segments between rounded points may cross. The points
-/// of a set that round_to_doubles() (plane_rounding.h) returns are doubles. O(n).
+/// to the nearest double. Nothing is repaired: segments between rounded points may cross. The
+/// points of a set that round_to_doubles() (plane_rounding.h) returns are doubles. O(n).
 std::vector<double> coordinates_of(const PointTable2& points);
 
 }  // namespace plumb

@@ -221,8 +221,8 @@ class Nef3 {
   [[nodiscard]] TriangleMesh to_mesh(Context& context = unlimited_context()) const;
   /// Returns the boundary of regularization() as a mesh of polygons or triangles. The result also
   /// has, for each face of the mesh, the facet from which the face was made. The report counts the
-  /// cells of the set that the mesh does not represent. The mesh is valid after rounding, as that of
-  /// to_mesh(). If options.keeps_exact is set, the mesh is exact, and its points are the nearest
+  /// cells of the set that the mesh does not represent. The mesh is valid after rounding, as that
+  /// of to_mesh(). If options.keeps_exact is set, the mesh is exact, and its points are the nearest
   /// doubles.
   [[nodiscard]] MeshOfComplex to_polygons(const ToMeshOptions& options = {},
                                           Context& context = unlimited_context()) const;

@@ -113,7 +113,8 @@ double largest_coordinate(const PolygonMesh& mesh) {
   return largest;
 }
 
-/// Lists the chosen points in mesh.exact, too, as if they had moved: faces at them are then checked.
+/// Lists the chosen points in mesh.exact, too, as if they had moved: faces at them are then
+/// checked.
 void list_points(PolygonMesh& mesh, const std::vector<std::uint8_t>& is_chosen) {
   std::vector<std::pair<std::uint32_t, RationalPoint3>> list;
   auto exact = mesh.exact.begin();
@@ -128,8 +129,8 @@ void list_points(PolygonMesh& mesh, const std::vector<std::uint8_t>& is_chosen) 
   mesh.exact = std::move(list);
 }
 
-/// Snaps damaged parts of the draft that are at most `width` apart. Returns a bound of the distances
-/// by which faces moved, or nullopt if nothing is near.
+/// Snaps damaged parts of the draft that are at most `width` apart. Returns a bound of the
+/// distances by which faces moved, or nullopt if nothing is near.
 std::optional<double> snap_damaged(Draft& draft, const Damage& damage, double width) {
   SnappedMesh snapped = snap_near(draft.mesh, damage.of_face, damage.pairs, width);
   if (snapped.changed.empty()) return std::nullopt;
@@ -187,7 +188,8 @@ void merge_equal_points(PolygonMesh& mesh) {
 }
 
 /// Returns 1 for each damaged solid and for each solid that is connected with a damaged one by
-/// common vertices. A set of one of them alone would not have the vertices at which others touch it.
+/// common vertices. A set of one of them alone would not have the vertices at which others touch
+/// it.
 std::vector<std::uint8_t> connected_with_damage(const Draft& draft, const Damage& damage) {
   UnionFind classes(draft.solid_count);
   std::vector<std::uint32_t> solid_of_point(draft.mesh.points.size(), kNone);
@@ -223,7 +225,8 @@ void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<co
   draft.solid_count += static_cast<std::uint32_t>(complex.volume_count());
 }
 
-/// Replaces the damaged solids, and those that touch them, by the points of positive winding number.
+/// Replaces the damaged solids, and those that touch them, by the points of positive winding
+/// number.
 Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Context& context) {
   merge_equal_points(draft.mesh);
   const std::vector<std::uint8_t> is_broken = connected_with_damage(draft, damage);
@@ -274,8 +277,8 @@ class RoundingRepairer {
   }
 
  private:
-  /// A surface that does not cross itself can be inside out only if it is as small as the errors. So
-  /// a set is made of it, what is left of it is snapped, and that suffices.
+  /// A surface that does not cross itself can be inside out only if it is as small as the errors.
+  /// So a set is made of it, what is left of it is snapped, and that suffices.
   static constexpr int kFlippedRounds = 3;
 
   /// Makes one round. Returns a bound of the distances by which faces moved.
@@ -326,8 +329,7 @@ std::int64_t euler_characteristic(const PolygonMesh& mesh) {
   }
   const auto count_different = [](auto list) {
     std::ranges::sort(list);
-    const auto repeated = std::ranges::unique(list);
-    return static_cast<std::int64_t>(repeated.begin() - list.begin());
+    return static_cast<std::int64_t>(std::unique(list.begin(), list.end()) - list.begin());
   };
   return count_different(mesh.corners) - count_different(std::move(edges)) +
          static_cast<std::int64_t>(mesh.face_count());

@@ -47,8 +47,8 @@ struct RoundingRepair {
   /// be counted in several rounds.
   std::uint64_t damaged_faces = 0;
   /// Whether a repair changed the number of solids (marked volumes) or the Euler characteristic of
-  /// their boundaries. This happens if parts or holes that are thinner than largest_move vanish, and
-  /// if gaps close.
+  /// their boundaries. This happens if parts or holes that are thinner than largest_move vanish,
+  /// and if gaps close.
   bool changes_topology = false;
   double largest_move = 0;  ///< No point of the result is farther from the exact boundary.
 };

@@ -114,8 +114,8 @@ class SolidInput {
   }
   /// Throws Error{Usage} if an option says how meshes are read, for a file that is no mesh.
   void require_plain() const;
-  /// Returns a solid with its notes and warnings. May be called from several threads at once. A mesh that is
-  /// refused is refused with a hint: options with which it is read, if there are any.
+  /// Returns a solid with its notes and warnings. May be called from several threads at once. A
+  /// mesh that is refused is refused with a hint: options with which it is read, if there are any.
   SolidRead load(const std::string& file, const CommonOptions& options, Context& context) const;
   /// Returns a solid and prints its notes and warnings.
   Nef3 read(const std::string& file, Session& session) const;

@@ -96,8 +96,8 @@ void add_outputs(const CommonOptions& options, const Table& formats, bool is_std
 struct ReadyFile {
   std::function<void(std::ostream&)> write;
   std::vector<std::string> losses;  ///< What the file will leave out; one sentence each.
-  /// What the file will say otherwise, one sentence each, that only --strict minds: that the closure
-  /// of the set is written, and that rounding needed a repair.
+  /// What the file will say otherwise, one sentence each, that only --strict minds: that the
+  /// closure of the set is written, and that rounding needed a repair.
   std::vector<std::string> changes;
 };
 

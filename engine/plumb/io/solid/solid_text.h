@@ -41,8 +41,8 @@ class SolidText {
   /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
   /// each.
   const std::vector<std::string>& losses() const { return losses_; }
-  /// Returns what the file says otherwise without a loss to users of meshes, one sentence each: that
-  /// the closure of the set is written, and that rounding needed a repair.
+  /// Returns what the file says otherwise without a loss to users of meshes, one sentence each:
+  /// that the closure of the set is written, and that rounding needed a repair.
   const std::vector<std::string>& changes() const { return changes_; }
   /// Writes the set; `.nef` with checkpoints.
   void write(std::ostream& out, Context& context) const;

@@ -610,7 +610,8 @@ std::string MapHints::overlap_in_orbit(const MapOrbits::Orbit& orbit, std::uint3
   std::size_t changes = 0;
   for (std::size_t i = 0; i < halfedges.size(); ++i) changes += starts(i) ? 1 : 0;
   if (changes != 2 || first == halfedges.size()) return regions_overlap(a, b) + "; " + kCut;
-  std::ranges::rotate(halfedges, halfedges.begin() + static_cast<std::ptrdiff_t>(first));
+  std::rotate(halfedges.begin(), halfedges.begin() + static_cast<std::ptrdiff_t>(first),
+              halfedges.end());
   Vertices path, rest;
   for (const std::uint32_t e : halfedges) {
     (edges().cycle_of[e] == a ? path : rest).push_back(edges().origin(e));

@@ -24,7 +24,6 @@ namespace {
 struct Winding {
   std::uint32_t label;
   std::int32_t number;
-  friend bool operator==(const Winding&, const Winding&) = default;
 };
 using Windings = std::vector<Winding>;
 

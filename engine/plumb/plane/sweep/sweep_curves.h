@@ -10,6 +10,7 @@
 #include "plumb/plane/sweep/sweep.h"
 #include "plumb/predicates/plane/plane_points.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// The used points in lexicographic order. Points of equal coordinates share the rank of the first.
@@ -144,3 +145,4 @@ class SweepMembers {
 };
 
 }  // namespace plumb
+#pragma GCC visibility pop

@@ -135,8 +135,7 @@ class FaceCutter {
   void list_corners(Chain face) {
     shown_.assign(face.begin(), face.end());
     std::ranges::sort(shown_);
-    const auto repeats = std::ranges::unique(shown_);
-    shown_.erase(repeats.begin(), repeats.end());
+    shown_.erase(std::unique(shown_.begin(), shown_.end()), shown_.end());
     local_.clear();
     for (const std::uint32_t p : face) {
       const auto at = std::ranges::lower_bound(shown_, p);

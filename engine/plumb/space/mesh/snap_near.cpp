@@ -1,11 +1,11 @@
 // Makes parts of a closed mesh that nearly touch meet in common vertices.
 //
-// A vertex v near the middle of an edge a b is inserted into this edge in all its faces, so the edge
-// is replaced by the edges a v and v b everywhere, and the mesh stays closed. A triangle a b v then
-// runs from v to b and back, and vanishes. Other triangles become polygons, which are cut into
-// triangles again, so that the worst triangle is as good as can be. Both new edges are shorter than a b, so a
-// sequence of insertions among the same vertices ends. Faces with more than three corners get the
-// vertex as a further corner.
+// A vertex v near the middle of an edge a b is inserted into this edge in all its faces, so the
+// edge is replaced by the edges a v and v b everywhere, and the mesh stays closed. A triangle a b v
+// then runs from v to b and back, and vanishes. Other triangles become polygons, which are cut into
+// triangles again, so that the worst triangle is as good as can be. Both new edges are shorter than
+// a b, so a sequence of insertions among the same vertices ends. Faces with more than three corners
+// get the vertex as a further corner.
 //
 // Points of faces move by at most the distance of the vertex from the edge.
 //
@@ -139,15 +139,19 @@ class Snapping {
     }
     const auto order = [](const EdgePoint& p) { return std::tuple(p.edge, p.at, p.vertex); };
     std::ranges::sort(edge_points_, {}, order);
-    const auto repeated = std::ranges::unique(edge_points_, {}, order);
-    edge_points_.erase(repeated.begin(), repeated.end());
+    const auto is_same = [&](const EdgePoint& p, const EdgePoint& q) {
+      return order(p) == order(q);
+    };
+    edge_points_.erase(std::unique(edge_points_.begin(), edge_points_.end(), is_same),
+                       edge_points_.end());
   }
 
   /// Calls visit(vertex) for the vertices that are inserted between two corners.
   template <class Visit>
   void between(std::uint32_t from, std::uint32_t to, const Visit& visit) const {
-    const auto [begin, end] =
-        std::ranges::equal_range(edge_points_, Edge(std::minmax(from, to)), {}, &EdgePoint::edge);
+    const Edge edge = std::minmax(from, to);
+    const auto begin = std::ranges::lower_bound(edge_points_, edge, {}, &EdgePoint::edge);
+    const auto end = std::ranges::upper_bound(edge_points_, edge, {}, &EdgePoint::edge);
     if (from < to) {
       for (auto p = begin; p != end; ++p) visit(p->vertex);
     } else {

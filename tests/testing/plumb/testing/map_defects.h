@@ -60,15 +60,13 @@ void PrintTo(const MapDefectMaker& maker, std::ostream* out);
 /// move-vertex               a vertex lies far outside: its edges run across the map
 /// t-junction, t-both        an edge has one vertex more for one of its faces, or (no defect) for
 ///                           both
-/// overlap                   a square lies over the middle of an edge
-/// island, island-open       a square nested in a face, with its outer cycle (no defect) or without
-/// far-island(-open), frame  the same beside and around the map
-/// spike                     an edge that goes nowhere
-/// alias-vertex              a corner at a second vertex of the same position
-/// repeat-vertex, two-corners, bad-index   what check_map refuses
-/// sliver                    a T-junction closed by a triangle without area
-/// isolated-vertex           of no cycle (no defect)
-/// self-touch, touching-hole a hole that touches its face's boundary in a vertex, in one cycle with it
+/// overlap                   a square lies over the middle of an edge island, island-open       a
+/// square nested in a face, with its outer cycle (no defect) or without far-island(-open), frame
+/// the same beside and around the map spike                     an edge that goes nowhere
+/// alias-vertex              a corner at a second vertex of the same position repeat-vertex,
+/// two-corners, bad-index   what check_map refuses sliver                    a T-junction closed by
+/// a triangle without area isolated-vertex           of no cycle (no defect) self-touch,
+/// touching-hole a hole that touches its face's boundary in a vertex, in one cycle with it
 ///                           or on its own (no defect)
 /// lens                      the two faces at an edge bulge over each other
 const std::vector<MapDefectMaker>& map_defect_makers();
