@@ -22,7 +22,7 @@
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
-#include "plumb/plane/sweep/sweep_curves.h"
+#include "plumb/plane/sweep/point_ranks.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/plane/plane_points.h"
 #include "plumb/predicates/point_table2.h"

@@ -3,26 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "plumb/plane/sweep/point_ranks.h"
 #include "plumb/plane/sweep/sweep.h"
 #include "plumb/predicates/plane/plane_points.h"
 
-#pragma GCC visibility push(default)
 namespace plumb {
-
-/// The used points in lexicographic order. Points of equal coordinates share the rank of the first.
-struct PointRanks {
-  static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
-
-  std::vector<std::uint32_t> order;  ///< The used points, sorted; equal points by index.
-  std::vector<std::uint32_t> rank;   ///< The position in `order` of the first equal point.
-};
-
-/// Returns the ranks of the points whose `used` entry is set. O(n log n).
-PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used);
 
 /// The curves of a sweep, each turned to run from left to right.
 class SweepCurves {
@@ -145,4 +133,3 @@ class SweepMembers {
 };
 
 }  // namespace plumb
-#pragma GCC visibility pop
