@@ -223,7 +223,8 @@ TEST(MapOverlayProgram, rounds_all_cells_together) {
   // On a grid of halves the four cells remain, with corners at multiples of a half.
   const RunResult coarse = with({"--grid", "1/2"});
   EXPECT_EQ(coarse.code, 0);
-  for (const Json& feature : Json::parse(coarse.out)["features"]) {
+  const Json written = Json::parse(coarse.out);
+  for (const Json& feature : written["features"]) {
     for (const Json& ring : feature["geometry"]["coordinates"]) {
       for (const Json& position : ring) {
         for (const Json& c : position)

@@ -389,9 +389,12 @@ TEST(GltfReader, sparse_accessors) {
   const std::vector<float> moved(kCorners.begin() + 3, kCorners.end());
   Document d = tetrahedron_document();
   std::memset(d.buffer.data() + 12, 0x3f, 36);  // What is replaced is none of the corners.
-  expect_read(d, sparse<std::uint8_t>(d, {1, 2, 3}, 5121, bytes_of(moved)));
-  expect_read(d, sparse<std::uint16_t>(d, {1, 2, 3}, 5123, bytes_of(moved)));
-  expect_read(d, sparse<std::uint32_t>(d, {1, 2, 3}, 5125, bytes_of(moved)));
+  const Json bytes = sparse<std::uint8_t>(d, {1, 2, 3}, 5121, bytes_of(moved));
+  expect_read(d, bytes);
+  const Json shorts = sparse<std::uint16_t>(d, {1, 2, 3}, 5123, bytes_of(moved));
+  expect_read(d, shorts);
+  const Json ints = sparse<std::uint32_t>(d, {1, 2, 3}, 5125, bytes_of(moved));
+  expect_read(d, ints);
   // Indices may be sparse, too.
   d = tetrahedron_document();
   std::memset(d.buffer.data() + 48, 1, 4);
