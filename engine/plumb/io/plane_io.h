@@ -5,8 +5,9 @@
 // line stands for the set of its points. A file stands for the union of the sets of all its
 // polygons, lines and points.
 //
-// Reading: WKT, GeoJSON and WKB cannot state which boundary points belong to the set. A set that is
-// read from such a file is closed. Notes name the contents of a file that a set cannot hold.
+// Reading: a file in WKT, GeoJSON or WKB cannot state which boundary points belong to the set. A
+// set that is read from such a file is closed. Notes name the contents of a file that a set cannot
+// hold.
 //
 // Writing: .nef2 represents every set exactly. WKT and GeoJSON represent only polygons, lines and
 // points, whose coordinates are doubles. The set is rounded so that these shapes are valid

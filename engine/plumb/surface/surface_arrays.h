@@ -27,7 +27,7 @@ namespace plumb {
 SurfaceMesh surface_of(const MeshView& mesh);
 
 /// Returns a view of the vertices and faces of a surface, with the same indices. The surface must
-/// outlive the view. It must not be moved from while the view is used.
+/// outlive the view. While the view is used, the contents of the surface must not be moved.
 MeshView view_of(const SurfaceMesh& mesh);
 
 /// Returns a view of the points and triangles of a triangulation, with the same indices. The arrays
