@@ -37,7 +37,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// What valid_mesh() has changed in a mesh of nearest numbers.
+/// The changes that valid_mesh() makes to a mesh after its coordinates have been rounded to the
+/// nearest numbers.
 struct RoundingRepair {
   std::uint64_t rounded_vertices = 0;  ///< Vertices of the set whose coordinates were rounded.
   std::uint32_t rounds = 0;  ///< Number of rounds of repair. 0: the nearest numbers are valid.

@@ -29,9 +29,9 @@ struct PointWeld {
 };
 
 /// Makes points with equal coordinates one, and points at most `tolerance` apart. Corners are
-/// changed, points are not: those without a face stay. Throws Error{BadArgument} unless the
-/// tolerance is finite and not negative, Error{BadIndex} and Error{NotFinite} as complex_of_mesh(),
-/// and what the context throws.
+/// changed, points are not: those without a face stay. Throws Error{BadArgument} if the
+/// tolerance is negative or not finite. Throws Error{BadIndex} and Error{NotFinite} in the same
+/// cases as complex_of_mesh(). Also throws what the context throws.
 PointWeld weld_points(PolygonMesh& mesh, double tolerance, Context& context = unlimited_context());
 
 }  // namespace plumb
