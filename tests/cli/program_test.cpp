@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -391,6 +393,32 @@ void write_star(const std::string& file, std::uint32_t corners) {
   write_file(file, text + "))\n");
 }
 
+/// Writes five copies of a solid, an OFF file of triangles, that do not meet.
+void write_copies(const std::string& file, const std::string& solid) {
+  constexpr std::size_t kCopies = 5;
+  std::istringstream in(read_file(solid));
+  std::string keyword;
+  std::size_t vertices = 0, faces = 0, edges = 0;
+  in >> keyword >> vertices >> faces >> edges;
+  std::vector<std::array<double, 3>> points(vertices);
+  for (auto& p : points) in >> p[0] >> p[1] >> p[2];
+  std::vector<std::array<std::size_t, 4>> triangles(faces);
+  for (auto& t : triangles) in >> t[0] >> t[1] >> t[2] >> t[3];
+  std::ostringstream out;
+  out << "OFF\n" << kCopies * vertices << ' ' << kCopies * faces << " 0\n";
+  for (std::size_t i = 0; i < kCopies; ++i) {
+    const double shift = 100 * static_cast<double>(i);
+    for (const auto& p : points) out << p[0] + shift << ' ' << p[1] << ' ' << p[2] << '\n';
+  }
+  for (std::size_t i = 0; i < kCopies; ++i) {
+    const std::size_t first = i * vertices;
+    for (const auto& t : triangles) {
+      out << "3 " << t[1] + first << ' ' << t[2] + first << ' ' << t[3] + first << '\n';
+    }
+  }
+  write_file(file, out.str());
+}
+
 /// Of every kind of command one that takes longer than a second, from which on the bar tells time;
 /// its inputs are written into a directory.
 std::vector<Words> long_jobs(const ScratchDirectory& scratch) {
@@ -401,13 +429,15 @@ std::vector<Words> long_jobs(const ScratchDirectory& scratch) {
   write_grid_map(coarse, 300);
   write_grid_map(shifted, 300, ".5");
   write_star(star, 2'000'000);
+  const std::string solids = (scratch / "solids.off").string();
+  write_copies(solids, "corpus/solids/bunny.off");
   return {{"map", "check", map, "--outer", "infer"},
           {"plane", "difference", star, "corpus/plane/frame.geojson", "--format", "nef2"},
           {"plane", "info", star},
           {"map", "overlay", coarse, shifted, "--infer-outer"},
           {"audit", star},
           {"view", star, "--format", "svg"},
-          {"convex", "decompose", "corpus/solids/bunny.off", "-o", (scratch / "pieces").string()},
+          {"convex", "decompose", solids, "-o", (scratch / "pieces").string()},
           kLongJob};
 }
 
