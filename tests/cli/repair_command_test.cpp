@@ -174,8 +174,12 @@ TEST_F(RepairProgram, options_that_mend_are_for_meshes) {
     }
   }
   for (const std::string bad : {"-1", "nan", "inf", "x", "1e999"}) {
-    EXPECT_EQ(run({"solid", "info", kFlipped, "--weld", bad}).code, 2) << bad;
+    const RunResult result = run({"solid", "info", "corpus/solids/l-block.off", "--weld", bad});
+    EXPECT_EQ(result.code, 2) << bad;
+    EXPECT_TRUE(contains(result.err, "--weld: expected a distance")) << result.err;
   }
+  expect_refusal(run({"solid", "info", "corpus/solids/l-block.off", "--weld", "1e308"}),
+                 "corpus/solids/l-block.off", "encloses nothing");
 }
 
 TEST_F(RepairProgram, meshes_are_mended_as_meshes) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -86,6 +87,31 @@ TEST(SnapNear, AVertexOfAPairBecomesACornerInsideTheOtherTriangle) {
       snap_near(mesh, std::vector<std::uint8_t>(16, 0), Pairs{{below, 13}}, 0x1p-20);
   EXPECT_TRUE(is_closed(snapped.mesh));
   EXPECT_EQ(std::ranges::count(snapped.origin, below), 3);
+}
+
+/// Of 4,000 vertices near one edge some are inserted, and the others wait for a later round.
+TEST(SnapNear, OneEdgeTakesFewVerticesAtOnce) {
+  constexpr std::uint32_t kCount = 4000;
+  PolygonMesh mesh = testing::tetrahedron_mesh({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
+  Pairs pairs;
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const double x = (i + 1.0) / (kCount + 1);
+    const auto tip = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(),
+                       {{x, -0x1p-40, 0}, {x, -1, 0}, {x + 0x1p-20, -1, 0}, {x, -1, -1}});
+    const auto first = static_cast<std::uint32_t>(mesh.face_count());
+    for (const testing::Face& f : {testing::Face{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) {
+      mesh.add_face(std::array{tip + f[0], tip + f[1], tip + f[2]});
+    }
+    for (std::uint32_t f = 0; f < 4; ++f) pairs.emplace_back(f, first);
+  }
+  ASSERT_TRUE(is_closed(mesh));
+  const SnappedMesh snapped =
+      snap_near(mesh, std::vector<std::uint8_t>(mesh.face_count(), 0), pairs, 0x1p-30);
+  EXPECT_TRUE(is_closed(snapped.mesh));
+  const auto parts = std::ranges::count_if(snapped.origin, [](std::uint32_t f) { return f < 4; });
+  EXPECT_GT(parts, 20);
+  EXPECT_LT(parts, 100);
 }
 
 /// Points on a line are near each other's edges in every way; widths from none to all.

@@ -198,6 +198,35 @@ TEST(ValidMesh, RandomSetsAreValidNearAndStill) {
   EXPECT_GT(repaired, static_cast<std::uint64_t>(cases / 20));  // The scenes are hard.
 }
 
+/// Returns the mesh with all coordinates multiplied by 2^exponent.
+PolygonMesh scaled(PolygonMesh mesh, int exponent) {
+  for (Point3& p : mesh.points) {
+    p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+  }
+  return mesh;
+}
+
+/// Scaling by a power of two scales the result, as long as all numbers have all their digits.
+TEST(ValidMesh, ScaleDoesNotMatter) {
+  const auto made_at = [](int exponent) {
+    Nef3 set = solid(scaled(box_mesh({-1, -1, -1}, {1, 1, 1}), exponent));
+    for (int step = 1; step <= 6; ++step) {
+      set = set + solid(scaled(turned(box_mesh({-1, -1, -1}, {1, 1, 1}), 0.1 * step), exponent));
+      set = Nef3::from_mesh(valid_mesh(set).made.mesh);
+    }
+    return valid_mesh(set - solid(scaled(icosphere_mesh(1, 1.2, {0.1, 0.2, 0.3}), exponent)));
+  };
+  const ValidMesh one = made_at(0);
+  EXPECT_EQ(flaw_of(one.made.mesh), "");
+  for (const int exponent : {900, -800}) {
+    const ValidMesh other = made_at(exponent);
+    EXPECT_EQ(scaled(other.made.mesh, -exponent).points, one.made.mesh.points);
+    EXPECT_EQ(other.made.mesh.corners, one.made.mesh.corners);
+    EXPECT_EQ(other.repair.rounds, one.repair.rounds);
+    EXPECT_EQ(std::ldexp(other.repair.largest_move, -exponent), one.repair.largest_move);
+  }
+}
+
 /// Three operations in a row, each on what was written before, stay valid.
 TEST(ValidMesh, ChainsOfOperationsStayValid) {
   Nef3 set = solid(box_mesh({-1, -1, -1}, {1, 1, 1}));

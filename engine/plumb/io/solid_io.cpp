@@ -138,15 +138,13 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   std::vector<std::string> warnings = file.warnings;
   refuse_without_faces(file, options.surface || options.may_be_empty, text.name, warnings);
   std::vector<std::string> notes = std::move(file.notes);
+  const bool must_enclose = !options.surface && !options.may_be_empty && file.mesh.face_count() > 0;
   if (options.repair.asks()) mend(file.mesh, options.repair, text.name, notes, context);
   MeshReport report;
   const FromMeshOptions reading{
       .rule = options.rule, .surface = options.surface, .report = &report};
   Nef3 set = set_of(file.mesh, reading, text.name, context);
-  const bool must_enclose = !options.surface && !options.may_be_empty;
-  if (must_enclose && file.mesh.face_count() > 0 && set.is_empty()) {
-    refuse_empty(file.mesh, report, options, text.name);
-  }
+  if (must_enclose && set.is_empty()) refuse_empty(file.mesh, report, options, text.name);
   describe(report, notes);
   return {std::move(set), std::move(notes), std::move(warnings)};
 }

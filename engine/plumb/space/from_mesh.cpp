@@ -21,9 +21,9 @@
 #include <string>
 #include <utility>
 
+#include "plumb/base/internal/message_text.h"
 #include "plumb/space/boolean/simplify.h"
 #include "plumb/space/mesh/link_facets.h"
-#include "plumb/space/mesh/listed.h"
 #include "plumb/space/mesh/mesh_crossings.h"
 #include "plumb/space/mesh/mesh_facets.h"
 #include "plumb/space/mesh/mesh_orientation.h"

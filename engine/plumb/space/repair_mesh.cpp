@@ -13,15 +13,13 @@
 #include "plumb/space/repair_mesh.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <numeric>
 #include <span>
 
+#include "plumb/base/internal/message_text.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh/fill_polygons.h"
-#include "plumb/space/mesh/listed.h"
 #include "plumb/space/mesh/mesh_arrangement.h"
 #include "plumb/space/mesh/mesh_facets.h"
 #include "plumb/space/mesh/mesh_orientation.h"
@@ -292,24 +290,8 @@ class MeshRepair {
   // ---------------------------------------------------------------- points
 
   void drop_unused() {
-    std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
-    for (const std::uint32_t v : mesh_.corners) number[v] = 0;
-    std::uint32_t count = 0;
-    auto exact = mesh_.exact.begin();
-    auto kept_exact = mesh_.exact.begin();
-    for (std::uint32_t v = 0; v < number.size(); ++v) {
-      const bool is_exact = exact != mesh_.exact.end() && exact->first == v;
-      if (number[v] != kNone) {
-        mesh_.points[count] = mesh_.points[v];
-        if (is_exact) *kept_exact++ = {count, std::move(exact->second)};
-        number[v] = count++;
-      }
-      if (is_exact) ++exact;
-    }
-    report_.unused = number.size() - count;
-    mesh_.points.resize(count);
-    mesh_.exact.erase(kept_exact, mesh_.exact.end());
-    for (std::uint32_t& v : mesh_.corners) v = number[v];
+    const std::vector<std::uint32_t> number = drop_unused_points(mesh_);
+    report_.unused = number.size() - mesh_.points.size();
     for (auto& chain : report_.holes) {
       for (std::uint32_t& v : chain) v = number[v];
     }
@@ -325,12 +307,6 @@ class MeshRepair {
 };
 
 // ---------------------------------------------------------------- sentences
-
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
 
 void add_faces(const std::string& what, std::span<const std::uint32_t> faces,
                std::vector<std::string>& notes) {
@@ -350,7 +326,7 @@ std::vector<std::string> sentences(const RepairReport& report) {
   std::vector<std::string> notes;
   if (report.welded > 0) {
     notes.push_back(std::to_string(report.welded) + (report.welded == 1 ? " vertex" : " vertices") +
-                    " welded to others, moved by at most " + shortest(report.farthest));
+                    " welded to others, moved by at most " + format_double(report.farthest));
   }
   add_faces("faces with fewer than three different corners, dropped", report.degenerate, notes);
   std::vector<std::uint32_t> doubled;

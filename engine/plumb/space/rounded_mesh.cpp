@@ -234,6 +234,7 @@ int last_digit_exponent(double value, CoordinateType type) {
 double round_points(PolygonMesh& mesh, CoordinateType type) {
   const RoundToNearest rounding;
   constexpr double kRoundingOfTheSum = 1 + 0x1p-48;
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
   double largest = 0;
   std::vector<std::pair<std::uint32_t, RationalPoint3>> moved;
   auto exact = mesh.exact.begin();
@@ -245,7 +246,8 @@ double round_points(PolygonMesh& mesh, CoordinateType type) {
       after[k] = nearest_coordinate(before[k], type);
       // The double nearest to a constructed coordinate is at most half a unit away from it.
       const int digit = last_digit_exponent(before[k], CoordinateType::Double);
-      move[k] = (is_constructed ? std::ldexp(0.5, digit) : 0) + std::fabs(after[k] - before[k]);
+      const double half = std::max(std::ldexp(0.5, digit), kLeast);
+      move[k] = (is_constructed ? half : 0) + std::fabs(after[k] - before[k]);
     }
     if (is_constructed) {
       moved.push_back(std::move(*exact++));

@@ -29,7 +29,9 @@
 #include "plumb/base/internal/round_to_nearest.h"
 #include "plumb/base/internal/union_find.h"
 #include "plumb/space/from_mesh.h"
+#include "plumb/space/mesh/mesh_vertices.h"
 #include "plumb/space/mesh/snap_near.h"
+#include "plumb/space/weld_points.h"
 
 namespace plumb {
 namespace {
@@ -151,10 +153,11 @@ std::optional<double> snap_damaged(Draft& draft, const Damage& damage, double wi
   return snapped.largest_move;
 }
 
-/// Moves the points of damaged solids to the nearest multiples of 2^exponent.
-void snap_to_grid(Draft& draft, const Damage& damage, int exponent) {
+/// Moves the points of damaged solids to multiples of 2^exponent, towards zero, so that no
+/// coordinate grows. Returns a bound of the distances.
+double snap_to_grid(Draft& draft, const Damage& damage, int exponent) {
   const auto snapped = [exponent](double value) {
-    return std::ldexp(std::nearbyint(std::ldexp(value, -exponent)), exponent);
+    return std::ldexp(std::trunc(std::ldexp(value, -exponent)), exponent);
   };
   std::vector<std::uint8_t> is_moved(draft.mesh.points.size(), 0);
   for (std::uint32_t f = 0; f < draft.solid.size(); ++f) {
@@ -166,26 +169,10 @@ void snap_to_grid(Draft& draft, const Damage& damage, int exponent) {
     if (is_moved[v] != 0) p = {snapped(p.x), snapped(p.y), snapped(p.z)};
   }
   list_points(draft.mesh, is_moved);
+  return std::ldexp(1.7321, exponent);  // More than the diagonal of a cube of the grid.
 }
 
 // ---------------------------------------------------------------- solids
-
-/// Lets faces name the first of the points with equal coordinates.
-void merge_equal_points(PolygonMesh& mesh) {
-  std::vector<std::uint32_t> order(mesh.points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto place = [&](std::uint32_t v) {
-    const Point3& p = mesh.points[v];
-    return std::array<double, 3>{p.x, p.y, p.z};
-  };
-  std::ranges::sort(order, {}, [&](std::uint32_t v) { return std::pair(place(v), v); });
-  std::vector<std::uint32_t> first(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_equal = i > 0 && place(order[i]) == place(order[i - 1]);
-    first[order[i]] = is_equal ? first[order[i - 1]] : order[i];
-  }
-  for (std::uint32_t& v : mesh.corners) v = first[v];
-}
 
 /// Returns 1 for each damaged solid and for each solid that is connected with a damaged one by
 /// common vertices. A set of one of them alone would not have the vertices at which others touch
@@ -228,7 +215,8 @@ void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<co
 /// Replaces the damaged solids, and those that touch them, by the points of positive winding
 /// number.
 Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Context& context) {
-  merge_equal_points(draft.mesh);
+  draft.mesh.exact.clear();
+  weld_points(draft.mesh, 0, context);
   const std::vector<std::uint8_t> is_broken = connected_with_damage(draft, damage);
   Draft kept;
   kept.solid_count = draft.solid_count;
@@ -288,8 +276,7 @@ class RoundingRepairer {
     if (repair_.rounds % kRoundsOfAGrid == 0) {
       ++repair_.coarse_rounds;
       coarseness_ += kCoarser;
-      snap_to_grid(draft, damage, digit + coarseness_);
-      return std::ldexp(0.8661, digit + coarseness_);  // Half the diagonal of a cell of the grid.
+      return snap_to_grid(draft, damage, digit + coarseness_);
     }
     const bool may_snap = !damage.has_only_flipped || flipped_rounds_ == 2;
     for (; may_snap && width_ <= kWidestSnap; ++width_) {
@@ -348,20 +335,6 @@ Topology topology_of(const Draft& draft) {
   return {euler_characteristic(draft.mesh), std::ranges::count(is_seen, 1)};
 }
 
-/// Drops the points without faces.
-void drop_unused_points(PolygonMesh& mesh) {
-  std::vector<std::uint32_t> number(mesh.points.size(), kNone);
-  for (const std::uint32_t v : mesh.corners) number[v] = 0;
-  std::uint32_t count = 0;
-  for (std::uint32_t v = 0; v < number.size(); ++v) {
-    if (number[v] == kNone) continue;
-    mesh.points[count] = mesh.points[v];
-    number[v] = count++;
-  }
-  mesh.points.resize(count);
-  for (std::uint32_t& v : mesh.corners) v = number[v];
-}
-
 }  // namespace
 
 ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateType type,
@@ -375,6 +348,9 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   ValidMesh result{mesh_of_complex(complex, exactly, context), {}};
   RoundingRepair& repair = result.repair;
 
+  constexpr std::uint64_t kBytesPerCorner = 32;  // The mesh of a round and of the one before.
+  MemoryCharge memory(context);
+  memory.add(kBytesPerCorner * result.made.mesh.corners.size(), "a rounded mesh");
   Draft draft{std::move(result.made.mesh), std::move(result.made.facet), {}, 0};
   for (const FacetId f : draft.facet) draft.solid.push_back(solid_at(complex, f).value());
   draft.solid_count = static_cast<std::uint32_t>(complex.volume_count());
@@ -383,14 +359,14 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   Damage damage = find_damage(draft, exactly.faces, context);
   const bool has_equal_vertices = damage.has_equal_vertices;
   Topology before;
-  if (damage.faces > 0) before = topology_of(draft);
   if (damage.faces > 0) {
+    before = topology_of(draft);
     draft =
         RoundingRepairer(exactly, type, repair, context).run(std::move(draft), std::move(damage));
   }
   draft.mesh.exact.clear();
   if (repair.rounds > 0 || has_equal_vertices) {
-    if (!options.split_vertices) merge_equal_points(draft.mesh);
+    if (!options.split_vertices) weld_points(draft.mesh, 0, context);
     drop_unused_points(draft.mesh);
   }
   if (repair.rounds > 0) repair.changes_topology = !(topology_of(draft) == before);

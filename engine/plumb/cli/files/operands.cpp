@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -176,11 +176,24 @@ Nef2 read_plane(const std::string& file, const std::string& bytes, Session& sess
   return std::move(read.set);
 }
 
+namespace {
+
+/// Returns what is wrong with a distance; nothing if it is finite and not negative.
+std::string flaw_of_distance(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const bool is_number = !text.empty() && *end == '\0';
+  return is_number && std::isfinite(value) && value >= 0
+             ? std::string()
+             : "expected a distance that is not negative, found " + text;
+}
+
+}  // namespace
+
 void RepairFlags::declare(CLI::App& app) {
-  constexpr double kMost = std::numeric_limits<double>::max();
   app.add_option("--weld", weld_, "Make vertices at most EPS apart one")
       ->type_name("EPS")
-      ->check(CLI::Range(0., kMost).description(""));
+      ->check(flaw_of_distance);
   app.add_flag("--one-side", one_side_, "Keep one of faces with the same corners");
   app.add_flag("--reorient", reorients_, "Turn faces that disagree with their neighbours");
   app.add_option("--fill-holes", fill_holes_, "Fill holes of at most N edges")->type_name("N");

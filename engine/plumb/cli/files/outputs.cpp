@@ -53,7 +53,11 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
   try {
     file_ = make();
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::CannotWrite) throw;
+    const bool names_place = !error.place().file.empty();
+    if (names_place ||
+        (error.code() != ErrorCode::CannotWrite && error.code() != ErrorCode::NumberOutOfRange)) {
+      throw;
+    }
     throw Error(error.code(), error.message(), {name()});
   }
   if (!strict) return;

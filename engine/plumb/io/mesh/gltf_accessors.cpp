@@ -5,7 +5,7 @@
 // replaced. An accessor without any bytes has zeros for elements; so that a small file cannot ask
 // for many, they are no more than the bytes that were read. Where data are there both compressed
 // and as they are, the latter are used: they do not depend on a library.
-// Tested by tests/io/gltf_test.cpp.
+// Tested by tests/io/gltf_accessors_test.cpp.
 #include "plumb/io/mesh/gltf_accessors.h"
 
 #include <cstring>

@@ -7,7 +7,7 @@
 // Draco returns is no more than bytes: indices and coordinates are checked as those of any file.
 //
 // Without PLUMB_WITH_DRACO and PLUMB_WITH_MESHOPT this file has only the messages of its errors.
-// Tested by tests/io/gltf_test.cpp.
+// Tested by tests/io/gltf_codecs_test.cpp.
 #include "plumb/io/mesh/gltf_codecs.h"
 
 #include <algorithm>

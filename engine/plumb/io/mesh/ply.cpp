@@ -172,18 +172,6 @@ bool is_vertex(double value, std::uint32_t vertices) {
 
 // ---------------------------------------------------------------- text
 
-/// Whether a text begins as numbers do that are not finite, in the spelling of any C library.
-bool begins_not_finite(std::string_view text) {
-  constexpr std::array<std::string_view, 7> kSpellings{"nan", "NaN", "NAN", "inf",
-                                                       "Inf", "INF", "1.#"};
-  if (text.front() == '-' || text.front() == '+') text.remove_prefix(1);
-  if (text.empty() || ('0' <= text.front() && text.front() <= '9' && text.substr(1, 2) != ".#")) {
-    return false;
-  }
-  return std::any_of(kSpellings.begin(), kSpellings.end(),
-                     [&](std::string_view spelling) { return text.starts_with(spelling); });
-}
-
 class PlyTextReader {
  public:
   PlyTextReader(RecordReader& in, PlyGeometry& geometry) : in_(in), geometry_(geometry) {}
@@ -345,7 +333,7 @@ void PlyTextReader::fail_not_finite(std::uint32_t vertex, const char* where) con
 
 void PlyTextReader::read_coordinate(ReadNumber& number) {
   find_value();
-  if (!in_.cursor().at_line_end() && begins_not_finite(in_.cursor().rest())) {
+  if (!in_.cursor().at_line_end() && starts_not_finite(in_.cursor().rest())) {
     in_.cursor().token();
     missing_ = value_;
   } else {

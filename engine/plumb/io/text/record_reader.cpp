@@ -10,6 +10,7 @@
 #include "plumb/io/text/record_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -143,6 +144,13 @@ double nearest_value(const Decimal& decimal, bool is_negative) {
 constexpr std::string_view kNumber = "a number";
 
 }  // namespace
+
+bool starts_not_finite(std::string_view text) {
+  constexpr std::array<std::string_view, 7> kSpellings{"nan", "NaN", "NAN", "inf",
+                                                       "Inf", "INF", "1.#"};
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return std::ranges::any_of(kSpellings, [&](auto spelling) { return text.starts_with(spelling); });
+}
 
 void ReadNumber::set(Rational value) {
   exact_ = std::move(value);

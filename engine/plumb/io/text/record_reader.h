@@ -24,12 +24,9 @@
 
 namespace plumb {
 
-/// Whether a number that is not finite begins here, as some C library writes it: nan, -inf, 1.#IND.
-inline bool starts_not_finite(std::string_view text) {
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  const char c = text.empty() ? '0' : text.front();
-  return c == 'n' || c == 'N' || c == 'i' || c == 'I' || text.starts_with("1.#");
-}
+/// Whether a number that is not finite begins here, in the spelling of any C library: nan, -inf,
+/// 1.#IND.
+bool starts_not_finite(std::string_view text);
 
 /// A number as read: a double if a double holds it exactly or was asked for, else a rational.
 class ReadNumber {

@@ -1,35 +1,11 @@
 #include "plumb/io/text/text_output.h"
 
 #include <charconv>
-#include <cmath>
 #include <cstring>
 
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
-namespace {
-
-// The longest shortest double is "-2.2250738585072014e-308"; the longest int64 has 20 characters.
-constexpr std::size_t kNumberBytes = 32;
-
-/// Writes at `to`, which has kNumberBytes, and returns the end.
-char* put_double(char* to, double value) {
-  constexpr double kTwo63 = 9223372036854775808.0;
-  char* const end = to + kNumberBytes;
-  if (std::fabs(value) < kTwo63) {
-    const auto whole = static_cast<std::int64_t>(value);
-    if (static_cast<double>(whole) == value) return std::to_chars(to, end, whole).ptr;
-  }
-  return std::to_chars(to, end, value).ptr;
-}
-
-}  // namespace
-
-std::string format_double(double value) {
-  char text[kNumberBytes];
-  return {text, put_double(text, value)};
-}
-
 std::string format_exact(const Rational& value) { return exact_text(value); }
 
 TextOutput::TextOutput(std::ostream& out)

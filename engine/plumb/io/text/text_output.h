@@ -9,42 +9,18 @@
 #include <ostream>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 #include "plumb/base/context.h"
+#include "plumb/base/internal/message_text.h"
 #include "plumb/predicates/point_table2.h"
 #include "plumb/predicates/rational.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns a text for `value`. A reader that follows the rules of record_reader.h reads exactly
-/// `value` from this text. An integer with an absolute value less than 2^63 is written as an
-/// integer. Any other value is written as the shortest decimal that is read as `value`. Requires
-/// that `value` is finite.
-std::string format_double(double value);
-
 /// Returns the text "p/q" of a rational, or "p" if the denominator q is 1.
 std::string format_exact(const Rational& value);
-
-/// Returns the first five entries of a list of numbers or texts: "3, 8, 11, 12, 15 and 5 more".
-template <class List>
-std::string listed(const List& list) {
-  constexpr std::size_t kMost = 5;
-  std::string text;
-  std::size_t i = 0;
-  for (const auto& entry : list) {
-    if (i == kMost) return text + " and " + std::to_string(list.size() - kMost) + " more";
-    if (i++ > 0) text += ", ";
-    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(entry)>>) {
-      text += std::to_string(entry);
-    } else {
-      text += entry;
-    }
-  }
-  return text;
-}
 
 /// A buffer for text that is written to a stream. The contents of the buffer are written to the
 /// stream when the buffer is full and when flush() is called. The caller must call flush() at the

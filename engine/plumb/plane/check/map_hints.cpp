@@ -15,12 +15,10 @@
 #include "plumb/plane/check/map_hints.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <set>
 #include <tuple>
 
+#include "plumb/base/internal/message_text.h"
 #include "plumb/predicates/plane/plane_points.h"
 
 namespace plumb {
@@ -40,17 +38,6 @@ std::string regions_overlap(std::uint32_t a, std::uint32_t b) {
   return "regions " + number(std::min(a, b)) + " and " + number(std::max(a, b)) + " overlap";
 }
 
-// The shortest decimal of a double, and an integer without an exponent.
-std::string decimal(double x) {
-  std::array<char, 32> text{};
-  const bool is_integer = std::abs(x) < 1e15 && x == std::floor(x);
-  char* const begin = text.data();
-  char* const end = begin + text.size();
-  const auto written = is_integer ? std::to_chars(begin, end, static_cast<std::int64_t>(x))
-                                  : std::to_chars(begin, end, x);
-  return {begin, written.ptr};
-}
-
 }  // namespace
 
 MapHints::MapHints(const MapFindings& findings, const Map& map) : findings_(findings), map_(map) {
@@ -64,7 +51,7 @@ std::string MapHints::vertex_name(std::uint32_t v) const {
   if (!findings_.names_places) return number(v);
   if (map_.points.is_double(v)) {
     const Point2 p = map_.points.approx(v);
-    return "(" + decimal(p.x) + "," + decimal(p.y) + ")";
+    return "(" + format_double(p.x) + "," + format_double(p.y) + ")";
   }
   const RationalPoint2 p = map_.points.exact(v);
   return "(" + p.x.str() + "," + p.y.str() + ")";

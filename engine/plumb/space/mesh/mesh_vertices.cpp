@@ -178,6 +178,22 @@ MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables) {
   return VertexMaker(mesh, tables).make();
 }
 
+std::vector<std::uint32_t> drop_unused_points(PolygonMesh& mesh) {
+  std::vector<std::uint32_t> number(mesh.points.size(), kNone);
+  for (const std::uint32_t v : mesh.corners) number[v] = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t v = 0; v < number.size(); ++v) {
+    if (number[v] == kNone) continue;
+    mesh.points[count] = mesh.points[v];
+    number[v] = count++;
+  }
+  mesh.points.resize(count);
+  std::erase_if(mesh.exact, [&](const auto& entry) { return number[entry.first] == kNone; });
+  for (auto& [v, p] : mesh.exact) v = number[v];
+  for (std::uint32_t& v : mesh.corners) v = number[v];
+  return number;
+}
+
 namespace {
 
 /// Whether all faces have three corners.

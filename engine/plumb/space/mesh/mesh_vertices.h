@@ -1,6 +1,6 @@
 // The vertices of a mesh. The first part of this header makes one vertex of all points with equal
-// coordinates. The second part sorts a mesh of triangles so that neighbours in space are close
-// together in memory.
+// coordinates, and drops points without faces. The second part sorts a mesh of triangles so that
+// neighbours in space are close together in memory.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,10 @@ struct MeshVertices {
 /// count as equal. Throws Error{BadIndex} if a corner is not the index of a point, and
 /// Error{NotFinite} if a coordinate is not finite. O(n) expected.
 MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables);
+
+/// Drops the points that no face uses. The others keep their order. Returns the new index of each
+/// point; kNone for a dropped point. O(n).
+std::vector<std::uint32_t> drop_unused_points(PolygonMesh& mesh);
 
 // Order in space.
 //

@@ -7,7 +7,9 @@
 // a b, so a sequence of insertions among the same vertices ends. Faces with more than three corners
 // get the vertex as a further corner.
 //
-// Points of faces move by at most the distance of the vertex from the edge.
+// Points of faces move by at most the sum of two distances: of vertices that become one, and of
+// vertices from the edges and triangles into which they are inserted. Distances are computed with
+// coordinates below 2, so that no product overflows or vanishes.
 //
 // Tested by tests/space/snap_near_test.cpp.
 #include "plumb/space/mesh/snap_near.h"
@@ -16,10 +18,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <tuple>
 
 #include "plumb/base/internal/union_find.h"
+#include "plumb/predicates/arithmetic/vectors.h"
+#include "plumb/space/mesh/mesh_facets.h"
 
 namespace plumb {
 namespace {
@@ -28,10 +33,12 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 using FacePair = std::pair<std::uint32_t, std::uint32_t>;
 using Vector3 = std::array<double, 3>;
 
-Vector3 difference(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+/// The most vertices that are inserted into an edge at once. A face then has few enough corners for
+/// cut(); later rounds insert the others into the shorter edges.
+constexpr std::size_t kMostOnEdge = 16;
+
+Vector3 difference(const Vector3& a, const Vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 double length(const Vector3& v) { return std::hypot(v[0], v[1], v[2]); }
 
@@ -53,7 +60,18 @@ class Snapping {
  public:
   Snapping(const PolygonMesh& mesh, std::span<const std::uint8_t> is_damaged,
            std::span<const FacePair> pairs, double width)
-      : input_(mesh), is_damaged_(is_damaged), pairs_(pairs), width_(width) {}
+      : input_(mesh), is_damaged_(is_damaged), pairs_(pairs) {
+    double largest = 0;
+    for (const std::uint32_t v : mesh.corners) {
+      const Point3& p = mesh.points[v];
+      largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    }
+    scale_ = largest > 0 ? std::ilogb(largest) : 0;
+    for (const Point3& p : mesh.points) {
+      at_.push_back({std::ldexp(p.x, -scale_), std::ldexp(p.y, -scale_), std::ldexp(p.z, -scale_)});
+    }
+    width_ = std::ldexp(width, -scale_);
+  }
 
   SnappedMesh run() {
     merge_vertices();
@@ -64,15 +82,17 @@ class Snapping {
     if (!is_near) return {};
     result_.changed.assign(input_.face_count(), 0);
     for (std::uint32_t f = 0; f < input_.face_count(); ++f) rebuild(f);
-    result_.mesh.points = std::move(merged_.points);
+    result_.mesh.points = input_.points;
+    constexpr double kErrors = 0x1p-49;  // Of a height that is computed with coordinates below 2.
+    const double insertion = insertion_ > 0 ? insertion_ + kErrors : 0;
+    result_.largest_move = std::ldexp(merging_ * (1 + kErrors) + insertion, scale_);
     return std::move(result_);
   }
 
  private:
   double distance(std::uint32_t a, std::uint32_t b) const {
-    return length(difference(input_.points[a], input_.points[b]));
+    return length(difference(at_[a], at_[b]));
   }
-  void note_move(double move) { result_.largest_move = std::max(result_.largest_move, move); }
 
   // ---- 1. vertices
 
@@ -91,12 +111,11 @@ class Snapping {
         for (const std::uint32_t w : input_.face(g)) unite_if_near(v, w);
       }
     }
-    merged_.points = input_.points;
     merged_.face_begin = input_.face_begin;
     merged_.corners = input_.corners;
     for (std::uint32_t& v : merged_.corners) {
       const std::uint32_t root = classes.root(v);
-      if (root != v) note_move(distance(root, v));
+      if (root != v) merging_ = std::max(merging_, distance(root, v));
       v = root;
     }
   }
@@ -106,15 +125,15 @@ class Snapping {
   /// Returns the place of v along the edge if v is near the middle of the edge.
   std::optional<EdgePoint> near_edge(std::uint32_t a, std::uint32_t b, std::uint32_t v) {
     const Edge edge = std::minmax(a, b);
-    const Vector3 along = difference(merged_.points[edge.second], merged_.points[edge.first]);
-    const Vector3 to = difference(merged_.points[v], merged_.points[edge.first]);
+    const Vector3 along = difference(at_[edge.second], at_[edge.first]);
+    const Vector3 to = difference(at_[v], at_[edge.first]);
     const double square = dot(along, along), at = dot(to, along) / square;
     if (!(at > 0 && at < 1)) return {};
     const double height = length(cross(along, to)) / std::sqrt(square);
     const bool is_shorter =
         distance(edge.first, v) < std::sqrt(square) && distance(edge.second, v) < std::sqrt(square);
     if (!(height <= width_) || !is_shorter) return {};
-    note_move(height);
+    insertion_ = std::max({insertion_, height, std::numeric_limits<double>::min()});
     return EdgePoint{edge, at, v};
   }
 
@@ -144,6 +163,18 @@ class Snapping {
     };
     edge_points_.erase(std::unique(edge_points_.begin(), edge_points_.end(), is_same),
                        edge_points_.end());
+    thin_out();
+  }
+
+  /// Keeps kMostOnEdge points of an edge that has more, at equal steps.
+  void thin_out() {
+    std::vector<EdgePoint> kept;
+    for (std::size_t i = 0, end = 0; i < edge_points_.size(); i = end) {
+      while (end < edge_points_.size() && edge_points_[end].edge == edge_points_[i].edge) ++end;
+      const std::size_t count = end - i, most = std::min(count, kMostOnEdge);
+      for (std::size_t k = 0; k < most; ++k) kept.push_back(edge_points_[i + k * count / most]);
+    }
+    edge_points_ = std::move(kept);
   }
 
   /// Calls visit(vertex) for the vertices that are inserted between two corners.
@@ -174,15 +205,15 @@ class Snapping {
     std::ranges::sort(face_points_);
   }
   bool is_near_inside(std::span<const std::uint32_t> t, std::uint32_t v) {
-    const Point3& o = merged_.points[t[0]];
-    const Vector3 u = difference(merged_.points[t[1]], o), w = difference(merged_.points[t[2]], o);
-    const Vector3 to = difference(merged_.points[v], o), normal = cross(u, w);
+    const Vector3& o = at_[t[0]];
+    const Vector3 u = difference(at_[t[1]], o), w = difference(at_[t[2]], o);
+    const Vector3 to = difference(at_[v], o), normal = cross(u, w);
     const double square = dot(normal, normal);
     if (!(square > 0)) return false;
     const double b = dot(cross(to, w), normal) / square, c = dot(cross(u, to), normal) / square;
     const double height = std::fabs(dot(to, normal)) / std::sqrt(square);
     if (!(b > 0 && c > 0 && b + c < 1) || !(height <= width_)) return false;
-    note_move(height);
+    insertion_ = std::max({insertion_, height, std::numeric_limits<double>::min()});
     return true;
   }
 
@@ -193,12 +224,11 @@ class Snapping {
     corners_.clear();
     std::uint32_t from = before.empty() ? 0 : before.back();
     for (const std::uint32_t to : before) {
-      between(from, to, [&](std::uint32_t v) { push(v); });
-      push(to);
+      between(from, to, [&](std::uint32_t v) { push_corner(corners_, 0, v); });
+      push_corner(corners_, 0, to);
       from = to;
     }
-    while (corners_.size() > 1 && trim_end()) {
-    }
+    trim_ends(corners_, 0);
     const bool is_same = std::ranges::equal(corners_, input_.face(f));
     const auto inside = std::ranges::lower_bound(face_points_, f, {}, &FacePair::first);
     const bool has_inside = inside != face_points_.end() && inside->first == f;
@@ -216,32 +246,6 @@ class Snapping {
       cut(f);
     }
   }
-  /// Appends a corner; a corner that repeats or runs back is trimmed.
-  void push(std::uint32_t v) {
-    if (!corners_.empty() && corners_.back() == v) return;
-    if (corners_.size() > 1 && corners_[corners_.size() - 2] == v) {
-      corners_.pop_back();
-      return;
-    }
-    corners_.push_back(v);
-  }
-  /// Trims a repetition or a spike where the end meets the beginning.
-  bool trim_end() {
-    const std::size_t n = corners_.size();
-    if (corners_[n - 1] == corners_[0]) {
-      corners_.pop_back();
-    } else if (n > 2 && corners_[n - 2] == corners_[0]) {
-      corners_.resize(n - 2);
-      corners_.push_back(corners_[0]);
-      corners_.erase(corners_.begin());
-    } else if (n > 2 && corners_[n - 1] == corners_[1]) {
-      corners_.erase(corners_.begin());
-    } else {
-      return false;
-    }
-    return true;
-  }
-
   void add(std::span<const std::uint32_t> corners, std::uint32_t f) {
     result_.mesh.add_face(corners);
     result_.origin.push_back(f);
@@ -280,22 +284,21 @@ class Snapping {
   }
   /// Returns the ratio of the height of a triangle to its longest edge.
   double shape_of(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    const Vector3 u = difference(merged_.points[b], merged_.points[a]);
-    const Vector3 w = difference(merged_.points[c], merged_.points[a]);
-    const double longest = std::max({dot(u, u), dot(w, w), distance_squared(b, c)});
+    const Vector3 u = difference(at_[b], at_[a]), w = difference(at_[c], at_[a]);
+    const Vector3 across = difference(at_[c], at_[b]);
+    const double longest = std::max({dot(u, u), dot(w, w), dot(across, across)});
     return longest > 0 ? length(cross(u, w)) / longest : 0;
-  }
-
-  double distance_squared(std::uint32_t a, std::uint32_t b) const {
-    const Vector3 d = difference(merged_.points[a], merged_.points[b]);
-    return dot(d, d);
   }
 
   const PolygonMesh& input_;
   std::span<const std::uint8_t> is_damaged_;
   std::span<const FacePair> pairs_;
-  double width_;
-  PolygonMesh merged_;  // The input after vertices became one.
+  int scale_ = 0;            // The exponent of the largest coordinate.
+  double width_ = 0;         // Divided by 2^scale_, as all distances here.
+  std::vector<Vector3> at_;  // The points, divided by 2^scale_.
+  PolygonMesh merged_;       // The faces of the input after vertices became one.
+  double merging_ = 0;       // The greatest distance of vertices that became one.
+  double insertion_ = 0;     // The greatest distance of a vertex from where it was inserted.
   std::vector<EdgePoint> edge_points_;
   std::vector<FacePair> face_points_;  // A face, and the vertex inside it.
   std::vector<std::uint32_t> corners_;
