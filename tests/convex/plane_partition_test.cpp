@@ -15,7 +15,6 @@
 #include "oracle/nef2_check.h"
 #include "oracle/partition_check.h"
 #include "plumb/predicates/error.h"
-#include "plumb/predicates/segment2.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::testing::plane_partition_test {
@@ -96,44 +95,6 @@ TEST(PlanePartition, GivesTheFewestPiecesByDiagonals) {
 
 // ---------------------------------------------------------------- random polygons
 
-bool is_simple_at(const std::vector<RationalPoint2>& ring) {
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const RationalSegment2 a{ring[j], ring[j + 1]};
-      const RationalSegment2 b{ring[i], ring[(i + 1) % n]};
-      const bool are_neighbours = j + 1 == i || (j == 0 && i + 1 == n);
-      const SegmentRelation expected =
-          are_neighbours ? SegmentRelation::ShareEndpoint : SegmentRelation::Disjoint;
-      if (relation(a, b) != expected) return false;
-    }
-  }
-  return true;
-}
-
-/// A simple polygon on a small lattice; many corners are flat or share a line with others.
-Points random_polygon(Dice& dice, std::size_t corners, std::uint32_t size) {
-  const auto point = [&] {
-    const double x = dice.below(size);
-    const double y = dice.below(size);
-    return RationalPoint2{x, y};
-  };
-  std::vector<RationalPoint2> ring{{0, 0}, {size, 0}, {0, size}};
-  for (int tries = 0; ring.size() < corners && tries < 400; ++tries) {
-    std::vector<RationalPoint2> longer = ring;
-    const std::size_t at = 1 + dice.below(ring.size());
-    const RationalPoint2 p = point();
-    if (std::ranges::find(ring, p) != ring.end()) continue;
-    longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(at), p);
-    if (is_simple_at(longer)) ring = std::move(longer);
-  }
-  Points points;
-  for (const RationalPoint2& p : ring) {
-    points.push_back({p.x.convert_to<double>(), p.y.convert_to<double>()});
-  }
-  return points;
-}
-
 void expect_bounds(const Nef2& set, std::size_t holes) {
   const std::size_t r = pieces_of(set, PartitionMethod::Cuts).reflex_corners;
   const std::size_t least = (r + 1) / 2 + 1 - std::min((r + 1) / 2, holes);
@@ -150,7 +111,7 @@ TEST(PlanePartition, IsOptimalForSmallPolygons) {
     Dice dice(seed);
     const std::size_t corners = 4 + dice.below(8);
     const std::uint32_t size = 3 + dice.below(5);
-    const Nef2 set = polygon(random_polygon(dice, corners, size));
+    const Nef2 set = polygon(lattice_polygon(dice, corners, size));
     const std::size_t fewest = fewest_pieces_by_diagonals(set.parts().polygons.front());
     const std::size_t optimal = count_of(set, PartitionMethod::Optimal);
     ASSERT_EQ(optimal, fewest);
@@ -169,7 +130,7 @@ TEST(PlanePartition, IsOptimalForImagesToo) {
   for (std::uint64_t seed = 0; seed < share_of(60); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed + 1000);
-    const Nef2 set = polygon(random_polygon(dice, 14, 6));
+    const Nef2 set = polygon(lattice_polygon(dice, 14, 6));
     const std::size_t optimal = count_of(set, PartitionMethod::Optimal);
     AffineMap2 map;
     map.xx = Rational(1 + dice.below(5)) / 7;
@@ -215,7 +176,7 @@ TEST(PlanePartition, OfManyHolesHasItsBounds) {
     std::size_t holes = 0;
     for (double x = 1; x < 19; x += 6) {
       for (double y = 1; y < 19; y += 6) {
-        Points hole = random_polygon(dice, 3 + dice.below(4), 4);
+        Points hole = lattice_polygon(dice, 3 + dice.below(4), 4);
         for (Point2& p : hole) p = {p.x + x, p.y + y};
         set -= Nef2::polygon(hole, Boundary::Open);
         ++holes;

@@ -1,9 +1,11 @@
 #include "generate/plane_families.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "plumb/testing/dice.h"
+#include "plumb/predicates/rational_point.h"
+#include "plumb/predicates/segment2.h"
 
 namespace plumb::testing {
 namespace {
@@ -34,6 +36,22 @@ Point2 around(double turns) {
     default:
       return {d.y, -d.x};
   }
+}
+
+/// Whether the edges of a ring meet at common corners only.
+bool is_simple_at(const std::vector<RationalPoint2>& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const RationalSegment2 a{ring[j], ring[j + 1]};
+      const RationalSegment2 b{ring[i], ring[(i + 1) % n]};
+      const bool are_neighbours = j + 1 == i || (j == 0 && i + 1 == n);
+      const SegmentRelation expected =
+          are_neighbours ? SegmentRelation::ShareEndpoint : SegmentRelation::Disjoint;
+      if (relation(a, b) != expected) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -74,6 +92,28 @@ PlanePolygon star_polygon(std::size_t n, std::uint64_t seed) {
     polygon.push_back({r * d.x, r * d.y});
   }
   return polygon;
+}
+
+PlanePolygon lattice_polygon(Dice& dice, std::size_t corners, std::uint32_t size) {
+  const auto point = [&] {
+    const double x = dice.below(size);
+    const double y = dice.below(size);
+    return RationalPoint2{x, y};
+  };
+  std::vector<RationalPoint2> ring{{0, 0}, {size, 0}, {0, size}};
+  for (int tries = 0; ring.size() < corners && tries < 400; ++tries) {
+    std::vector<RationalPoint2> longer = ring;
+    const std::size_t at = 1 + dice.below(ring.size());
+    const RationalPoint2 p = point();
+    if (std::ranges::find(ring, p) != ring.end()) continue;
+    longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(at), p);
+    if (is_simple_at(longer)) ring = std::move(longer);
+  }
+  PlanePolygon points;
+  for (const RationalPoint2& p : ring) {
+    points.push_back({p.x.convert_to<double>(), p.y.convert_to<double>()});
+  }
+  return points;
 }
 
 // The area of an 8-gon of radius r is about 2.6 r^2.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plumb/predicates/point.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing {
 
@@ -22,6 +23,10 @@ std::vector<PlaneSegment> long_segments(std::size_t n, std::uint64_t seed = 1);
 /// A simple polygon of n vertices round the origin at random distances between 1/2 and 1. Two of
 /// different seeds cross about n times.
 PlanePolygon star_polygon(std::size_t n, std::uint64_t seed);
+
+/// A simple polygon of at most `corners` corners on the lattice of 0, ..., size in both coordinates;
+/// many corners are flat or share a line with others.
+PlanePolygon lattice_polygon(Dice& dice, std::size_t corners, std::uint32_t size);
 
 /// Convex 8-gons of integer coordinates below 2^30, counter-clockwise, so many that they cover
 /// about one and a half times the area of their square whatever n.
