@@ -61,7 +61,7 @@ TEST(PlaneProgram, examples_of_the_help_work) {
   for (const std::string name :
        {"plane union", "plane intersection", "plane difference", "plane symmetric-difference",
         "plane complement", "plane interior", "plane closure", "plane boundary", "plane regularize",
-        "plane info", "plane locate", "audit"}) {
+        "plane minkowski", "plane offset", "plane info", "plane locate", "audit"}) {
     Words words;
     std::istringstream help(name + " --help");
     for (std::string word; help >> word;) words.push_back(word);
@@ -82,11 +82,53 @@ TEST(PlaneProgram, examples_of_the_help_work) {
 
 TEST(PlaneProgram, lists_its_commands) {
   const std::string text = run({"plane", "--help"}).out;
-  for (const auto& names : {kBinary, kUnary, Words{"info", "locate"}}) {
+  for (const auto& names : {kBinary, kUnary, Words{"minkowski", "offset", "info", "locate"}}) {
     for (const std::string& name : names) EXPECT_TRUE(contains(text, "plane " + name)) << text;
   }
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 90U) << line;
+}
+
+TEST(PlaneProgram, combines_many_sets) {
+  const ScratchDirectory scratch;
+  Words words{"plane", "union"};
+  for (int i = 0; i < 5; ++i) {
+    const std::string x = std::to_string(i), to = std::to_string(i + 2);
+    const auto path = scratch / (x + ".wkt");
+    write_file(path, "POLYGON((" + x + " 0," + to + " 0," + to + " 1," + x + " 1," + x + " 0))");
+    words.push_back(path.string());
+  }
+  EXPECT_EQ(run(words).out, "POLYGON ((0 0, 6 0, 6 1, 0 1, 0 0))\n");
+  words[1] = "intersection";
+  words.resize(4);
+  EXPECT_EQ(run(words).out, "POLYGON ((1 0, 2 0, 2 1, 1 1, 1 0))\n");
+  const RunResult twice = run({"plane", "union", "-", words[2], "-"});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_TRUE(contains(twice.err, "standard input")) << twice.err;
+}
+
+TEST(PlaneProgram, adds_offsets_and_reads_by_a_rule) {
+  const ScratchDirectory scratch;
+  const std::string square = (scratch / "square.wkt").string();
+  write_file(square, "POLYGON((0 0,2 0,2 2,0 2,0 0))");
+  EXPECT_EQ(run({"plane", "minkowski", square, square}).out,
+            "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n");
+  EXPECT_EQ(run({"plane", "offset", square, "--by", "1/2", "--join", "mitre"}).out,
+            "POLYGON ((-0.5 -0.5, 2.5 -0.5, 2.5 2.5, -0.5 2.5, -0.5 -0.5))\n");
+  EXPECT_EQ(run({"plane", "offset", square, "--by", "-0.5"}).out,
+            "POLYGON ((0.5 0.5, 1.5 0.5, 1.5 1.5, 0.5 1.5, 0.5 0.5))\n");
+  for (const Words& wrong : {Words{"--by", "nan"}, Words{"--by", "1", "--segments", "2"},
+                             Words{"--by", "1", "--mitre-limit", "0"}, Words{}}) {
+    Words words{"plane", "offset", square};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    const RunResult refused = run(words);
+    EXPECT_EQ(refused.code, 2) << refused.out;
+    EXPECT_EQ(refused.out, "");
+  }
+  const std::string twice = (scratch / "twice.wkt").string();
+  write_file(twice, "POLYGON((0 0,4 0,4 4,0 4,0 0,4 0,4 4,0 4,0 0))");
+  EXPECT_TRUE(contains(run({"plane", "info", twice, "--rule", "nonzero"}).out, "area 16"));
+  EXPECT_TRUE(contains(run({"plane", "info", twice}).err, "overlap"));
 }
 
 TEST(PlaneProgram, tells_what_a_set_is_like) {

@@ -385,10 +385,58 @@ TEST(ReadPlaneSet, says_that_a_file_with_content_is_the_empty_set) {
   EXPECT_EQ(notes_of(R"({"type":"FeatureCollection","features":[]})"), nothing);
   EXPECT_EQ(notes_of(R"({"type":"Feature","geometry":null})"), nothing);
   EXPECT_EQ(notes_of("POLYGON ((0 0, 1 0, 0 1, 0 0, 1 0, 0 1, 0 0))"),
-            std::vector<std::string>{
-                "the rings of the file enclose nothing by the even-odd rule, so the set is empty"});
+            (std::vector<std::string>{
+                "the rings of the polygon overlap; the even-odd rule decided what they enclose",
+                "the rings of the file enclose nothing by the rule \"odd\", so the set is empty"}));
   EXPECT_TRUE(notes_of("POINT (1 2)").empty());
   EXPECT_TRUE(notes_of("plumb-nef2 1\n0 0 0 0 0\n").empty());
+}
+
+/// Returns the area and the number of notes of a text under each rule: odd, nonzero, positive,
+/// negative.
+std::vector<Rational> areas_by_rule(const std::string& text) {
+  std::vector<Rational> areas;
+  for (const RingRule rule :
+       {RingRule::Odd, RingRule::NonZero, RingRule::Positive, RingRule::Negative}) {
+    ReadOptions options;
+    options.rings = rule;
+    areas.push_back(read_plane_set(text, PlaneFormat::Wkt, options).set.area().value());
+  }
+  return areas;
+}
+
+TEST(ReadPlaneSet, encloses_by_the_rule_that_is_asked_for) {
+  using Areas = std::vector<Rational>;
+  const std::string twice = "POLYGON((0 0,4 0,4 4,0 4,0 0,4 0,4 4,0 4,0 0))";
+  const std::string holes =
+      "POLYGON((0 0,10 0,10 10,0 10,0 0),(2 2,6 2,6 6,2 6,2 2),"
+      "(4 4,8 4,8 8,4 8,4 4))";
+  const std::string outside = "POLYGON((0 0,10 0,10 10,0 10,0 0),(8 2,12 2,12 6,8 6,8 2))";
+  EXPECT_EQ(areas_by_rule(twice), (Areas{0, 16, 16, 0}));
+  EXPECT_EQ(areas_by_rule(holes), (Areas{76, 76, 72, 4}));
+  EXPECT_EQ(areas_by_rule(outside), (Areas{100, 100, 92, 8}));
+  // Rings of one direction that overlap, and a clockwise one.
+  EXPECT_EQ(areas_by_rule("MULTIPOLYGON(((0 0,4 0,4 4,0 4,0 0)),((2 2,2 6,6 6,6 2,2 2)))"),
+            (Areas{28, 24, 12, 12}));
+  // Lines and points belong to the set whatever the rule.
+  EXPECT_EQ(read_plane_set("GEOMETRYCOLLECTION(POINT(9 9),LINESTRING(0 0,1 1))", PlaneFormat::Wkt,
+                           {"input", false, RingRule::Negative})
+                .set.counts()
+                .vertices,
+            3U);
+}
+
+TEST(ReadPlaneSet, says_that_the_rule_matters) {
+  const auto notes = [](const std::string& text) {
+    return read_plane_set(text, PlaneFormat::Wkt).notes.size();
+  };
+  EXPECT_EQ(notes("POLYGON((0 0,10 0,10 10,0 10,0 0),(2 2,6 2,6 6,2 6,2 2),(4 4,8 4,8 8,4 8,4 4))"),
+            1U);
+  EXPECT_EQ(notes("POLYGON((0 0,10 0,10 10,0 10,0 0),(8 2,12 2,12 6,8 6,8 2))"), 1U);
+  // A bow-tie encloses nothing twice; a hole may run either way and touch the outer ring.
+  EXPECT_EQ(notes("POLYGON((0 0,2 2,2 0,0 2,0 0))"), 0U);
+  EXPECT_EQ(notes("POLYGON((0 0,9 0,9 9,0 9,0 0),(0 0,2 1,1 2,0 0))"), 0U);
+  EXPECT_EQ(notes("MULTIPOLYGON(((0 0,4 0,4 4,0 4,0 0)),((2 2,2 6,6 6,6 2,2 2)))"), 0U);
 }
 
 TEST(PlaneText, refuses_to_write_what_can_only_be_read) {

@@ -4,7 +4,8 @@
 // polygon on its own and uniting the results would be slow, so rings are first looked at once per
 // polygon (RingSides): if they meet at corners only and each keeps the polygon on one side, all
 // rings are wound so that the polygon is on their left, and one sweep over all polygons with the
-// rule Positive gives the union. Polygons that cross themselves are made sets of their own.
+// rule Positive gives the union. Polygons that cross themselves are made sets of their own. Under
+// the other rules all rings of a file go into one sweep.
 //
 // In the other direction, PlaneText rounds the set as a subdivision (plane_rounding.h), so that its
 // parts are valid shapes of doubles, and reports what was lost. Formats: docs/formats.md, section
@@ -159,17 +160,55 @@ void append_wound(const PlaneShapes& shapes, std::size_t p, const std::vector<Ri
   }
 }
 
-void add_polygons(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& context) {
-  if (shapes.polygon_count() == 1) {
-    sets.push_back(by_rule(shapes, WindingRule::EvenOdd, context));
-    return;
+void reverse_ring(PlaneShapes& shapes, std::size_t r) {
+  std::reverse(shapes.ring_corners.begin() + shapes.ring_begin[r],
+               shapes.ring_corners.begin() + shapes.ring_begin[r + 1]);
+}
+
+/// Turns holes round that run the same way as the outer ring of their polygon.
+PlaneShapes with_turned_holes(PlaneShapes shapes) {
+  for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
+    const std::uint32_t outer = shapes.polygon_begin[p];
+    const std::uint32_t end = shapes.polygon_begin[p + 1];
+    if (end - outer < 2) continue;
+    const Sign way = polygon_area_sign(shapes.points, shapes.ring(outer));
+    for (std::uint32_t r = outer + 1; r < end; ++r) {
+      const Sign hole = polygon_area_sign(shapes.points, shapes.ring(r));
+      if (hole == way) reverse_ring(shapes, r);
+    }
   }
+  return shapes;
+}
+
+/// Whether a reader of the file should know that another rule than the even-odd rule gives another
+/// set than `odd`: the holes of a polygon overlap or lie outside of it, or nothing is left of it.
+/// One ring that crosses itself, such as a star, is drawn so on purpose.
+bool is_ambiguous(const PlaneShapes& polygon, const Nef2& odd, Context& context) {
+  PlaneShapes turned = with_turned_holes(polygon);
+  if (turned.ring_count() == 1) {
+    return odd.counts().faces < 2 && by_rule(turned, WindingRule::NonZero, context) != odd;
+  }
+  if (polygon_area_sign(turned.points, turned.ring(0)) == Sign::Negative) {
+    for (std::size_t r = 0; r < turned.ring_count(); ++r) reverse_ring(turned, r);
+  }
+  return by_rule(turned, WindingRule::Positive, context) != odd;
+}
+
+/// The set of some polygons.
+struct SetOfPolygons {
+  std::vector<Nef2> sets;     ///< Its parts.
+  std::size_t ambiguous = 0;  ///< Number of polygons for which the choice of the rule matters.
+};
+
+void add_polygons(const PlaneShapes& shapes, SetOfPolygons& result, Context& context) {
+  std::vector<Nef2>& sets = result.sets;
   PlaneShapes wound;
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     const PlaneShapes alone = single_polygon(shapes, p);
     const std::vector<RingSide> sides = RingSides::find(alone, context);
     if (sides.empty()) {
       sets.push_back(by_rule(alone, WindingRule::EvenOdd, context));
+      if (is_ambiguous(alone, sets.back(), context)) ++result.ambiguous;
     } else {
       append_wound(shapes, p, sides, wound);
     }
@@ -237,11 +276,38 @@ void require_finite(double approx, const Rational& exact) {
 
 }  // namespace
 
-Nef2 to_set(const PlaneShapes& shapes, Context& context) {
-  std::vector<Nef2> sets;
-  add_polygons(shapes, sets, context);
-  add_lines(shapes, sets, context);
+namespace {
+
+/// Returns the set of all shapes as parts.
+SetOfPolygons parts_of(const PlaneShapes& shapes, RingRule rule, Context& context) {
+  SetOfPolygons result;
+  if (rule == RingRule::Odd) {
+    add_polygons(shapes, result, context);
+  } else {
+    PlaneShapes turned = with_turned_holes(shapes);
+    for (std::size_t r = 0; rule == RingRule::Negative && r < turned.ring_count(); ++r) {
+      reverse_ring(turned, r);
+    }
+    const bool is_signed = rule != RingRule::NonZero;
+    result.sets.push_back(
+        by_rule(turned, is_signed ? WindingRule::Positive : WindingRule::NonZero, context));
+  }
+  add_lines(shapes, result.sets, context);
+  return result;
+}
+
+Nef2 united(const std::vector<Nef2>& sets, Context& context) {
   return sets.size() == 1 ? sets.front() : union_of(sets, context);
+}
+
+}  // namespace
+
+Nef2 to_set(const PlaneShapes& shapes, RingRule rule, Context& context) {
+  return united(parts_of(shapes, rule, context).sets, context);
+}
+
+Nef2 to_set(const PlaneShapes& shapes, Context& context) {
+  return to_set(shapes, RingRule::Odd, context);
 }
 
 PlaneShapes to_shapes(const PlaneParts& parts, Context& context) {
@@ -292,14 +358,36 @@ PlaneFormat plane_format_of(const std::string& path, std::string_view text) {
 
 namespace {
 
+std::string_view rule_name(RingRule rule) {
+  switch (rule) {
+    case RingRule::NonZero:
+      return "nonzero";
+    case RingRule::Positive:
+      return "positive";
+    case RingRule::Negative:
+      return "negative";
+    default:
+      return "odd";
+  }
+}
+
 /// Makes a set of shapes. A file that has content and describes the empty set says so.
-PlaneRead set_of(PlaneFile file, Context& context) {
-  PlaneRead read{to_set(file.shapes, context), std::move(file.notes)};
+PlaneRead set_of(PlaneFile file, RingRule rule, Context& context) {
+  const SetOfPolygons parts = parts_of(file.shapes, rule, context);
+  PlaneRead read{united(parts.sets, context), std::move(file.notes)};
+  if (parts.ambiguous != 0) {
+    const std::size_t polygons = file.shapes.polygon_count();
+    const std::string which = polygons == 1 ? "the polygon"
+                                            : std::to_string(parts.ambiguous) + " of " +
+                                                  std::to_string(polygons) + " polygons";
+    read.notes.push_back("the rings of " + which +
+                         " overlap; the even-odd rule decided what they enclose");
+  }
   if (file.shapes.empty()) {
     read.notes.emplace_back("the file has no point, line or polygon, so the set is empty");
   } else if (read.set.is_empty()) {
-    read.notes.emplace_back(
-        "the rings of the file enclose nothing by the even-odd rule, so the set is empty");
+    read.notes.emplace_back("the rings of the file enclose nothing by the rule \"" +
+                            std::string(rule_name(rule)) + "\", so the set is empty");
   }
   return read;
 }
@@ -312,11 +400,11 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
     case PlaneFormat::Nef2:
       return {read_nef2(text, options, context), {}};
     case PlaneFormat::GeoJson:
-      return set_of(read_geojson(text, options, context), context);
+      return set_of(read_geojson(text, options, context), options.rings, context);
     case PlaneFormat::Wkb:
-      return set_of(read_wkb(text, options, context), context);
+      return set_of(read_wkb(text, options, context), options.rings, context);
     default:
-      return set_of(read_wkt(text, options, context), context);
+      return set_of(read_wkt(text, options, context), options.rings, context);
   }
 }
 

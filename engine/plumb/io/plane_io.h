@@ -1,8 +1,8 @@
 // Reads and writes sets of the plane in the formats WKT, GeoJSON and .nef2, and reads WKB.
 //
 // WKT, GeoJSON and WKB files list polygons, lines and points (PlaneShapes). A polygon stands for
-// the points that its rings enclose by the even-odd rule, together with the points on its rings. A
-// line stands for the set of its points. A file stands for the union of the sets of all its
+// the points that its rings enclose by the even-odd rule, together with the points on its rings;
+// the caller may choose another rule (RingRule). A line stands for the set of its points. A file stands for the union of the sets of all its
 // polygons, lines and points.
 //
 // Reading: a file in WKT, GeoJSON or WKB cannot state which boundary points belong to the set. A
@@ -83,6 +83,10 @@ struct PlaneFile {
   /// that are not in `shapes`.
   std::vector<std::string> notes;
 };
+
+/// Returns the set for which the shapes stand under a rule other than RingRule::Odd, or the set of
+/// the function below under RingRule::Odd. Lines and points are united with the polygons.
+Nef2 to_set(const PlaneShapes& shapes, RingRule rule, Context& context = unlimited_context());
 
 /// Returns the set for which the shapes stand. First, each polygon whose rings meet at points other
 /// than common corners is resolved by a sweep of its own. Then one sweep handles all polygons

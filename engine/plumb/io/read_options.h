@@ -7,12 +7,23 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// The points that the rings of a file of polygons enclose. The winding number of a point says how
+/// often the rings run around it counter-clockwise. Under all rules but Odd, a hole that runs the
+/// same way as the outer ring of its polygon is turned round first.
+enum class RingRule : std::uint8_t {
+  Odd,       ///< Each polygon by itself: the points whose winding number is odd. Polygons unite.
+  NonZero,   ///< All rings of the file together: the points whose winding number is not 0.
+  Positive,  ///< All rings of the file together: the points whose winding number is positive.
+  Negative,  ///< All rings of the file together: the points whose winding number is negative.
+};
+
 /// Options of reading a text.
 struct ReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
   /// is rounded to the nearest double.
   bool exact_decimals = false;
+  RingRule rings = RingRule::Odd;  ///< For polygons of the plane; ignored for all other contents.
 };
 
 /// How a writer rounds coordinates that its format cannot hold.

@@ -12,10 +12,12 @@
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "plumb/cli/commands/set_command.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/session/command.h"
+#include "plumb/convex/plane_minkowski.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/text_output.h"
@@ -23,6 +25,7 @@
 #include "plumb/picture/svg/sheet.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_measure.h"
+#include "plumb/plane/plane_offset.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb::cli {
@@ -111,11 +114,27 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
           text.losses().sentences(), changes};
 }
 
-struct PlaneInput {
-  void declare(CLI::App&) {}
-  PlaneRead load(const std::string& file, const CommonOptions& options, Context& context) const {
-    return read_plane_set_file(file, {}, {.exact_decimals = options.exact_decimals}, context);
+class PlaneInput {
+ public:
+  void declare(CLI::App& app) {
+    add_choice(app, "--rule", rule_, {"odd", "nonzero", "positive", "negative"},
+               "Winding numbers inside (default: odd, polygon by polygon)");
   }
+  PlaneRead load(const std::string& file, const CommonOptions& options, Context& context) const {
+    ReadOptions read;
+    read.exact_decimals = options.exact_decimals;
+    read.rings = ring_rule();
+    return read_plane_set_file(file, {}, read, context);
+  }
+
+ private:
+  RingRule ring_rule() const {
+    if (rule_ == "nonzero") return RingRule::NonZero;
+    if (rule_ == "positive") return RingRule::Positive;
+    return rule_ == "negative" ? RingRule::Negative : RingRule::Odd;
+  }
+
+  std::string rule_;
 };
 
 /// The kind of sets of the plane, for set_command.h.
@@ -152,6 +171,71 @@ struct Plane {
   }
 };
 
+using PlaneOperation = SetOperation<Plane>;
+
+/// The Minkowski sum of two sets.
+class PlaneSum : public PlaneOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Plane>(app, a_);
+    declare_second(app, b_);
+  }
+  ProgressStages stages() const override { return stages_of_sets<Plane>(2, 1); }
+  Nef2 compute(Session& session) override {
+    require_one_stdin({a_, b_});
+    const std::vector<Nef2> sets = read_all({a_, b_}, session);
+    session.begin("combine");
+    return minkowski_sum(sets[0], sets[1], session.context());
+  }
+
+  std::string a_;
+  std::string b_;
+};
+
+/// A set grown or shrunk by a distance.
+class PlaneOffset : public PlaneOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Plane>(app, a_);
+    app.add_option("--by", by_, "The distance; a negative one shrinks the set")
+        ->required()
+        ->type_name("D");
+    add_choice(app, "--join", join_, {"round", "mitre", "square", "bevel"},
+               "The shape at convex corners (default: round)");
+    app.add_option("--mitre-limit", mitre_limit_, "Cut mitres longer than LIMIT distances: 2")
+        ->type_name("LIMIT");
+    app.add_option("--chord-error", chord_error_,
+                   "Between an arc and its chords: a thousandth of D")
+        ->type_name("E");
+    app.add_option("--segments", segments_, "Chords of a full circle, instead of --chord-error")
+        ->type_name("N");
+  }
+  Nef2 compute(Session& session) override {
+    const double by = number(by_, "--by", session);
+    OffsetOptions options;
+    options.join = join_ == "mitre"    ? OffsetJoin::Mitre
+                   : join_ == "square" ? OffsetJoin::Square
+                   : join_ == "bevel"  ? OffsetJoin::Bevel
+                                       : OffsetJoin::Round;
+    options.mitre_limit = number(mitre_limit_, "--mitre-limit", session);
+    options.chord_error = number(chord_error_, "--chord-error", session);
+    options.circle_segments = segments_;
+    const Nef2 set = read(a_, session);
+    session.begin("combine");
+    return offset(set, by, options, session.context());
+  }
+  static double number(const std::string& text, const char* name, Session& session) {
+    return nearest_double(read_number_argument(text, name, session));
+  }
+
+  std::string a_;
+  std::string by_;
+  std::string join_;
+  std::string mitre_limit_ = "2";
+  std::string chord_error_ = "0";
+  std::uint32_t segments_ = 0;
+};
+
 class PlaneInfo : public SetInfo<Plane> {
  public:
   void declare(CLI::App& app) override {
@@ -173,10 +257,10 @@ class PlaneInfo : public SetInfo<Plane> {
 }  // namespace
 
 std::unique_ptr<CommandBody> make_plane_union() {
-  return std::make_unique<BinaryOperation<Plane>>(kUnion);
+  return std::make_unique<NaryOperation<Plane>>(NaryFunction::Union);
 }
 std::unique_ptr<CommandBody> make_plane_intersection() {
-  return std::make_unique<BinaryOperation<Plane>>(kIntersection);
+  return std::make_unique<NaryOperation<Plane>>(NaryFunction::Intersection);
 }
 std::unique_ptr<CommandBody> make_plane_difference() {
   return std::make_unique<BinaryOperation<Plane>>(kDifference);
@@ -199,6 +283,8 @@ std::unique_ptr<CommandBody> make_plane_boundary() {
 std::unique_ptr<CommandBody> make_plane_regularize() {
   return std::make_unique<UnaryOperation<Plane>>(&Nef2::regularization);
 }
+std::unique_ptr<CommandBody> make_plane_minkowski() { return std::make_unique<PlaneSum>(); }
+std::unique_ptr<CommandBody> make_plane_offset() { return std::make_unique<PlaneOffset>(); }
 std::unique_ptr<CommandBody> make_plane_info() { return std::make_unique<PlaneInfo>(); }
 std::unique_ptr<CommandBody> make_plane_locate() { return std::make_unique<SetLocate<Plane>>(); }
 

@@ -2,8 +2,10 @@
 // over the kind of sets (concept SetKind).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -59,8 +61,8 @@ concept SetKind = SetInput<typename Kind::Input> &&
   { Kind::locate(set, point) } -> std::same_as<std::pair<const char*, bool>>;
 };
 
-inline void require_one_stdin(const std::string& a, const std::string& b) {
-  if (a == "-" && b == "-") {
+inline void require_one_stdin(const std::vector<std::string>& files) {
+  if (std::count(files.begin(), files.end(), "-") > 1) {
     throw Error(ErrorCode::Usage, "only one of the sets can come from standard input");
   }
 }
@@ -193,7 +195,7 @@ class BinaryOperation : public SetOperation<Kind> {
   }
   ProgressStages stages() const override { return stages_of_sets<Kind>(2, 1); }
   typename Kind::Set compute(Session& session) override {
-    require_one_stdin(a_, b_);
+    require_one_stdin({a_, b_});
     auto sets = this->read_all({a_, b_}, session);
     session.begin("combine");
     return boolean_op(std::move(sets[0]), std::move(sets[1]), function_, session.context());
@@ -202,6 +204,41 @@ class BinaryOperation : public SetOperation<Kind> {
   MarkFunction function_;
   std::string a_;
   std::string b_;
+};
+
+enum class NaryFunction : std::uint8_t { Union, Intersection };
+
+/// A command that unites or intersects two or more sets.
+template <SetKind Kind>
+class NaryOperation : public SetOperation<Kind> {
+ public:
+  using Set = typename Kind::Set;
+  explicit NaryOperation(NaryFunction function) : function_(function) {}
+
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Kind>(app, a_);
+    app.add_option("B", others_, "The other sets")->required()->type_name("");
+  }
+  ProgressStages stages() const override { return stages_of_sets<Kind>(1 + others_.size(), 1); }
+  Set compute(Session& session) override {
+    std::vector<std::string> files{a_};
+    files.insert(files.end(), others_.begin(), others_.end());
+    require_one_stdin(files);
+    std::vector<Set> sets = this->read_all(files, session);
+    session.begin("combine");
+    Context& context = session.context();
+    const bool is_union = function_ == NaryFunction::Union;
+    if (sets.size() == 2) {  // Without copies of the operands.
+      return boolean_op(std::move(sets[0]), std::move(sets[1]), is_union ? kUnion : kIntersection,
+                        context);
+    }
+    return is_union ? union_of(sets, context) : intersection_of(sets, context);
+  }
+
+  NaryFunction function_;
+  std::string a_;
+  std::vector<std::string> others_;
 };
 
 /// A command that applies a member function to a set.

@@ -144,7 +144,7 @@ class MinkowskiSum : public SolidOperation {
     return {reading_solid(), reading_solid(), adding_solids()};
   }
   Nef3 compute(Session& session) override {
-    require_one_stdin(a_, b_);
+    require_one_stdin({a_, b_});
     const std::vector<Nef3> sets = read_all({a_, b_}, session);
     session.begin("combine");
     return minkowski_sum(sets[0], sets[1], session.context());
@@ -219,7 +219,7 @@ class Evaluation : public SolidOperation {
         throw Error(ErrorCode::Usage, "expected NAME=FILE, found '" + binding + "'");
       }
       const std::string file = binding.substr(equals + 1);
-      if (file == "-" && std::exchange(has_stdin, true)) require_one_stdin("-", "-");
+      if (file == "-" && std::exchange(has_stdin, true)) require_one_stdin({"-", "-"});
       if (!files.emplace(binding.substr(0, equals), file).second) {
         throw Error(ErrorCode::Usage, "two files for '" + binding.substr(0, equals) + "'");
       }
@@ -310,7 +310,7 @@ class SolidCompare : public CommandBody {
     input_.declare(app);
   }
   ExitCode run(Session& session) override {
-    require_one_stdin(a_, b_);
+    require_one_stdin({a_, b_});
     ProgressStages stages = stages_of_sets<Solid>(2, 2);
     stages.push_back(writing());
     session.expect(std::move(stages));
@@ -344,10 +344,10 @@ class SolidCompare : public CommandBody {
 }  // namespace
 
 std::unique_ptr<CommandBody> make_solid_union() {
-  return std::make_unique<BinaryOperation<Solid>>(kUnion);
+  return std::make_unique<NaryOperation<Solid>>(NaryFunction::Union);
 }
 std::unique_ptr<CommandBody> make_solid_intersection() {
-  return std::make_unique<BinaryOperation<Solid>>(kIntersection);
+  return std::make_unique<NaryOperation<Solid>>(NaryFunction::Intersection);
 }
 std::unique_ptr<CommandBody> make_solid_difference() {
   return std::make_unique<BinaryOperation<Solid>>(kDifference);

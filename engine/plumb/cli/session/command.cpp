@@ -112,6 +112,8 @@ std::unique_ptr<CommandBody> make_plane_interior();
 std::unique_ptr<CommandBody> make_plane_closure();
 std::unique_ptr<CommandBody> make_plane_boundary();
 std::unique_ptr<CommandBody> make_plane_regularize();
+std::unique_ptr<CommandBody> make_plane_minkowski();
+std::unique_ptr<CommandBody> make_plane_offset();
 std::unique_ptr<CommandBody> make_plane_info();
 std::unique_ptr<CommandBody> make_plane_locate();
 std::unique_ptr<CommandBody> make_solid_union();
@@ -153,11 +155,11 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
               "./plumb map overlay corpus/maps/us-states.clean.map "
               "corpus/maps/us-counties.clean.map -o out.svg",
               "map-overlay", make_map_overlay},
-      Command{"plane union", "A B", "What lies in either set",
+      Command{"plane union", "A B...", "What lies in any of the sets",
               "./plumb plane union corpus/plane/star.wkt corpus/plane/frame.geojson -o out.wkt",
               "plane-set", make_plane_union},
       Command{
-          "plane intersection", "A B", "What lies in both sets",
+          "plane intersection", "A B...", "What lies in all sets",
           "./plumb plane intersection corpus/plane/star.wkt corpus/plane/quadrant.nef2 -o out.nef2",
           "plane-set", make_plane_intersection},
       Command{"plane difference", "A B", "What lies in A and not in B",
@@ -181,16 +183,22 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"plane regularize", "A", "The closure of the interior of A",
               "./plumb plane regularize corpus/plane/frame.geojson", "plane-set",
               make_plane_regularize},
+      Command{"plane minkowski", "A B", "Sums of a point of A and a point of B",
+              "./plumb plane minkowski corpus/plane/star.wkt corpus/plane/frame.geojson -o out.wkt",
+              "plane-set", make_plane_minkowski},
+      Command{"plane offset", "A", "A grown or shrunk by a distance",
+              "./plumb plane offset corpus/plane/star.wkt --by 0.5 -o out.svg", "plane-set",
+              make_plane_offset},
       Command{"plane info", "A", "Counts, exact area; bounded? empty?",
               "./plumb plane info corpus/plane/star.wkt --json", "plane-set", make_plane_info},
       Command{"plane locate", "A X Y", "Where does the point lie; is it in A?",
               "./plumb plane locate corpus/plane/quadrant.nef2 0 -1/3", "locate",
               make_plane_locate},
       Command{
-          "solid union", "A B", "What lies in either solid",
+          "solid union", "A B...", "What lies in any of the solids",
           "./plumb solid union corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o out.off",
           "solid-set", make_solid_union},
-      Command{"solid intersection", "A B", "What lies in both solids",
+      Command{"solid intersection", "A B...", "What lies in all solids",
               "./plumb solid intersection corpus/solids/l-block.off corpus/solids/tetrahedron.obj "
               "-o out.nef",
               "solid-set", make_solid_intersection},
@@ -279,7 +287,7 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
 std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
       CommandGroup{"map", "Maps, exactly: check regions for defects, overlay two maps"},
-      CommandGroup{"plane", "Sets of the plane, exactly: union ... info, locate"},
+      CommandGroup{"plane", "Sets of the plane, exactly: union ... offset, info, locate"},
       CommandGroup{"solid", "Sets of space, exactly: union ... section, info, compare"},
       CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report, minkowski"},
       CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw"},
