@@ -131,6 +131,19 @@ TEST(PlaneProgram, adds_offsets_and_reads_by_a_rule) {
   EXPECT_TRUE(contains(run({"plane", "info", twice}).err, "overlap"));
 }
 
+/// The closure of a sum is the sum of the closures, which is all that WKT can hold.
+TEST(PlaneProgram, writes_the_closure_of_a_sum) {
+  const ScratchDirectory scratch;
+  const auto path = [&](const std::string& name) { return (scratch / name).string(); };
+  write_file(scratch / "square.wkt", "POLYGON((0 0,2 0,2 2,0 2,0 0))");
+  write_file(scratch / "line.wkt", "LINESTRING(0 0,2 0)");
+  run({"plane", "difference", path("square.wkt"), path("line.wkt"), "-o", path("half.nef2")});
+  run({"plane", "minkowski", path("half.nef2"), path("half.nef2"), "-o", path("sum.nef2")});
+  EXPECT_EQ(run({"plane", "locate", path("sum.nef2"), "1", "0"}).out, "edge, not in the set\n");
+  EXPECT_EQ(run({"plane", "minkowski", path("half.nef2"), path("half.nef2")}).out,
+            run({"plane", "closure", path("sum.nef2")}).out);
+}
+
 TEST(PlaneProgram, tells_what_a_set_is_like) {
   const ScratchDirectory scratch;
   const auto file = [&](const std::string& text) {

@@ -158,6 +158,12 @@ struct Plane {
     return *format == PlaneFormat::Nef2 ? writing_nef2() : writing_plane_text();
   }
   static const auto& formats() { return kFormats; }
+  static bool keeps_marks(const SetOutput& output) {
+    const auto index = output.format();
+    if (!index) return false;  // WKT if the set is bounded, as a sum is.
+    const auto format = kFormats[static_cast<std::size_t>(*index)].text;
+    return !format || *format == PlaneFormat::Nef2;  // A picture shows marks, too.
+  }
   static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
     return ready_file(set, output, context);
   }
@@ -185,7 +191,12 @@ class PlaneSum : public PlaneOperation {
     require_one_stdin({a_, b_});
     const std::vector<Nef2> sets = read_all({a_, b_}, session);
     session.begin("combine");
-    return minkowski_sum(sets[0], sets[1], session.context());
+    Context& context = session.context();
+    // The closure of the sum is the sum of the closures, which has far fewer parts.
+    if (needs_closure_only(session)) {
+      return minkowski_sum(sets[0].closure(context), sets[1].closure(context), context);
+    }
+    return minkowski_sum(sets[0], sets[1], context);
   }
 
   std::string a_;

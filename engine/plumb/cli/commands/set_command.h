@@ -53,6 +53,8 @@ concept SetKind = SetInput<typename Kind::Input> &&
   { Kind::measuring() } -> std::same_as<ProgressStage>;
   { Kind::locating() } -> std::same_as<ProgressStage>;
   { Kind::writing(output) } -> std::same_as<ProgressStages>;
+  // Whether the output's format holds marks, and not just the closure of a set.
+  { Kind::keeps_marks(output) } -> std::same_as<bool>;
   // The set as a file of the output's format.
   { Kind::ready(set, output, context) } -> std::same_as<ReadyFile>;
   // What is known of the set.
@@ -148,6 +150,10 @@ class SetOperation : public CommandBody {
   }
   Set read(const std::string& file, Session& session) const {
     return std::move(read_all({file}, session).front());
+  }
+  /// Whether nothing but the closure of the result is asked for.
+  bool needs_closure_only(Session& session) const {
+    return !strict_ && !session.options().json && !Kind::keeps_marks(output_);
   }
 
  private:

@@ -106,13 +106,14 @@ struct Solid {
   static ProgressStage measuring() { return measuring_solid(); }
   static ProgressStage locating() { return locating_solid(); }
   static ProgressStages writing(const SetOutput& output) {
-    return format_of(output).name == "nef" ? writing_nef() : writing_mesh();
+    return keeps_marks(output) ? writing_nef() : writing_mesh();
   }
   static std::span<const SolidFormat> formats() { return solid_formats(); }
   static const SolidFormat& format_of(const SetOutput& output) {
     return output.format() ? formats()[static_cast<std::size_t>(*output.format())]
                            : format_named(formats(), "nef");
   }
+  static bool keeps_marks(const SetOutput& output) { return format_of(output).name == "nef"; }
   static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
     const auto text =
         std::make_shared<SolidText>(set, format_of(output), output.rounding().rounding, context);
@@ -147,7 +148,12 @@ class MinkowskiSum : public SolidOperation {
     require_one_stdin({a_, b_});
     const std::vector<Nef3> sets = read_all({a_, b_}, session);
     session.begin("combine");
-    return minkowski_sum(sets[0], sets[1], session.context());
+    Context& context = session.context();
+    // The closure of the sum is the sum of the closures, which has far fewer parts.
+    if (needs_closure_only(session)) {
+      return minkowski_sum(sets[0].closure(context), sets[1].closure(context), context);
+    }
+    return minkowski_sum(sets[0], sets[1], context);
   }
 
   std::string a_;
