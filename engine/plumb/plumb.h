@@ -5,6 +5,7 @@
 //   - The headers of plumb/picture draw pictures.
 //   - The header plumb/plane/map_check.h checks maps.
 //   - The header plumb/convex/decompose.h cuts sets into convex parts.
+//   - The headers of plumb/model make and measure models: primitives, hulls, extrusions, slices.
 //   - The header plumb/surface/surface.h combines polygons on surfaces.
 #pragma once
 

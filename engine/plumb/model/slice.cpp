@@ -1,0 +1,183 @@
+// Slices and shadows.
+//
+// The result of a Boolean with a plane z = c is flat: all its facets lie in this plane. Its edges
+// are segments of the arrangement from which the subdivision of the plane is made. They cross
+// nowhere, so each edge of the arrangement is one edge of the flat set, and takes its mark; the face
+// on a side takes the mark of the facet on this side, if there is one.
+//
+// Tested by tests/model/slice_test.cpp.
+#include "plumb/model/slice.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plumb/plane/arrangement.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/point3_signs.h"
+#include "plumb/space/planar/facet_triangles.h"
+
+namespace plumb {
+namespace {
+
+void require_bounded_set(const Nef3& set) {
+  if (set.is_bounded()) return;
+  throw Error(ErrorCode::BadArgument, "an unbounded set cannot be sliced or projected");
+}
+
+/// Returns the x and y of all vertices.
+PointTable2 projected_vertices(const SpaceComplex& c) {
+  PointTable2 points;
+  points.reserve(c.vertex_count());
+  for (const SpacePoint p : c.vertex_point) {
+    const RationalPoint3 at = exact(c.points(), p);
+    points.push_back(at.x, at.y);
+  }
+  return points;
+}
+
+/// Returns Positive if the normal of a plane points upward, Zero if the plane is vertical.
+Sign upward(const SpaceComplex& c, FacetId f) {
+  return sign_of(c.planes().coefficients(c.facet_plane[f])[2]);
+}
+
+/// Makes a set of the plane of a set all of whose cells lie in one plane that is not vertical.
+class Flattening {
+ public:
+  Flattening(const SpaceComplex& flat, Context& context) : c_(flat), context_(context) {}
+
+  Nef2 set() {
+    std::vector<SweepSegment> segments;
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      segments.push_back(
+          {c_.origin[HalfedgeId(2 * e)].value(), c_.origin[HalfedgeId(2 * e + 1)].value()});
+    }
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) segments.push_back({v, v});
+    Arrangement arrangement = arrange(projected_vertices(c_), segments, context_);
+    PlaneComplex plane = std::move(arrangement.complex);
+    for (std::size_t v = 0; v < plane.vertex_count(); ++v) {
+      plane.marks.vertex[VertexId(v)] = c_.vertex_mark[VertexId(plane.vertex_point[VertexId(v)])];
+    }
+    for (std::size_t e = 0; e < plane.edge_count(); ++e) {
+      const EdgeId space_edge(arrangement.origins[e].value());  // A set of one curve.
+      plane.marks.edge[EdgeId(e)] = c_.edge_mark[space_edge];
+      mark_faces(plane, EdgeId(e), space_edge);
+    }
+    return Nef2::from_complex(std::move(plane), context_);
+  }
+
+ private:
+  /// Marks the faces beside an edge of the plane by the facets beside the edge of space.
+  void mark_faces(PlaneComplex& plane, EdgeId e, EdgeId space_edge) {
+    const UseId first = c_.edge_use[space_edge];
+    if (!first.is_valid()) return;
+    UseId u = first;
+    do {
+      const FacetId f = c_.use_facet[u];
+      if (c_.facet_mark[f] == 1) {
+        const VertexId from = c_.use_origin(u);
+        const HalfedgeId h = first_half(e);
+        const bool is_along = VertexId(plane.vertex_point[plane.dcel.origin(h)]) == from;
+        // Seen from the positive side of its plane, the facet is to the left of its use.
+        const bool is_left = is_along == (upward(c_, f) == Sign::Positive);
+        plane.marks.face[plane.dcel.face(is_left ? h : twin(h))] = 1;
+      }
+      u = c_.use_radial[u];
+    } while (u != first);
+  }
+
+  const SpaceComplex& c_;
+  Context& context_;
+};
+
+/// The projections of the cells of a set.
+class Projection {
+ public:
+  explicit Projection(const SpaceComplex& complex) : c_(complex) {}
+
+  Nef2 covered(Context& context) {
+    for (std::uint32_t f = 0; f < c_.facet_count(); ++f) add_facet(FacetId(f));
+    for (std::uint32_t e = 0; e < c_.edge_count(); ++e) {
+      if (!c_.edge_use[EdgeId(e)].is_valid()) add_line(EdgeId(e));
+    }
+    for (std::uint32_t v = 0; v < c_.vertex_count(); ++v) {
+      if (c_.star_of(VertexId(v)).empty()) add_line_end(VertexId(v));
+    }
+    const PointTable2 points = projected_vertices(c_);
+    const std::array<Nef2, 2> parts{
+        Nef2::polygons(points, rings_, ring_begin_, WindingRule::Positive, Boundary::Closed,
+                       context),
+        Nef2::polylines(points, lines_, line_begin_, context)};
+    return union_of(parts, context);
+  }
+
+ private:
+  /// Adds the borders of a facet, turned such that the facet is on their left. Of a solid, the
+  /// facets that look upward cover the shadow, and vertical facets lie in the shadow of others.
+  void add_facet(FacetId f) {
+    const auto [above, below] = c_.facet_volume[f];
+    const bool is_free = c_.volume_mark[above] == c_.volume_mark[below];
+    const Sign up = upward(c_, f);
+    if (up == Sign::Zero) {
+      if (is_free) add_vertical(f);
+      return;
+    }
+    const bool looks_up = (c_.volume_mark[below] == 1) == (up == Sign::Positive);
+    if (!is_free && !looks_up) return;
+    for (const UseId cycle : c_.cycles_of(f)) {
+      const auto begin = static_cast<std::ptrdiff_t>(rings_.size());
+      UseId u = cycle;
+      do {
+        rings_.push_back(c_.use_origin(u).value());
+        u = c_.use_next[u];
+      } while (u != cycle);
+      if (up == Sign::Negative) std::reverse(rings_.begin() + begin, rings_.end());
+      ring_begin_.push_back(static_cast<std::uint32_t>(rings_.size()));
+    }
+  }
+  void add_vertical(FacetId f) {
+    for (const UseId cycle : c_.cycles_of(f)) {
+      UseId u = cycle;
+      do {
+        add_line(SpaceComplex::edge_of(c_.use_halfedge[u]));
+        u = c_.use_next[u];
+      } while (u != cycle);
+    }
+  }
+  void add_line(EdgeId e) {
+    lines_.push_back(c_.origin[first_half(e)].value());
+    add_line_end(c_.target(first_half(e)));
+  }
+  void add_line_end(VertexId v) {
+    lines_.push_back(v.value());
+    line_begin_.push_back(static_cast<std::uint32_t>(lines_.size()));
+  }
+
+  const SpaceComplex& c_;
+  std::vector<std::uint32_t> rings_;
+  std::vector<std::uint32_t> ring_begin_ = {0};
+  std::vector<std::uint32_t> lines_;
+  std::vector<std::uint32_t> line_begin_ = {0};
+};
+
+}  // namespace
+
+Nef2 slice(const Nef3& set, const Rational& height, Context& context) {
+  require_bounded_set(set);
+  const Plane3 plane{0, 0, 1, -height};
+  const Nef3 flat = boolean_op(set, plane, Section::PlaneOnly, kIntersection, context);
+  return Flattening(flat.complex(), context).set();
+}
+
+std::vector<Nef2> slices(const Nef3& set, std::span<const Rational> heights, Context& context) {
+  std::vector<Nef2> result;
+  for (const Rational& height : heights) result.push_back(slice(set, height, context));
+  return result;
+}
+
+Nef2 shadow(const Nef3& set, Context& context) {
+  require_bounded_set(set);
+  const Nef3 closed = set.closure(context);
+  return Projection(closed.complex()).covered(context);
+}
+
+}  // namespace plumb

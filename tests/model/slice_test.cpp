@@ -1,0 +1,115 @@
+// Slices and shadows: a point of the plane belongs to a slice if the point above it belongs to the
+// set, and to a shadow if a vertical line through it meets the set.
+#include "plumb/model/slice.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "generate/space_program.h"
+#include "generate/test_share.h"
+#include "oracle/nef3_check.h"
+#include "plumb/model/primitives.h"
+#include "plumb/predicates/error.h"
+#include "plumb/testing/dice.h"
+
+namespace plumb::testing::slice_test {
+namespace {
+
+Nef3 box(double x, double y, double z) {
+  return Nef3::from_mesh(box_mesh({x, y, z}, Placement::Corner));
+}
+
+std::vector<RationalPoint2> samples(const Nef2& set) {
+  std::vector<RationalPoint2> points;
+  const PlaneComplex& c = set.complex();
+  for (const std::uint32_t p : c.vertex_point) points.push_back(exact(c.points, p));
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const RationalPoint2& p = points[i];
+    const RationalPoint2& q = points[(i * 7 + 1) % n];
+    points.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2});
+  }
+  for (int x = -1; x <= 4; ++x) {
+    for (int y = -1; y <= 4; ++y) points.push_back({Rational(x) / 2, Rational(y) / 2});
+  }
+  return points;
+}
+
+void expect_slice(const Nef3& set, const Rational& height) {
+  const Nef2 flat = slice(set, height);
+  EXPECT_FALSE(flat.audit());
+  for (const RationalPoint2& p : samples(flat)) {
+    ASSERT_EQ(flat.contains(p), set.contains(RationalPoint3{p.x, p.y, height}));
+  }
+}
+
+/// Whether the vertical line through p meets the closure of the set.
+bool is_shaded(const Nef3& set, const RationalPoint2& p) {
+  return !(set.closure() * Nef3::segment({p.x, p.y, -100}, {p.x, p.y, 100})).is_empty();
+}
+
+void expect_shadow(const Nef3& set) {
+  const Nef2 flat = shadow(set);
+  EXPECT_FALSE(flat.audit());
+  EXPECT_TRUE(flat.is_closed());
+  for (const RationalPoint2& p : samples(flat)) ASSERT_EQ(flat.contains(p), is_shaded(set, p));
+}
+
+std::vector<Nef3> sets() {
+  const Nef3 cube = box(2, 2, 2);
+  const Nef3 dent = cube - box(1, 1, 1);
+  const std::vector<Point3> triangle{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}};
+  const std::vector<Point3> wall{{0, 0, 0}, {2, 2, 0}, {2, 2, 1}};
+  return {cube,
+          cube.interior(),
+          dent,
+          dent + Nef3::facet(triangle).translated({2, 0, 0}) + Nef3::facet(wall),
+          Nef3::segment({0, 0, 0}, {2, 1, 2}) + Nef3::point({1, 0, 1}),
+          cube - Nef3::segment({0, 0, 0}, {2, 2, 2}),
+          Nef3::facet(triangle) - Nef3::point({0, 0, 0}),
+          Nef3::from_mesh(sphere_mesh(1.5, 10)) - Nef3::from_mesh(sphere_mesh(1, 8))};
+}
+
+TEST(Slice, OfSets) {
+  for (const Nef3& set : sets()) {
+    for (const int height : {0, 1, 2}) expect_slice(set, height);
+    expect_slice(set, Rational(1) / 3);
+    expect_slice(set, Rational(-7) / 5);
+  }
+}
+
+TEST(Slice, OfRandomSets) {
+  for (std::uint64_t seed = 0; seed < share_of(60); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const Nef3 set =
+        to_nef(*space_set_of_program(random_space_program(dice, ProgramValues::Plain, 6), 9)) *
+        box(3, 3, 3);
+    expect_slice(set, 0);
+    expect_slice(set, 1);
+    expect_slice(set, Rational(1) / 2);
+    expect_shadow(set);
+  }
+}
+
+TEST(Slice, Several) {
+  const std::vector<Rational> heights{0, 1, 3};
+  const std::vector<Nef2> layers = slices(box(2, 2, 2), heights);
+  ASSERT_EQ(layers.size(), 3U);
+  EXPECT_EQ(layers[0], layers[1]);
+  EXPECT_TRUE(layers[2].is_empty());
+}
+
+TEST(Shadow, OfSets) {
+  for (const Nef3& set : sets()) expect_shadow(set);
+  EXPECT_TRUE(shadow(Nef3::empty()).is_empty());
+}
+
+TEST(Slice, RefusesUnboundedSets) {
+  EXPECT_THROW(static_cast<void>(slice(Nef3::whole(), 0)), Error);
+  EXPECT_THROW(static_cast<void>(shadow(Nef3::whole())), Error);
+}
+
+}  // namespace
+}  // namespace plumb::testing::slice_test
