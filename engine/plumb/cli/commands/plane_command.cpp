@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/cli/commands/plane_kind.h"
 #include "plumb/cli/commands/set_command.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/session/command.h"
@@ -31,22 +32,17 @@
 namespace plumb::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// ---------------------------------------------------------------- what a set is like
-
-/// The facts that `info` prints.
-struct PlaneFacts {
-  PlaneFacts(const Nef2& set, Context& context) : counts(set.counts()), is_empty(set.is_empty()) {
-    if (set.is_bounded()) area = marked_area(set.complex(), context);
+/// Throws if coordinates are to be rounded in a format that has no doubles.
+void require_no_rounding(const SetOutput& output) {
+  const PlaneWriteOptions& options = output.rounding();
+  if (options.grid || options.rounding == OutputRounding::Nearest) {
+    throw Error(ErrorCode::Usage, "--raw and --grid are for WKT and GeoJSON");
   }
-  Json json() const;
-  void write(std::ostream& out) const;
+}
 
-  PlaneCounts counts;
-  bool is_empty;
-  std::optional<Rational> area;  ///< Area of a bounded set.
-};
+}  // namespace
+
+using Json = nlohmann::ordered_json;
 
 Json PlaneFacts::json() const {
   Json area_json = nullptr;
@@ -62,39 +58,9 @@ void PlaneFacts::write(std::ostream& out) const {
   if (area) out << "area " << readable(*area) << '\n';
 }
 
-// ---------------------------------------------------------------- where a result goes
-
-struct OutputFormat {
-  std::string_view name;
-  std::string_view extension;
-  std::optional<PlaneFormat> text;  ///< Format of text; empty for a picture.
-};
-
-constexpr std::array kFormats{
-    OutputFormat{"wkt", ".wkt", PlaneFormat::Wkt},
-    OutputFormat{"geojson", ".geojson", PlaneFormat::GeoJson},
-    OutputFormat{"json", ".json", PlaneFormat::GeoJson},
-    OutputFormat{"nef2", ".nef2", PlaneFormat::Nef2},
-    OutputFormat{"svg", ".svg", std::nullopt},
-};
-
-std::string name_of_file(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
-/// Throws if coordinates are to be rounded in a format that has no doubles.
-void require_no_rounding(const SetOutput& output) {
-  const PlaneWriteOptions& options = output.rounding();
-  if (options.grid || options.rounding == OutputRounding::Nearest) {
-    throw Error(ErrorCode::Usage, "--raw and --grid are for WKT and GeoJSON");
-  }
-}
-
-/// Returns the set as a file. Without a name for the format it is WKT if the set is bounded, else
-/// .nef2.
-ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context) {
+ReadyFile Plane::ready(const Nef2& set, const SetOutput& output, Context& context) {
   const auto index = output.format();
-  if (index && !kFormats[static_cast<std::size_t>(*index)].text) {
+  if (index && !kPlaneFormats[static_cast<std::size_t>(*index)].text) {
     require_no_rounding(output);
     return {[set, title = output.title()](std::ostream& out) {
               write_nef2_svg(out, set, {.title = title});
@@ -103,7 +69,8 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
             {}};
   }
   const PlaneFormat by_itself = set.is_bounded() ? PlaneFormat::Wkt : PlaneFormat::Nef2;
-  const PlaneFormat format = index ? *kFormats[static_cast<std::size_t>(*index)].text : by_itself;
+  const PlaneFormat format =
+      index ? *kPlaneFormats[static_cast<std::size_t>(*index)].text : by_itself;
   if (format == PlaneFormat::Nef2) require_no_rounding(output);
   const PlaneText text(set, format, output.rounding(), context);
   std::vector<std::string> changes;
@@ -114,70 +81,11 @@ ReadyFile ready_file(const Nef2& set, const SetOutput& output, Context& context)
           text.losses().sentences(), changes};
 }
 
-class PlaneInput {
- public:
-  void declare(CLI::App& app) {
-    add_choice(app, "--rule", rule_, {"odd", "nonzero", "positive", "negative"},
-               "Winding numbers inside (default: odd, polygon by polygon)");
-  }
-  PlaneRead load(const std::string& file, const CommonOptions& options, Context& context) const {
-    ReadOptions read;
-    read.exact_decimals = options.exact_decimals;
-    read.rings = ring_rule();
-    return read_plane_set_file(file, {}, read, context);
-  }
+namespace {
 
- private:
-  RingRule ring_rule() const {
-    if (rule_ == "nonzero") return RingRule::NonZero;
-    if (rule_ == "positive") return RingRule::Positive;
-    return rule_ == "negative" ? RingRule::Negative : RingRule::Odd;
-  }
-
-  std::string rule_;
-};
-
-/// The kind of sets of the plane, for set_command.h.
-struct Plane {
-  using Set = Nef2;
-  using Input = PlaneInput;
-  static constexpr const char* kHelp =
-      "A set: .wkt, .geojson, .json, .wkb, .nef2; - is standard input";
-  static constexpr std::array<const char*, 2> kAxes{"X", "Y"};
-  static constexpr bool kHasGrid = true;
-
-  static ProgressStage reading() { return reading_plane(); }
-  static ProgressStage combining() { return combining_plane(); }
-  static ProgressStage measuring() { return measuring_plane(); }
-  static ProgressStage locating() { return locating_plane(); }
-  static ProgressStages writing(const SetOutput& output) {
-    const auto index = output.format();
-    if (!index) return writing_plane_text();
-    const auto format = kFormats[static_cast<std::size_t>(*index)].text;
-    if (!format) return writing_plane_picture();
-    return *format == PlaneFormat::Nef2 ? writing_nef2() : writing_plane_text();
-  }
-  static const auto& formats() { return kFormats; }
-  static bool keeps_marks(const SetOutput& output) {
-    const auto index = output.format();
-    if (!index) return false;  // WKT if the set is bounded, as a sum is.
-    const auto format = kFormats[static_cast<std::size_t>(*index)].text;
-    return !format || *format == PlaneFormat::Nef2;  // A picture shows marks, too.
-  }
-  static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context) {
-    return ready_file(set, output, context);
-  }
-  static PlaneFacts facts(const Nef2& set, Context& context) { return {set, context}; }
-  static std::pair<const char*, bool> locate(const Nef2& set, const std::array<Rational, 2>& p) {
-    const PlaneLocation place = set.locate(RationalPoint2{p[0], p[1]});
-    return {place.vertex.is_valid() ? "vertex"
-            : place.edge.is_valid() ? "edge"
-                                    : "face",
-            place.marked};
-  }
-};
-
-using PlaneOperation = SetOperation<Plane>;
+std::string name_of_file(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
 
 /// The Minkowski sum of two sets.
 class PlaneSum : public PlaneOperation {

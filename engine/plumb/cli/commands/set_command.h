@@ -140,6 +140,7 @@ class SetOperation : public CommandBody {
   }
 
  protected:
+  const typename Kind::Input& input() const { return input_; }
   virtual void declare_operands(CLI::App& app) = 0;
   /// Returns the stages up to the result.
   virtual ProgressStages stages() const { return stages_of_sets<Kind>(1, 1); }

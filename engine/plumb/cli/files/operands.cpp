@@ -220,7 +220,7 @@ std::string words_of(const RepairOptions& repair) {
 
 void SolidInput::declare(CLI::App& app) {
   add_choice(app, "--rule", rule_, {"positive", "nonzero", "odd"},
-             "Winding numbers inside (default: positive, and components inside out are turned)");
+             "Winding numbers inside (default: positive)");
   app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
   app.add_flag("--allow-empty", allows_empty_, "Read a mesh that encloses nothing as empty");
   repair_.declare(app);

@@ -132,6 +132,14 @@ std::unique_ptr<CommandBody> make_solid_info();
 std::unique_ptr<CommandBody> make_solid_locate();
 std::unique_ptr<CommandBody> make_solid_compare();
 std::unique_ptr<CommandBody> make_solid_repair();
+std::unique_ptr<CommandBody> make_solid_make();
+std::unique_ptr<CommandBody> make_solid_hull();
+std::unique_ptr<CommandBody> make_solid_transform();
+std::unique_ptr<CommandBody> make_solid_extrude();
+std::unique_ptr<CommandBody> make_solid_revolve();
+std::unique_ptr<CommandBody> make_solid_slice();
+std::unique_ptr<CommandBody> make_solid_project();
+std::unique_ptr<CommandBody> make_solid_components();
 std::unique_ptr<CommandBody> make_convex_check();
 std::unique_ptr<CommandBody> make_convex_decompose();
 std::unique_ptr<CommandBody> make_convex_report();
@@ -247,6 +255,31 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"solid repair", "FILE", "A mesh mended: turned, welded, filled",
               "./plumb solid repair corpus/solids/flipped-box.off -o out.off", "solid-repair",
               make_solid_repair},
+      Command{"solid make", "SHAPE", "A box, sphere, cylinder, cone or torus",
+              "./plumb solid make sphere --radius 2 --segments 24 -o out.off", "solid-set",
+              make_solid_make},
+      Command{
+          "solid hull", "A...", "The convex hull of solids",
+          "./plumb solid hull corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o out.off",
+          "solid-set", make_solid_hull},
+      Command{"solid transform", "A", "A solid turned, moved, scaled or mirrored",
+              "./plumb solid transform corpus/solids/l-block.off --rotate 0,0,1,30 -o out.off",
+              "solid-set", make_solid_transform},
+      Command{"solid extrude", "A", "A set of the plane, made thick along z",
+              "./plumb solid extrude corpus/plane/star.wkt --height 2 -o out.off", "solid-set",
+              make_solid_extrude},
+      Command{"solid revolve", "A", "A set of the plane, turned around its y-axis",
+              "./plumb solid revolve corpus/plane/ring-section.wkt -o out.off", "solid-set",
+              make_solid_revolve},
+      Command{"solid slice", "A", "The set of the plane at a height",
+              "./plumb solid slice corpus/solids/l-block.off --z 1/2 -o out.svg", "plane-set",
+              make_solid_slice},
+      Command{"solid project", "A", "The shadow along z, a set of the plane",
+              "./plumb solid project corpus/solids/l-block.off -o out.wkt", "plane-set",
+              make_solid_project},
+      Command{"solid components", "A", "Connected parts: volume, genus, box of each",
+              "./plumb solid components corpus/solids/l-block.off", "solid-components",
+              make_solid_components},
       Command{"convex check", "A", "Convex? Reflex edges or corners, faces that fail",
               "./plumb convex check corpus/solids/ball.off", "convex-check", make_convex_check},
       Command{"convex decompose", "A", "Convex pieces of any set; -o DIR: a file each",
@@ -288,7 +321,7 @@ std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
       CommandGroup{"map", "Maps, exactly: check regions for defects, overlay two maps"},
       CommandGroup{"plane", "Sets of the plane, exactly: union ... offset, info, locate"},
-      CommandGroup{"solid", "Sets of space, exactly: union ... section, info, compare"},
+      CommandGroup{"solid", "Sets of space, exactly: union ... make, slice, info"},
       CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report, minkowski"},
       CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw"},
   };

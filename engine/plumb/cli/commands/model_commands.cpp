@@ -1,0 +1,373 @@
+// The commands that make, move and measure models: `plumb solid make`, `hull`, `extrude`, `revolve`,
+// `transform`, `slice`, `project` and `components`.
+//
+// Results are sets of space or of the plane, so the commands share everything else with set_command.h.
+// A command whose operands and result are of different kinds has a kind of its own: the kind of the
+// result with the input of the operand.
+// Tested by tests/cli/model_command_test.cpp.
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/cli/commands/plane_kind.h"
+#include "plumb/cli/commands/set_command.h"
+#include "plumb/cli/commands/solid_kind.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/model/extrude.h"
+#include "plumb/model/hull.h"
+#include "plumb/model/parts.h"
+#include "plumb/model/primitives.h"
+#include "plumb/model/slice.h"
+#include "plumb/model/transform.h"
+#include "plumb/picture/svg/sheet.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb::cli {
+namespace {
+
+double double_argument(const std::string& text, const std::string& name, Session& session) {
+  return nearest_double(read_number_argument(text, name, session));
+}
+
+/// Returns the N numbers of "a,b,c".
+template <std::size_t N>
+std::array<Rational, N> numbers_argument(const std::string& text, const std::string& name,
+                                         Session& session) {
+  std::array<Rational, N> numbers;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::size_t end = text.find(',', begin);
+    if ((end == std::string::npos) != (i + 1 == N)) {
+      throw Error(ErrorCode::Usage,
+                  name + " needs " + std::to_string(N) + " numbers between commas, found " + text);
+    }
+    const std::size_t length = end == std::string::npos ? end : end - begin;
+    numbers[i] = read_number_argument(text.substr(begin, length), name, session);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+template <std::size_t N>
+std::array<double, N> doubles_argument(const std::string& text, const std::string& name,
+                                       Session& session) {
+  const std::array<Rational, N> numbers = numbers_argument<N>(text, name, session);
+  std::array<double, N> doubles;
+  for (std::size_t i = 0; i < N; ++i) doubles[i] = nearest_double(numbers[i]);
+  return doubles;
+}
+
+// ---------------------------------------------------------------- solids from numbers
+
+/// No operand is read.
+struct NoInput {
+  void declare(CLI::App&) {}
+  SolidRead load(const std::string&, const CommonOptions&, Context&) const { return {}; }
+};
+
+struct MadeSolid : Solid {
+  using Input = NoInput;
+};
+
+class MakeSolid : public SetOperation<MadeSolid> {
+ private:
+  void declare_operands(CLI::App& app) override {
+    app.add_option("SHAPE", shape_, "box, sphere, cylinder, cone or torus")
+        ->required()
+        ->type_name("")
+        ->check(CLI::IsMember({"box", "sphere", "cylinder", "cone", "torus"}).description(""));
+    app.add_option("--size", size_, "Sides of a box (default 1,1,1)")->type_name("X,Y,Z");
+    app.add_option("--radius", radius_, "Of a circle (default 1)")->type_name("R");
+    app.add_option("--top", top_, "Radius at the top of a cone (default 0)")->type_name("R");
+    app.add_option("--tube", tube_, "Radius of the tube of a torus (default 1/4)")->type_name("R");
+    app.add_option("--height", height_, "Of a cylinder or cone (default 1)")->type_name("H");
+    app.add_option("--segments", segments_, "Chords of a circle (default 30)")->type_name("N");
+    app.add_flag("--centre", is_centred_, "Around the origin, not upward from it");
+  }
+  ProgressStages stages() const override { return {Solid::combining()}; }
+
+  Nef3 compute(Session& session) override {
+    session.begin("combine");
+    return Nef3::from_mesh(mesh(session), {.rule = WindingRule::Positive}, session.context());
+  }
+  PolygonMesh mesh(Session& session) const {
+    const Placement placement = is_centred_ ? Placement::Centred : Placement::Corner;
+    Context& context = session.context();
+    if (shape_ == "box") return box_mesh(doubles_argument<3>(size_, "--size", session), placement);
+    const double radius = double_argument(radius_, "--radius", session);
+    if (shape_ == "sphere") return sphere_mesh(radius, segments_, context);
+    if (shape_ == "torus") {
+      return torus_mesh(radius, double_argument(tube_, "--tube", session), segments_, segments_);
+    }
+    const double height = double_argument(height_, "--height", session);
+    const double top = shape_ == "cone" ? double_argument(top_, "--top", session) : radius;
+    return cylinder_mesh(height, radius, top, segments_, placement, context);
+  }
+
+  std::string shape_;
+  std::string size_ = "1,1,1";
+  std::string radius_ = "1";
+  std::string top_ = "0";
+  std::string tube_ = "1/4";
+  std::string height_ = "1";
+  std::uint32_t segments_ = 30;
+  bool is_centred_ = false;
+};
+
+// ---------------------------------------------------------------- solids from solids
+
+/// The convex hull of solids.
+class HullOfSolids : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    app.add_option("A", files_, Solid::kHelp)->required()->type_name("");
+  }
+  ProgressStages stages() const override { return stages_of_sets<Solid>(files_.size(), 1); }
+  Nef3 compute(Session& session) override {
+    require_one_stdin(files_);
+    const std::vector<Nef3> sets = read_all(files_, session);
+    session.begin("combine");
+    return convex_hull(sets, session.context());
+  }
+
+  std::vector<std::string> files_;
+};
+
+/// A solid moved by maps, which are applied in the order of the options in the help.
+class TransformSolid : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Solid>(app, a_);
+    app.add_option("--mirror", mirror_, "At a plane through 0 with this normal")
+        ->type_name("X,Y,Z");
+    app.add_option("--scale", scale_, "Factors along the axes")->type_name("X,Y,Z");
+    app.add_option("--resize", resize_, "Size of the box around it; 0 keeps it")
+        ->type_name("X,Y,Z");
+    app.add_option("--rotate", rotate_, "Degrees about an axis: 0,0,1,45")
+        ->type_name("X,Y,Z,DEGREES");
+    app.add_option("--translate", translate_, "By a vector")->type_name("X,Y,Z");
+  }
+  Nef3 compute(Session& session) override {
+    const Nef3 set = read(a_, session);
+    session.begin("combine");
+    const AffineMap3 map = map_for(set, session);
+    if (determinant(map) == 0) {
+      throw Error(ErrorCode::Usage, "the map makes the solid flat; its determinant is 0");
+    }
+    return set.transformed(map, session.context());
+  }
+
+  AffineMap3 map_for(const Nef3& set, Session& session) const {
+    AffineMap3 map = translation({0, 0, 0});
+    const auto then = [&map](const AffineMap3& next) { map = composed(next, map); };
+    if (!mirror_.empty()) then(reflection(numbers_argument<3>(mirror_, "--mirror", session)));
+    if (!scale_.empty()) then(scaling(numbers_argument<3>(scale_, "--scale", session)));
+    if (!resize_.empty()) {
+      const auto size = numbers_argument<3>(resize_, "--resize", session);
+      const auto box = bounding_box(set.transformed(map, session.context()));
+      if (box) then(resizing(*box, size));
+    }
+    if (!rotate_.empty()) {
+      const auto [x, y, z, degrees] = doubles_argument<4>(rotate_, "--rotate", session);
+      then(rotation({x, y, z}, degrees));
+    }
+    if (!translate_.empty()) {
+      then(translation(numbers_argument<3>(translate_, "--translate", session)));
+    }
+    return map;
+  }
+  std::string a_;
+  std::string mirror_, scale_, resize_, rotate_, translate_;
+};
+
+// ---------------------------------------------------------------- solids from plane sets
+
+struct SweptSolid : Solid {
+  using Input = PlaneInput;
+  static constexpr const char* kHelp = Plane::kHelp;
+};
+
+Nef2 read_outline(const PlaneInput& input, const std::string& file, Session& session) {
+  return std::move(read_sets(input, {file}, session).front());
+}
+
+class ExtrudeOutline : public SetOperation<SweptSolid> {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<SweptSolid>(app, a_);
+    app.add_option("--height", height_, "Along the z-axis")->required()->type_name("H");
+    app.add_flag("--centre", is_centred_, "From -H/2 to H/2, not upward from 0");
+    app.add_option("--twist", twist_, "Degrees by which the top is turned clockwise")
+        ->type_name("DEGREES");
+    app.add_option("--scale", scale_, "Factors of x and y at the top")->type_name("X,Y");
+    app.add_option("--slices", slices_, "Layers, for a twist (default 1)")->type_name("N");
+  }
+  ProgressStages stages() const override { return {Plane::reading(), Solid::combining()}; }
+  Nef3 compute(Session& session) override {
+    LinearExtrusion options;
+    options.height = double_argument(height_, "--height", session);
+    options.centred = is_centred_;
+    options.twist = double_argument(twist_, "--twist", session);
+    options.scale = doubles_argument<2>(scale_, "--scale", session);
+    options.slices = slices_;
+    const Nef2 outline = read_outline(input(), a_, session);
+    session.begin("combine");
+    return linear_extrusion(outline, options, session.context());
+  }
+
+  std::string a_;
+  std::string height_;
+  bool is_centred_ = false;
+  std::string twist_ = "0";
+  std::string scale_ = "1,1";
+  std::uint32_t slices_ = 1;
+};
+
+class RevolveOutline : public SetOperation<SweptSolid> {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<SweptSolid>(app, a_);
+    app.add_option("--angle", angle_, "Degrees (default 360); the outline's y becomes z")
+        ->type_name("DEGREES");
+    app.add_option("--steps", steps_, "Steps of the turn (default 30)")->type_name("N");
+  }
+  ProgressStages stages() const override { return {Plane::reading(), Solid::combining()}; }
+  Nef3 compute(Session& session) override {
+    const double angle = double_argument(angle_, "--angle", session);
+    const Nef2 outline = read_outline(input(), a_, session);
+    session.begin("combine");
+    return rotational_extrusion(outline, angle, steps_, session.context());
+  }
+
+  std::string a_;
+  std::string angle_ = "360";
+  std::uint32_t steps_ = 30;
+};
+
+// ---------------------------------------------------------------- plane sets from solids
+
+struct FlatPart : Plane {
+  using Input = SolidInput;
+  static constexpr const char* kHelp = Solid::kHelp;
+};
+
+Nef3 read_one_solid(const SolidInput& input, const std::string& file, Session& session) {
+  return std::move(read_sets(input, {file}, session).front());
+}
+
+class SliceSolid : public SetOperation<FlatPart> {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<FlatPart>(app, a_);
+    app.add_option("--z", height_, "Height of the slice")->required()->type_name("Z");
+  }
+  ProgressStages stages() const override { return {Solid::reading(), Solid::combining()}; }
+  Nef2 compute(Session& session) override {
+    const Rational height = read_number_argument(height_, "--z", session);
+    const Nef3 set = read_one_solid(input(), a_, session);
+    session.begin("combine");
+    return slice(set, height, session.context());
+  }
+
+  std::string a_;
+  std::string height_;
+};
+
+class ProjectSolid : public SetOperation<FlatPart> {
+ private:
+  void declare_operands(CLI::App& app) override { declare_first<FlatPart>(app, a_); }
+  ProgressStages stages() const override { return {Solid::reading(), Solid::combining()}; }
+  Nef2 compute(Session& session) override {
+    const Nef3 set = read_one_solid(input(), a_, session);
+    session.begin("combine");
+    return shadow(set, session.context());
+  }
+
+  std::string a_;
+};
+
+// ---------------------------------------------------------------- what a solid consists of
+
+class ListComponents : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    declare_first<Solid>(app, a_);
+    input_.declare(app);
+  }
+  ExitCode run(Session& session) override {
+    session.expect({Solid::reading(), Solid::measuring(), writing()});
+    const Nef3 set = read_one_solid(input_, a_, session);
+    session.begin("measure");
+    std::vector<Part> parts;
+    for (const Nef3& part : components(set, session.context())) {
+      parts.emplace_back(part, session.context());
+    }
+    session.answer(json(parts).dump(), [&](std::ostream& out) { write(out, parts); });
+    return ExitCode::Yes;
+  }
+
+ private:
+  struct Part {
+    Part(const Nef3& set, Context& context) : facts(set, context), handles(genus(set)) {
+      if (facts.is_bounded) box = bounding_box(set);
+    }
+    SolidFacts facts;
+    std::optional<std::uint64_t> handles;
+    std::optional<Box3> box;
+  };
+
+  static nlohmann::ordered_json json(const std::vector<Part>& parts) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Part& part : parts) {
+      nlohmann::ordered_json json = part.facts.json();
+      json["genus"] = nullptr;
+      if (part.handles) json["genus"] = *part.handles;
+      json["box"] = nullptr;
+      if (part.box) json["box"] = {point(part.box->low), point(part.box->high)};
+      list.push_back(json);
+    }
+    return {{"components", list}};
+  }
+  static nlohmann::ordered_json point(const RationalPoint3& p) {
+    return {nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
+  }
+  static void write(std::ostream& out, const std::vector<Part>& parts) {
+    out << counted(parts.size(), "component") << '\n';
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Part& part = parts[i];
+      out << i + 1 << ": " << counted(part.facts.counts.facets, "facet");
+      if (part.facts.volume) out << ", volume " << nearest_double(*part.facts.volume);
+      if (part.handles) out << ", genus " << *part.handles;
+      if (part.box) out << ", box " << text(part.box->low) << " to " << text(part.box->high);
+      out << '\n';
+    }
+  }
+  static std::string text(const RationalPoint3& p) {
+    return '(' + decimal_text(p.x, 6) + ' ' + decimal_text(p.y, 6) + ' ' + decimal_text(p.z, 6) +
+           ')';
+  }
+
+  std::string a_;
+  SolidInput input_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_solid_make() { return std::make_unique<MakeSolid>(); }
+std::unique_ptr<CommandBody> make_solid_hull() { return std::make_unique<HullOfSolids>(); }
+std::unique_ptr<CommandBody> make_solid_transform() { return std::make_unique<TransformSolid>(); }
+std::unique_ptr<CommandBody> make_solid_extrude() { return std::make_unique<ExtrudeOutline>(); }
+std::unique_ptr<CommandBody> make_solid_revolve() { return std::make_unique<RevolveOutline>(); }
+std::unique_ptr<CommandBody> make_solid_slice() { return std::make_unique<SliceSolid>(); }
+std::unique_ptr<CommandBody> make_solid_project() { return std::make_unique<ProjectSolid>(); }
+std::unique_ptr<CommandBody> make_solid_components() { return std::make_unique<ListComponents>(); }
+
+}  // namespace plumb::cli
