@@ -51,7 +51,7 @@ class PlumbConan(ConanFile):
         CMakeDeps(self).generate()
         toolchain = CMakeToolchain(self)
         toolchain.variables["PLUMB_PORTABLE"] = bool(self.options.portable)
-        for part in ("PROGRAM", "TESTS", "FUZZ"):
+        for part in ("PROGRAM", "C", "TESTS", "FUZZ"):
             toolchain.variables[f"PLUMB_BUILD_{part}"] = False
         for library in ("DRACO", "MESHOPT"):  # no dependencies that this recipe does not name
             toolchain.variables[f"PLUMB_WITH_{library}"] = False

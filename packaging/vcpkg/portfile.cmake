@@ -1,7 +1,7 @@
 # An overlay port of the tree it lies in: vcpkg install plumb --overlay-ports=packaging/vcpkg
 get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 
-vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS FEATURES program PLUMB_BUILD_PROGRAM)
+vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS FEATURES program PLUMB_BUILD_PROGRAM c PLUMB_BUILD_C)
 vcpkg_cmake_configure(
   SOURCE_PATH "${SOURCE_PATH}"
   OPTIONS -DPLUMB_BUILD_TESTS=OFF -DPLUMB_BUILD_FUZZ=OFF -DPLUMB_WITH_DRACO=OFF -DPLUMB_WITH_MESHOPT=OFF
