@@ -10,6 +10,7 @@
 
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
+#include "oracle/repair_check.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh/mesh_orientation.h"
@@ -254,6 +255,20 @@ TEST(RepairMesh, SoupsAreJudgedAsTheyAreRead) {
                                 .reorient = dice.below(2) == 0,
                                 .fill_holes = dice.below(2) == 0 ? 0 : dice.below(30)};
     mended(mesh, options);
+  }
+}
+
+/// Random programs of faces, judged by brute force.
+TEST(RepairMesh, ReportsHold) {
+  Dice dice(47);
+  for (int round = 0; round < 2000 && !HasFailure(); ++round) {
+    std::vector<std::uint8_t> program((2 + dice.below(14)) * kRepairRecord);
+    const std::uint32_t points = 1 + dice.below(54);  // Few points make closed meshes likely.
+    for (std::uint8_t& byte : program) byte = static_cast<std::uint8_t>(dice.below(points));
+    for (std::size_t i = 0; i < program.size(); i += kRepairRecord) {
+      program[i] = static_cast<std::uint8_t>(dice.below(3) == 0 ? dice.below(256) : 3);
+    }
+    EXPECT_EQ(repair_of_program_disagreement(program), "") << "round " << round;
   }
 }
 

@@ -26,7 +26,7 @@ using testing::make_mesh;
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-SnappedMesh snap_all(const PolygonMesh& mesh, double width, const Pairs& pairs = {}) {
+ChangedMesh snap_all(const PolygonMesh& mesh, double width, const Pairs& pairs = {}) {
   return snap_near(mesh, std::vector<std::uint8_t>(mesh.face_count(), 1), pairs, width);
 }
 
@@ -58,7 +58,7 @@ TEST(SnapNear, NothingNearChangesNothing) {
 TEST(SnapNear, ATriangleAsFlatAsTheWidthVanishes) {
   const PolygonMesh mesh = with_vertex_near_edge(0x1p-22);
   ASSERT_TRUE(is_closed(mesh));
-  const SnappedMesh snapped = snap_all(mesh, 0x1p-20);
+  const ChangedMesh snapped = snap_all(mesh, 0x1p-20);
   EXPECT_TRUE(is_closed(snapped.mesh));
   EXPECT_EQ(snapped.mesh.face_count(), 6U);  // Triangle 0 is cut in two, triangle 1 is gone.
   EXPECT_EQ(std::ranges::count(snapped.origin, 1U), 0);
@@ -83,7 +83,7 @@ TEST(SnapNear, AVertexOfAPairBecomesACornerInsideTheOtherTriangle) {
     if (is_top && is_at(4, 0)) below = f;
   }
   ASSERT_NE(below, kNone);
-  const SnappedMesh snapped =
+  const ChangedMesh snapped =
       snap_near(mesh, std::vector<std::uint8_t>(16, 0), Pairs{{below, 13}}, 0x1p-20);
   EXPECT_TRUE(is_closed(snapped.mesh));
   EXPECT_EQ(std::ranges::count(snapped.origin, below), 3);
@@ -106,7 +106,7 @@ TEST(SnapNear, OneEdgeTakesFewVerticesAtOnce) {
     for (std::uint32_t f = 0; f < 4; ++f) pairs.emplace_back(f, first);
   }
   ASSERT_TRUE(is_closed(mesh));
-  const SnappedMesh snapped =
+  const ChangedMesh snapped =
       snap_near(mesh, std::vector<std::uint8_t>(mesh.face_count(), 0), pairs, 0x1p-30);
   EXPECT_TRUE(is_closed(snapped.mesh));
   const auto parts = std::ranges::count_if(snapped.origin, [](std::uint32_t f) { return f < 4; });
@@ -134,7 +134,7 @@ TEST(SnapNear, MeshesStayClosedWhateverIsNear) {
     }
     std::erase_if(pairs, [](const auto& p) { return p.first == p.second; });
     const double width = std::ldexp(1, -static_cast<int>(dice.between(0, 35)));
-    const SnappedMesh snapped = snap_near(mesh, is_damaged, pairs, width);
+    const ChangedMesh snapped = snap_near(mesh, is_damaged, pairs, width);
     if (snapped.changed.empty()) continue;
     EXPECT_TRUE(is_closed(snapped.mesh));
     EXPECT_EQ(snapped.origin.size(), snapped.mesh.face_count());

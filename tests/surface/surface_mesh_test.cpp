@@ -121,8 +121,9 @@ TEST(SurfaceMesh, FansVisitAllHalfEdgesOfAVertex) {
   EXPECT_FALSE(lonely.halfedge(VertexId(2)).is_valid());
 }
 
-/// Faces in any order, each turned at random: a component is oriented like its lowest face.
-TEST(SurfaceMesh, ComponentsAreOrientedLikeTheirLowestFaces) {
+/// Faces in any order, each turned at random: a component is oriented like most of its faces, or
+/// like its lowest face if there is no majority.
+TEST(SurfaceMesh, ComponentsAreOrientedLikeMostOfTheirFaces) {
   Dice dice(1);
   for (const MeshPointer& mesh : meshes()) {
     std::vector<Point3> points;
@@ -141,6 +142,10 @@ TEST(SurfaceMesh, ComponentsAreOrientedLikeTheirLowestFaces) {
     }
     const SurfaceMesh made(points, triangles);
     ASSERT_EQ(made.component_count(), mesh->component_count());
+    std::map<std::uint32_t, std::int64_t> majority;  // of the component before: faces kept - turned
+    for (std::size_t f = 0; f < from.size(); ++f) {
+      majority[mesh->component(from[f])] += turned[f] == 0 ? 1 : -1;
+    }
     std::map<std::uint32_t, std::uint32_t> lowest;  // of the component before: its lowest face now
     for (std::uint32_t f = 0; f < made.face_count(); ++f) {
       const auto count = static_cast<std::uint32_t>(lowest.size());
@@ -149,10 +154,33 @@ TEST(SurfaceMesh, ComponentsAreOrientedLikeTheirLowestFaces) {
         EXPECT_EQ(made.component(FaceId(f)), count);
       }
       EXPECT_EQ(made.component(FaceId(f)), made.component(FaceId(at->second)));
-      EXPECT_EQ(made.is_flipped(FaceId(f)), turned[f] != turned[at->second]);
+      const std::int64_t most = majority[mesh->component(from[f])];
+      const bool is_turned =
+          most == 0 ? turned[f] != turned[at->second] : (turned[f] != 0) == (most > 0);
+      EXPECT_EQ(made.is_flipped(FaceId(f)), is_turned);
       SurfaceTriangle corners = triangles[f];
       if (made.is_flipped(FaceId(f))) std::swap(corners[1], corners[2]);
       EXPECT_EQ(made.corners(FaceId(f)), corners);
+    }
+  }
+}
+
+/// A closed mesh with one face turned: this face is turned back, even if it is the first one.
+TEST(SurfaceMesh, TheFewerFacesAreTurned) {
+  const MeshPointer plain = sphere_mesh(3);
+  for (const std::uint32_t turned : {0U, 5U}) {
+    std::vector<Point3> points;
+    std::vector<SurfaceTriangle> triangles;
+    for (std::uint32_t v = 0; v < plain->vertex_count(); ++v) {
+      points.push_back(plain->point(VertexId(v)));
+    }
+    for (std::uint32_t f = 0; f < plain->face_count(); ++f) {
+      triangles.push_back(plain->corners(FaceId(f)));
+    }
+    std::swap(triangles[turned][1], triangles[turned][2]);
+    const SurfaceMesh mesh(points, triangles);
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+      EXPECT_EQ(mesh.is_flipped(FaceId(f)), f == turned);
     }
   }
 }

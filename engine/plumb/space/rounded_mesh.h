@@ -1,14 +1,15 @@
 // Checks whether rounding the vertices of a mesh to doubles has broken the mesh.
 //
 // Main flow of check_rounding():
-//  1. select_faces  selects each face that has a rounded vertex, and each face whose box meets the
-//                   box of a face with a rounded vertex. Rounding cannot break other faces
-//  2. judge         calls complex_of_mesh() for the selected faces with rounded coordinates. The
-//                   defects are read from the report of this call
-//  3. is_flipped    compares the normal of each face before rounding with its normal after rounding
+//  1. doubtful_faces  selects the faces that may be damaged (mesh/doubtful_faces.h). Of all others,
+//                     products of doubles prove that rounding has not damaged them
+//  2. check_faces     calls complex_of_mesh() for the selected faces with rounded coordinates. The
+//                     defects are read from the report of this call. Then compares the normals of
+//                     selected faces before rounding with their normals after rounding
 //
 // Cost: O(V) for V vertices if all their coordinates are doubles. Otherwise, the check builds a
-// tree of O(n) boxes, and calls complex_of_mesh() for the faces of step 1.
+// tree of O(n) boxes, tests the pairs whose boxes meet, and calls complex_of_mesh() for the faces
+// of step 1.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,11 @@ double nearest_coordinate(double value, CoordinateType type);
 /// Returns the exponent e for which the numbers of the type that lie near `value` are the multiples
 /// of 2^e. Requires a finite value.
 int last_digit_exponent(double value, CoordinateType type);
+
+/// Rounds a point to the nearest numbers of the type. Returns a bound of the distance by which it
+/// moved. If `is_constructed` is set, the coordinates are themselves the nearest doubles of a
+/// point, and the bound includes the distance from this point. Throws as nearest_coordinate() does.
+double round_point(Point3& point, bool is_constructed, CoordinateType type);
 
 /// Rounds all points of a mesh to the nearest numbers of the type. Afterwards, mesh.exact lists the
 /// points that moved, with the coordinates that they had before. Returns a bound of the distances

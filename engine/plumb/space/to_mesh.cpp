@@ -207,11 +207,13 @@ MeshNumbers number_vertices(const SpaceComplex& complex, std::span<const FacetSi
   return result;
 }
 
-/// Adds the points of the vertices to the mesh, and returns the nearest doubles of each vertex of
-/// the complex that has a number. Copies of one vertex follow each other, so each is rounded once.
+/// Adds the points of the vertices to the mesh, lists those that were rounded, and returns the
+/// nearest doubles of each vertex of the complex that has a number. Copies of one vertex follow
+/// each other, so each is rounded once.
 IdVector<VertexId, RoundedPoint3> add_points(const SpaceComplex& complex,
                                              std::span<const VertexId> vertices, bool keeps_exact,
-                                             PolygonMesh& mesh) {
+                                             MeshOfComplex& out) {
+  PolygonMesh& mesh = out.mesh;
   IdVector<VertexId, RoundedPoint3> result(complex.vertex_count());
   mesh.points.reserve(vertices.size());
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
@@ -220,7 +222,9 @@ IdVector<VertexId, RoundedPoint3> add_points(const SpaceComplex& complex,
     const bool is_first = i == 0 || vertices[i] != vertices[i - 1];
     if (is_first) nearest = rounded(complex.points(), p);
     mesh.points.push_back(nearest.at);
-    if (keeps_exact && !nearest.is_exact) mesh.exact.emplace_back(i, exact(complex.points(), p));
+    if (nearest.is_exact) continue;
+    out.rounded.emplace_back(i, vertices[i]);
+    if (keeps_exact) mesh.exact.emplace_back(i, exact(complex.points(), p));
   }
   return result;
 }
@@ -415,7 +419,7 @@ MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSi
   Cones cones(complex, shown);
   const MeshNumbers numbers = number_vertices(complex, sides, options.split_vertices, cones);
   const IdVector<VertexId, RoundedPoint3> nearest =
-      add_points(complex, numbers.vertex, options.keeps_exact, out.mesh);
+      add_points(complex, numbers.vertex, options.keeps_exact, out);
   out.mesh.face_begin.reserve(sides.size() + 1);
   out.mesh.corners.reserve(3 * sides.size());
   out.facet.reserve(sides.size());

@@ -90,7 +90,10 @@ struct MeshOfComplex {
   /// lists the exact coordinates of the points that had to be rounded.
   PolygonMesh mesh;
   std::vector<FacetId> facet;  ///< The facet that each face comes from.
-  ToMeshReport report;         ///< The cells that the mesh does not represent.
+  /// For each point that had to be rounded, its index and its vertex of the complex. The indices
+  /// are in ascending order.
+  std::vector<std::pair<std::uint32_t, VertexId>> rounded;
+  ToMeshReport report;  ///< The cells that the mesh does not represent.
 };
 
 /// Returns a mesh of the boundary of the closure of the interior. If a marked volume is unbounded,

@@ -1,4 +1,7 @@
-// Rounds a mesh and repairs what rounding has damaged, round by round.
+// Rounds a mesh, leaves out flat vertices, and repairs what rounding has damaged, round by round.
+//
+// Exact coordinates are computed only for the vertices of faces of which doubles cannot prove that
+// they are sound. If there are none, the cost is that of making the mesh and of the proofs.
 //
 // Most damage is local: where vertices are nearly on a line or nearly in a plane, rounding folds
 // thin triangles over their neighbours. snap_damaged() makes the parts that nearly touch meet in
@@ -9,8 +12,9 @@
 // faces cross no other face, so they need not take part.
 //
 // Both steps can cause new damage. They end after a few rounds in practice. To end in any case, the
-// damaged solids are snapped to a coarser grid after each kRoundsOfAGrid rounds. If the step of the
-// grid exceeds the size of the solids, all their vertices coincide, and nothing is left of them.
+// repair starts again after kRoundsOfAGrid rounds, or if the damage grows: all solids that have
+// been damaged are snapped to a coarser grid each time. If the step of the grid exceeds the size of
+// the solids, all their vertices coincide, and nothing is left of them.
 // docs/design/mesh-rounding.md has the proofs.
 //
 // Tested by tests/space/valid_mesh_test.cpp.
@@ -28,7 +32,11 @@
 
 #include "plumb/base/internal/round_to_nearest.h"
 #include "plumb/base/internal/union_find.h"
+#include "plumb/predicates/point3_signs.h"
 #include "plumb/space/from_mesh.h"
+#include "plumb/space/mesh/check_faces.h"
+#include "plumb/space/mesh/doubtful_faces.h"
+#include "plumb/space/mesh/drop_flat_vertices.h"
 #include "plumb/space/mesh/mesh_vertices.h"
 #include "plumb/space/mesh/snap_near.h"
 #include "plumb/space/weld_points.h"
@@ -38,13 +46,35 @@ namespace {
 
 constexpr int kWidestSnap = 6;                // 2^6 units of the last digit.
 constexpr std::uint32_t kRoundsOfAGrid = 60;  // Rounds before the units become coarser.
+constexpr std::uint64_t kGrowth = 4;          // Growth of the damage at which they do, too.
 constexpr int kCoarser = 4;                   // By 2^4.
+constexpr double kFlat = 4;                   // Units by which a flat vertex may be off a plane.
+
+/// The places that points had before they were rounded. Exact coordinates are computed on demand.
+struct PlacesBefore {
+  const SpaceComplex* complex;
+  /// The vertices of the complex of constructed points.
+  std::vector<std::pair<std::uint32_t, VertexId>> constructed;
+  std::vector<Point3> points;  ///< The nearest doubles of all points; empty if none was a double.
+
+  /// Returns the place of a point if it was rounded.
+  [[nodiscard]] std::optional<RationalPoint3> place(std::uint32_t v, const Point3& now) const {
+    const auto found =
+        std::ranges::lower_bound(constructed, v, {}, [](const auto& c) { return c.first; });
+    if (found != constructed.end() && found->first == v) {
+      return exact(complex->points(), complex->vertex_point[found->second]);
+    }
+    if (v >= points.size() || points[v] == now) return {};
+    return RationalPoint3{points[v].x, points[v].y, points[v].z};
+  }
+};
 
 /// A mesh during the repair. Parallel to its faces are their facets and their solids.
 struct Draft {
-  PolygonMesh mesh;
-  std::vector<FacetId> facet;        ///< The facet of the set from which a face was made.
-  std::vector<std::uint32_t> solid;  ///< The solid that a face bounds.
+  PolygonMesh mesh;  ///< mesh.exact lists points of doubtful faces, with their places before.
+  std::vector<std::uint8_t> is_checked;  ///< 1 for each face that must be checked.
+  std::vector<FacetId> facet;            ///< The facet of the set from which a face was made.
+  std::vector<std::uint32_t> solid;      ///< The solid that a face bounds.
   std::uint32_t solid_count = 0;
 
   void add_face(std::span<const std::uint32_t> corners, FacetId f, std::uint32_t s) {
@@ -72,10 +102,32 @@ struct Damage {
   bool has_equal_vertices = false;  ///< Whether vertices coincide that did not before.
 };
 
-/// Finds damage. A polygon that is not flat counts as damage, unless `faces` allows it.
-Damage find_damage(const Draft& draft, MeshFaces faces, Context& context) {
+/// Lists the points of the faces that were rounded in mesh.exact.
+void list_places_before(std::span<const std::uint32_t> faces, const PlacesBefore& before,
+                        Draft& draft) {
+  auto& exact = draft.mesh.exact;
+  std::vector<std::uint8_t> is_listed(draft.mesh.points.size(), 0);
+  for (const auto& [v, p] : exact) is_listed[v] = 1;
+  for (const std::uint32_t f : faces) {
+    for (const std::uint32_t v : draft.mesh.face(f)) {
+      if (is_listed[v] != 0) continue;
+      is_listed[v] = 1;
+      if (auto place = before.place(v, draft.mesh.points[v])) {
+        exact.emplace_back(v, std::move(*place));
+      }
+    }
+  }
+  std::ranges::sort(exact, {}, [](const auto& e) { return e.first; });
+}
+
+/// Finds damage at faces that are to be checked. A polygon that is not flat counts as
+/// damage, unless `faces` allows it.
+Damage find_damage(Draft& draft, const PlacesBefore& before, MeshFaces faces, Context& context) {
+  const DoubtfulFaces doubtful = doubtful_faces(draft.mesh, draft.is_checked, context);
+  if (doubtful.faces.empty()) return {};
+  list_places_before(doubtful.faces, before, draft);
   const RoundingReport found =
-      check_rounding(draft.mesh, std::numeric_limits<std::uint64_t>::max(), context);
+      check_faces(draft.mesh, doubtful, std::numeric_limits<std::uint64_t>::max(), context);
   Damage damage{std::vector<std::uint8_t>(draft.mesh.face_count(), 0),
                 std::vector<std::uint8_t>(draft.solid_count, 0),
                 found.crossings,
@@ -115,60 +167,70 @@ double largest_coordinate(const PolygonMesh& mesh) {
   return largest;
 }
 
-/// Lists the chosen points in mesh.exact, too, as if they had moved: faces at them are then
-/// checked.
-void list_points(PolygonMesh& mesh, const std::vector<std::uint8_t>& is_chosen) {
-  std::vector<std::pair<std::uint32_t, RationalPoint3>> list;
-  auto exact = mesh.exact.begin();
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    if (exact != mesh.exact.end() && exact->first == v) {
-      list.push_back(std::move(*exact++));
-    } else if (is_chosen[v] != 0) {
-      const Point3& p = mesh.points[v];
-      list.emplace_back(v, RationalPoint3{p.x, p.y, p.z});
-    }
+/// Replaces the mesh of a draft by a changed one. Faces that changed must be checked, too.
+void take(ChangedMesh changed, Draft& draft) {
+  Draft next;
+  next.solid_count = draft.solid_count;
+  for (std::uint32_t f = 0; f < changed.origin.size(); ++f) {
+    const std::uint32_t from = changed.origin[f];
+    next.facet.push_back(draft.facet[from]);
+    next.solid.push_back(draft.solid[from]);
+    const bool must_be_checked = draft.is_checked[from] != 0 || changed.changed[from] != 0;
+    next.is_checked.push_back(must_be_checked ? 1 : 0);
   }
-  mesh.exact = std::move(list);
+  next.mesh = std::move(changed.mesh);
+  next.mesh.exact = std::move(draft.mesh.exact);
+  draft = std::move(next);
 }
 
 /// Snaps damaged parts of the draft that are at most `width` apart. Returns a bound of the
 /// distances by which faces moved, or nullopt if nothing is near.
 std::optional<double> snap_damaged(Draft& draft, const Damage& damage, double width) {
-  SnappedMesh snapped = snap_near(draft.mesh, damage.of_face, damage.pairs, width);
+  ChangedMesh snapped = snap_near(draft.mesh, damage.of_face, damage.pairs, width);
   if (snapped.changed.empty()) return std::nullopt;
-  Draft next;
-  next.solid_count = draft.solid_count;
-  std::vector<std::uint8_t> is_checked(draft.mesh.points.size(), 0);
-  for (std::uint32_t f = 0; f < snapped.origin.size(); ++f) {
-    const std::uint32_t from = snapped.origin[f];
-    next.facet.push_back(draft.facet[from]);
-    next.solid.push_back(draft.solid[from]);
-    if (damage.of_face[from] == 0 && snapped.changed[from] == 0) continue;
-    for (const std::uint32_t v : snapped.mesh.face(f)) is_checked[v] = 1;
-  }
-  next.mesh = std::move(snapped.mesh);
-  next.mesh.exact = std::move(draft.mesh.exact);
-  list_points(next.mesh, is_checked);
-  draft = std::move(next);
-  return snapped.largest_move;
+  const double largest_move = snapped.largest_move;
+  draft.is_checked = damage.of_face;
+  take(std::move(snapped), draft);
+  return largest_move;
 }
 
-/// Moves the points of damaged solids to multiples of 2^exponent, towards zero, so that no
+/// Removes vertices at which the surface is flat or folded along a straight line. Returns a bound
+/// of the distances by which faces moved.
+double drop_flat(const std::vector<std::uint8_t>& is_constructed, CoordinateType type,
+                 RoundingRepair& repair, Draft& draft, Context& context) {
+  const double unit = std::ldexp(1, last_digit_exponent(largest_coordinate(draft.mesh), type));
+  FlattenedMesh flat = drop_flat_vertices(draft.mesh, is_constructed, kFlat * unit, context);
+  if (flat.removed == 0) return 0;
+  const double largest_move = flat.changes.largest_move;
+  repair.dropped_vertices += flat.removed;
+  take(std::move(flat.changes), draft);
+  return largest_move;
+}
+
+/// Makes all faces with a chosen point be checked, and no other faces.
+void check_faces_at(const std::vector<std::uint8_t>& is_chosen, Draft& draft) {
+  draft.is_checked.assign(draft.mesh.face_count(), 0);
+  for (std::size_t f = 0; f < draft.is_checked.size(); ++f) {
+    for (const std::uint32_t v : draft.mesh.face(f)) draft.is_checked[f] |= is_chosen[v];
+  }
+}
+
+/// Moves the points of chosen solids to multiples of 2^exponent, towards zero, so that no
 /// coordinate grows. Returns a bound of the distances.
-double snap_to_grid(Draft& draft, const Damage& damage, int exponent) {
+double snap_to_grid(Draft& draft, const std::vector<std::uint8_t>& is_chosen, int exponent) {
   const auto snapped = [exponent](double value) {
     return std::ldexp(std::trunc(std::ldexp(value, -exponent)), exponent);
   };
   std::vector<std::uint8_t> is_moved(draft.mesh.points.size(), 0);
   for (std::uint32_t f = 0; f < draft.solid.size(); ++f) {
-    if (damage.of_solid[draft.solid[f]] == 0) continue;
+    if (is_chosen[draft.solid[f]] == 0) continue;
     for (const std::uint32_t v : draft.mesh.face(f)) is_moved[v] = 1;
   }
   for (std::uint32_t v = 0; v < is_moved.size(); ++v) {
     Point3& p = draft.mesh.points[v];
     if (is_moved[v] != 0) p = {snapped(p.x), snapped(p.y), snapped(p.z)};
   }
-  list_points(draft.mesh, is_moved);
+  check_faces_at(is_moved, draft);
   return std::ldexp(1.7321, exponent);  // More than the diagonal of a cube of the grid.
 }
 
@@ -212,12 +274,11 @@ void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<co
   draft.solid_count += static_cast<std::uint32_t>(complex.volume_count());
 }
 
-/// Replaces the damaged solids, and those that touch them, by the points of positive winding
-/// number.
-Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Context& context) {
+/// Replaces solids, with all that touch them, by the points of positive winding number.
+Draft mended(Draft draft, const std::vector<std::uint8_t>& is_broken, const ToMeshOptions& options,
+             Context& context) {
   draft.mesh.exact.clear();
   weld_points(draft.mesh, 0, context);
-  const std::vector<std::uint8_t> is_broken = connected_with_damage(draft, damage);
   Draft kept;
   kept.solid_count = draft.solid_count;
   PolygonMesh broken;
@@ -243,12 +304,20 @@ Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Co
 /// Repairs a draft, round by round. It is a class for what a round has to know of earlier ones.
 class RoundingRepairer {
  public:
-  RoundingRepairer(const ToMeshOptions& options, CoordinateType type, RoundingRepair& repair,
-                   Context& context)
-      : options_(options), type_(type), repair_(repair), context_(context) {}
+  RoundingRepairer(const ToMeshOptions& options, CoordinateType type, PlacesBefore before,
+                   RoundingRepair& repair, Context& context)
+      : options_(options),
+        type_(type),
+        before_(std::move(before)),
+        repair_(repair),
+        context_(context) {}
 
   /// Returns the draft without damage. `damage` is that of the draft.
   Draft run(Draft draft, Damage damage) {
+    first_ = draft;
+    first_repair_ = repair_;
+    was_damaged_.assign(draft.solid_count, 0);
+    most_damaged_ = kGrowth * (damage.faces + 16);
     std::uint64_t fewest = damage.faces;  // Damaged faces since the last round that made new ones.
     while (damage.faces > 0 && !(damage.has_only_flipped && flipped_rounds_ >= kFlippedRounds)) {
       context_.checkpoint("repair rounding", repair_.rounds, 0);
@@ -256,7 +325,8 @@ class RoundingRepairer {
       repair_.damaged_faces += damage.faces;
       flipped_rounds_ += damage.has_only_flipped ? 1 : 0;
       repair_.largest_move += next(draft, damage);
-      damage = find_damage(draft, options_.faces, context_);
+      damage = find_damage(draft, has_first_places_ ? before_ : PlacesBefore{}, options_.faces,
+                           context_);
       if (is_new_) fewest = damage.faces + 1;
       width_ = damage.faces < fewest ? 0 : width_ + 1;
       fewest = std::min(fewest, damage.faces);
@@ -271,12 +341,12 @@ class RoundingRepairer {
 
   /// Makes one round. Returns a bound of the distances by which faces moved.
   double next(Draft& draft, const Damage& damage) {
-    const int digit = last_digit_exponent(largest_coordinate(draft.mesh), type_);
     is_new_ = true;
-    if (repair_.rounds % kRoundsOfAGrid == 0) {
-      ++repair_.coarse_rounds;
-      coarseness_ += kCoarser;
-      return snap_to_grid(draft, damage, digit + coarseness_);
+    const std::vector<std::uint8_t> is_broken = connected_with_damage(draft, damage);
+    for (std::size_t s = 0; s < was_damaged_.size(); ++s) was_damaged_[s] |= is_broken[s];
+    const int digit = last_digit_exponent(largest_coordinate(draft.mesh), type_);
+    if (++rounds_of_grid_ == kRoundsOfAGrid || damage.faces > most_damaged_) {
+      return start_again(draft, digit);
     }
     const bool may_snap = !damage.has_only_flipped || flipped_rounds_ == 2;
     for (; may_snap && width_ <= kWidestSnap; ++width_) {
@@ -286,16 +356,49 @@ class RoundingRepairer {
       is_new_ = false;
       return *move;
     }
-    draft = mended(std::move(draft), damage, options_, context_);
-    return round_points(draft.mesh, type_);
+    draft = mended(std::move(draft), is_broken, options_, context_);
+    has_first_places_ = false;
+    return round_mended(draft);
+  }
+
+  /// Starts again with the first draft and a coarser unit, to which the solids are rounded that
+  /// have been damaged so far.
+  double start_again(Draft& draft, int digit) {
+    draft = first_;
+    has_first_places_ = true;
+    repair_.largest_move = first_repair_.largest_move;
+    repair_.dropped_vertices = first_repair_.dropped_vertices;
+    ++repair_.coarse_rounds;
+    coarseness_ += kCoarser;
+    rounds_of_grid_ = 0;
+    width_ = 0;
+    return snap_to_grid(draft, was_damaged_, digit + coarseness_);
+  }
+
+  /// Rounds the points that mended() has made.
+  double round_mended(Draft& draft) {
+    std::vector<std::uint8_t> is_constructed(draft.mesh.points.size(), 0);
+    for (const auto& [v, p] : draft.mesh.exact) is_constructed[v] = 1;
+    const double moved = round_points(draft.mesh, type_);
+    std::vector<std::uint8_t> is_rounded(draft.mesh.points.size(), 0);
+    for (const auto& [v, p] : draft.mesh.exact) is_rounded[v] = 1;
+    check_faces_at(is_rounded, draft);
+    return moved + drop_flat(is_constructed, type_, repair_, draft, context_);
   }
 
   const ToMeshOptions& options_;
   CoordinateType type_;
+  const PlacesBefore before_;  // Of the first draft.
   RoundingRepair& repair_;
   Context& context_;
   int width_ = 0;       // The exponent of the distance that is snapped; it grows without progress.
   int coarseness_ = 0;  // The exponent of the unit.
+  Draft first_;         // The draft before the first round,
+  RoundingRepair first_repair_;            // and the report until then.
+  std::vector<std::uint8_t> was_damaged_;  // 1 for each of its solids that has been damaged.
+  std::uint64_t most_damaged_ = 0;         // More damaged faces show that the unit is too fine.
+  std::uint32_t rounds_of_grid_ = 0;
+  bool has_first_places_ = true;  // Whether before_ tells where points of the draft were.
   int flipped_rounds_ = 0;
   bool is_new_ = false;  // Whether the last round made new faces, not only snapped some.
 };
@@ -335,41 +438,76 @@ Topology topology_of(const Draft& draft) {
   return {euler_characteristic(draft.mesh), std::ranges::count(is_seen, 1)};
 }
 
+/// Moves the mesh and its facets to a draft.
+Draft draft_of(MeshOfComplex& made, const SpaceComplex& complex) {
+  Draft draft;
+  draft.mesh = std::move(made.mesh);
+  draft.facet = std::move(made.facet);
+  draft.solid.reserve(draft.facet.size());
+  for (const FacetId f : draft.facet) draft.solid.push_back(solid_at(complex, f).value());
+  draft.solid_count = static_cast<std::uint32_t>(complex.volume_count());
+  return draft;
+}
+
+/// Rounds the points of the first draft, and removes flat vertices. Vertices whose coordinates are
+/// doubles stay.
+void round_draft(CoordinateType type, PlacesBefore& before, RoundingRepair& repair, Draft& draft,
+                 Context& context) {
+  auto& points = draft.mesh.points;
+  if (type == CoordinateType::Float) before.points = points;
+  std::vector<std::uint8_t> is_constructed(points.size(), 0), is_rounded(points.size(), 0);
+  const auto round = [&](std::uint32_t v) {
+    const double move = round_point(points[v], is_constructed[v] != 0, type);
+    if (move == 0) return;
+    repair.largest_move = std::max(repair.largest_move, move);
+    ++repair.rounded_vertices;
+    is_rounded[v] = 1;
+  };
+  for (const auto& [v, vertex] : before.constructed) {
+    is_constructed[v] = 1;
+    if (type == CoordinateType::Double) round(v);
+  }
+  if (type == CoordinateType::Float) {
+    for (std::uint32_t v = 0; v < points.size(); ++v) round(v);
+  }
+  check_faces_at(is_rounded, draft);
+  if (before.constructed.empty()) return;
+  repair.largest_move += drop_flat(is_constructed, type, repair, draft, context);
+}
+
 }  // namespace
 
 ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateType type,
                      Context& context) {
   const RoundToNearest nearest;
   const SpaceComplex& complex = set.complex();
-  ToMeshOptions exactly = options;
-  exactly.keeps_exact = true;
+  ToMeshOptions used = options;
+  used.keeps_exact = false;
   // Corners that are doubles lie in one plane, but not when they are floats.
-  if (type == CoordinateType::Float) exactly.faces = MeshFaces::Triangles;
-  ValidMesh result{mesh_of_complex(complex, exactly, context), {}};
+  if (type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
+  ValidMesh result{mesh_of_complex(complex, used, context), {}};
   RoundingRepair& repair = result.repair;
 
   constexpr std::uint64_t kBytesPerCorner = 32;  // The mesh of a round and of the one before.
   MemoryCharge memory(context);
   memory.add(kBytesPerCorner * result.made.mesh.corners.size(), "a rounded mesh");
-  Draft draft{std::move(result.made.mesh), std::move(result.made.facet), {}, 0};
-  for (const FacetId f : draft.facet) draft.solid.push_back(solid_at(complex, f).value());
-  draft.solid_count = static_cast<std::uint32_t>(complex.volume_count());
-  repair.largest_move = round_points(draft.mesh, type);
-  repair.rounded_vertices = draft.mesh.exact.size();
-  Damage damage = find_damage(draft, exactly.faces, context);
+  PlacesBefore before{&complex, std::exchange(result.made.rounded, {}), {}};
+  Draft draft = draft_of(result.made, complex);
+  round_draft(type, before, repair, draft, context);
+  Damage damage = find_damage(draft, before, used.faces, context);
   const bool has_equal_vertices = damage.has_equal_vertices;
-  Topology before;
+  Topology topology;
   if (damage.faces > 0) {
-    before = topology_of(draft);
-    draft =
-        RoundingRepairer(exactly, type, repair, context).run(std::move(draft), std::move(damage));
+    topology = topology_of(draft);
+    used.keeps_exact = true;
+    draft = RoundingRepairer(used, type, std::move(before), repair, context)
+                .run(std::move(draft), std::move(damage));
   }
   draft.mesh.exact.clear();
-  if (repair.rounds > 0 || has_equal_vertices) {
-    if (!options.split_vertices) weld_points(draft.mesh, 0, context);
-    drop_unused_points(draft.mesh);
-  }
-  if (repair.rounds > 0) repair.changes_topology = !(topology_of(draft) == before);
+  const bool has_changed = repair.rounds > 0 || has_equal_vertices;
+  if (has_changed && !options.split_vertices) weld_points(draft.mesh, 0, context);
+  if (has_changed || repair.dropped_vertices > 0) drop_unused_points(draft.mesh);
+  if (repair.rounds > 0) repair.changes_topology = !(topology_of(draft) == topology);
   result.made.mesh = std::move(draft.mesh);
   result.made.facet = std::move(draft.facet);
   return result;

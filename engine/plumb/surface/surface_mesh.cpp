@@ -128,21 +128,26 @@ void SurfaceMesh::pair_halfedges() {
 }
 
 /// Turns faces so that twins run against each other: a face reached over half-edges that do not is
-/// turned around.
+/// turned around. If that are more than half of the faces of a component, the others are turned
+/// instead.
 void SurfaceMesh::orient_faces() {
   constexpr std::uint32_t kUnseen = ~std::uint32_t{0};
   is_flipped_.assign(corners_.size(), 0);
   component_.assign(corners_.size(), kUnseen);
   Places places;
-  std::vector<std::uint32_t> open;
+  std::vector<std::uint32_t> open, seen;  // Faces of one component.
   for (std::size_t start = 0; start < corners_.size(); ++start) {
     if (component_[start] != kUnseen) continue;
     const auto id = static_cast<std::uint32_t>(component_count_++);
     component_[start] = id;
     open.push_back(static_cast<std::uint32_t>(start));
+    seen.clear();
+    std::size_t flipped = 0;
     while (!open.empty()) {
       const FaceId f(open.back());
       open.pop_back();
+      seen.push_back(f.value());
+      flipped += is_flipped_[f];
       for (std::size_t i = 0; i < 3; ++i) {
         const HalfedgeId h = halfedge(f, i), g = twin(h);
         if (!g.is_valid()) continue;
@@ -159,6 +164,8 @@ void SurfaceMesh::orient_faces() {
         }
       }
     }
+    if (2 * flipped <= seen.size()) continue;
+    for (const std::uint32_t f : seen) is_flipped_[f] ^= 1U;
   }
   places.throw_if_any("not orientable");
   const auto moved = [&](HalfedgeId h) {

@@ -69,8 +69,9 @@ class SurfaceMesh {
  public:
   /// Makes an empty mesh.
   SurfaceMesh() = default;
-  /// Makes the mesh of the given triangles. All faces of a component are oriented consistently with
-  /// the first face of the component. If a face has to be flipped for this, its last two corners
+  /// Makes the mesh of the given triangles. All faces of a component are oriented consistently, as
+  /// the larger part of them is in the list. If both parts have the same number of faces, the first
+  /// face of the component keeps its orientation. If a face has to be flipped, its last two corners
   /// are exchanged, and is_flipped() returns true for the face. O(n). Throws:
   /// - Error{BadIndex} if a corner is not the index of a point,
   /// - Error{DegenerateFace} if a face has a repeated corner,

@@ -73,7 +73,7 @@ class Snapping {
     width_ = std::ldexp(width, -scale_);
   }
 
-  SnappedMesh run() {
+  ChangedMesh run() {
     merge_vertices();
     find_edge_points();
     find_face_points();
@@ -305,12 +305,12 @@ class Snapping {
   std::vector<double> best_;
   std::vector<std::size_t> apex_;
   std::vector<std::pair<std::size_t, std::size_t>> parts_;
-  SnappedMesh result_;
+  ChangedMesh result_;
 };
 
 }  // namespace
 
-SnappedMesh snap_near(const PolygonMesh& mesh, std::span<const std::uint8_t> is_damaged,
+ChangedMesh snap_near(const PolygonMesh& mesh, std::span<const std::uint8_t> is_damaged,
                       std::span<const FacePair> pairs, double width) {
   return Snapping(mesh, is_damaged, pairs, width).run();
 }

@@ -1,0 +1,38 @@
+// Removes vertices of a mesh at which its triangles are nearly in one plane or in two planes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "plumb/base/context.h"
+#include "plumb/space/mesh/changed_mesh.h"
+
+namespace plumb {
+
+/// A mesh without flat vertices.
+struct FlattenedMesh {
+  ChangedMesh changes;
+  std::uint32_t removed = 0;  ///< The number of vertices that were removed.
+};
+
+/// Removes vertices at which the surface is flat or folded along a straight line, up to `width`.
+///
+/// A vertex v is *flat* if all triangles around it are at most `width` away from one plane. It is
+/// *on a fold* if it is at most `width` away from the segment between two of its neighbours, and
+/// the triangles on each side of this segment are at most `width` away from one plane. If such a
+/// vertex is removed, the segment becomes an edge, and each side is triangulated again.
+///
+/// A vertex stays if is_removable is 0 for it, if it has a face that is not a triangle, more than
+/// 32 triangles or triangles that are not one closed fan, if a triangle without v would be thinner
+/// than twice the width or flipped, or if an edge would get more than two faces. It also stays if
+/// the sum of the distances over vertices that were removed one after the other near the same place
+/// exceeds 16 times the width.
+///
+/// Doubles decide what is near, because no decision makes an edge that lacks a face, and each is
+/// accounted for in largest_move. A triangle that was made from several faces has the least of them
+/// as its origin. O(corners), and O(1) for each removed vertex whose neighbours have few faces.
+FlattenedMesh drop_flat_vertices(const PolygonMesh& mesh,
+                                 std::span<const std::uint8_t> is_removable, double width,
+                                 Context& context);
+
+}  // namespace plumb
