@@ -1,0 +1,70 @@
+"""Exact geometry: sets of plane, sphere and space, planar maps, convex parts and surfaces.
+
+========================  =====================================  ============================
+Python                    C++                                    what it is
+========================  =====================================  ============================
+Solid                     Nef3                                   a set of space
+PlaneSet                  Nef2                                   a set of the plane
+SphereSet                 NefSphere                              a set of directions
+Map, MapReport            Map, MapReport (check_map)             a planar map and its check
+overlay, MapOverlay       overlay_maps, MapOverlay               two maps on each other
+Surface, SurfaceDivision  SurfaceMesh, SurfaceDivision           polygons on a surface
+Error, ErrorCode          Error, ErrorCode                       what goes wrong
+========================  =====================================  ============================
+
+Operators of sets: `a | b` and `a + b` unite, `a & b` and `a * b` intersect, `a - b`, `a ^ b`, `~a`.
+"""
+
+from plumb._core import (
+    VERSION,
+    Cell,
+    Flaw,
+    Geodesic,
+    Map,
+    MapDefect,
+    MapOverlay,
+    MapRegion,
+    MapReport,
+    PlaneSet,
+    RayHit,
+    Solid,
+    SphereSet,
+    Surface,
+    SurfaceDivision,
+    SurfaceRegion,
+    keep_freed_memory,
+    overlay,
+)
+from plumb._errors import BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh
+
+for _class in (BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh):
+    _class.__module__ = "plumb"
+del _class
+
+__version__ = VERSION
+
+__all__ = [
+    "BrokenInvariant",
+    "Cell",
+    "Error",
+    "ErrorCode",
+    "FileWarning",
+    "Flaw",
+    "Geodesic",
+    "Map",
+    "MapDefect",
+    "MapOverlay",
+    "MapRegion",
+    "MapReport",
+    "OpenMesh",
+    "PlaneSet",
+    "RayHit",
+    "Solid",
+    "SphereSet",
+    "Surface",
+    "SurfaceDivision",
+    "SurfaceRegion",
+    "__version__",
+    "keep_freed_memory",
+    "overlay",
+]

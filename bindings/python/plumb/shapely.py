@@ -1,0 +1,72 @@
+"""Sets of the plane from and to shapely's geometries and GeoDataFrames."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable
+from typing import Any
+
+import shapely as _shapely
+
+from plumb import FileWarning, PlaneSet
+
+__all__ = ["from_geoseries", "from_shapely", "overlay", "to_geoseries", "to_shapely"]
+
+
+def from_shapely(geometry: Any) -> PlaneSet:
+    """Return the closed set of a geometry, exactly; polygons go by the even-odd rule."""
+    return PlaneSet.from_bytes(_shapely.to_wkb(_shapely.force_2d(geometry), flavor="iso"))
+
+
+def to_shapely(set: PlaneSet) -> Any:
+    """Return the closure of a bounded set as a valid geometry; coordinates are rounded.
+
+    Losses by rounding are no warning here. A part that is unbounded is a FileWarning.
+    """
+    if not set.is_bounded():
+        warnings.warn("unbounded parts of the set are left out", FileWarning, stacklevel=2)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", FileWarning)
+        text = set.to_wkt()
+    geometry = _shapely.from_wkt(text)
+    if geometry.geom_type == "GeometryCollection" and len(geometry.geoms) == 1:
+        return geometry.geoms[0]
+    return geometry
+
+
+def from_geoseries(geometries: Iterable[Any]) -> list[PlaneSet]:
+    """Return the set of each geometry of a GeoSeries or of any other iterable."""
+    return [from_shapely(geometry) for geometry in geometries]
+
+
+def to_geoseries(sets: Iterable[PlaneSet], **options: Any) -> Any:
+    """Return a geopandas.GeoSeries; options such as `index` and `crs` are its own."""
+    import geopandas
+
+    return geopandas.GeoSeries([to_shapely(set) for set in sets], **options)
+
+
+def overlay(first: Any, second: Any) -> Any:
+    """Return the intersections of the rows of two GeoDataFrames, with the attributes of both.
+
+    Attributes of the second frame whose names occur in both get the suffix "_2". Pairs of rows
+    whose intersection has no interior are left out.
+    """
+    import geopandas
+    import pandas
+
+    lefts = from_geoseries(first.geometry)
+    rights = from_geoseries(second.geometry)
+    tree = _shapely.STRtree(second.geometry.values)
+    pairs = tree.query(first.geometry.values)
+    found, cells = [], []
+    for i, j in sorted(zip(*pairs.tolist(), strict=True)):
+        cell = (lefts[i] & rights[j]).regularization()
+        if cell:
+            found.append((i, j))
+            cells.append(cell)
+    left = first.drop(columns=first.geometry.name).iloc[[i for i, _ in found]]
+    right = second.drop(columns=second.geometry.name).iloc[[j for _, j in found]]
+    right = right.rename(columns={name: f"{name}_2" for name in right if name in left.columns})
+    table = pandas.concat([left.reset_index(drop=True), right.reset_index(drop=True)], axis=1)
+    return geopandas.GeoDataFrame(table, geometry=to_geoseries(cells), crs=first.crs)

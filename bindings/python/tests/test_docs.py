@@ -1,0 +1,41 @@
+"""Every example of docs/python.md runs, and everything public has a docstring."""
+
+from __future__ import annotations
+
+import inspect
+import pathlib
+import re
+
+import pytest
+
+import plumb
+
+PAGE = pathlib.Path(__file__).parents[3] / "docs" / "python.md"
+
+
+def examples() -> list[object]:
+    if not PAGE.exists():
+        return []
+    blocks = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.MULTILINE | re.DOTALL)
+    return [pytest.param(block, id=f"example-{i}") for i, block in enumerate(blocks)]
+
+
+@pytest.mark.parametrize("block", examples())
+def test_example(block, tmp_path, monkeypatch):
+    for module in re.findall(r"^(?:import|from) (trimesh|shapely|geopandas|distributed)", block,
+                             re.MULTILINE):
+        pytest.importorskip(module)
+    monkeypatch.chdir(tmp_path)
+    exec(compile(block, str(PAGE), "exec"), {"__name__": "example"})
+
+
+def test_everything_public_has_a_docstring():
+    for name in plumb.__all__:
+        value = getattr(plumb, name)
+        if name == "__version__":
+            continue
+        assert inspect.getdoc(value), name
+        members = vars(value) if inspect.isclass(value) else {}
+        for member, thing in members.items():
+            if not member.startswith("_") and callable(thing):
+                assert inspect.getdoc(thing), f"{name}.{member}"

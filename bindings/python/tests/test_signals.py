@@ -1,0 +1,43 @@
+"""Ctrl-C cancels an operation of the main thread."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+PROGRAM = """
+import sys, time
+import plumb
+# A sum of two solids of many parts takes minutes.
+star = plumb.Solid.union_of(
+    [plumb.Solid.ball(1.0, 1).translated((x, y, 0)) for x in range(6) for y in range(6)])
+hole = plumb.Solid.box((-9, -9, -9), (19, 19, 9)) - star
+print("ready", flush=True)
+try:
+    hole.minkowski_sum(star)
+except KeyboardInterrupt:
+    print("interrupted", time.monotonic(), flush=True)
+    print(star.volume() > 0)
+else:
+    print("finished")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals of POSIX")
+def test_ctrl_c_takes_effect_soon():
+    with subprocess.Popen(
+        [sys.executable, "-c", PROGRAM], stdout=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(0.5)
+        sent = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        word, _, when = process.stdout.readline().partition(" ")
+        assert word == "interrupted"
+        assert float(when) - sent < 0.2
+        assert process.stdout.readline() == "True\n"
