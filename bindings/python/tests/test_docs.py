@@ -1,4 +1,4 @@
-"""Every example of docs/python.md runs, and everything public has a docstring."""
+"""Every example of docs/python.md and README.md runs, and everything public has a docstring."""
 
 from __future__ import annotations
 
@@ -10,14 +10,17 @@ import pytest
 
 import plumb
 
-PAGE = pathlib.Path(__file__).parents[3] / "docs" / "python.md"
+ROOT = pathlib.Path(__file__).parents[3]
+PAGES = [ROOT / "docs" / "python.md", ROOT / "README.md"]
 
 
 def examples() -> list[object]:
-    if not PAGE.exists():
-        return []
-    blocks = re.findall(r"^```python\n(.*?)^```", PAGE.read_text(), re.MULTILINE | re.DOTALL)
-    return [pytest.param(block, id=f"example-{i}") for i, block in enumerate(blocks)]
+    found: list[object] = []
+    for page in PAGES:
+        text = page.read_text() if page.exists() else ""
+        blocks = re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+        found += [pytest.param(b, id=f"{page.stem}-{i}") for i, b in enumerate(blocks)]
+    return found
 
 
 @pytest.mark.parametrize("block", examples())
@@ -26,7 +29,7 @@ def test_example(block, tmp_path, monkeypatch):
                              re.MULTILINE):
         pytest.importorskip(module)
     monkeypatch.chdir(tmp_path)
-    exec(compile(block, str(PAGE), "exec"), {"__name__": "example"})
+    exec(compile(block, "example", "exec"), {"__name__": "example"})
 
 
 def test_everything_public_has_a_docstring():
