@@ -1,4 +1,8 @@
 // Sets of the plane: made of arrays and files, combined, rounded, measured and cut.
+//
+// The functions that all sets have are made by PLUMB_C_SET (sets.h). The engine requires that
+// chains ascend and that their corners are indices of points; check_chains() checks both here,
+// because a caller of C may pass anything. write_options() serves the overlays of maps, too.
 // Tested by tests/c/interface_test.c.
 #include "files.h"
 #include "handles.h"

@@ -1,4 +1,10 @@
 // Bytes, notes, lists of indices and of exact numbers, and the checks of arguments.
+//
+// Every array and every struct that a caller passes goes through a function of this file, which
+// refuses null pointers, counts that do not fit, numbers that are not finite, and sizes of structs
+// that are not set. Exact numbers keep their texts, so that a caller can borrow them. Texts of
+// numbers are read by the rules of files (record_reader.h), decimals exactly.
+// Tested by tests/c/interface_test.c.
 #include <cmath>
 #include <cstddef>
 
