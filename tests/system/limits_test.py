@@ -72,11 +72,17 @@ def scene(faces):
     return '{"model": "torus.off", "points": [%s], "polygons": [%s]}' % (", ".join(points), ", ".join(polygons))
 
 
+def model(count, dimension):
+    part = "cube([3, 3, 3]);" if dimension == 3 else "square([3, 3]);"
+    move = "multmatrix([[0.8, -0.6, 0, %d], [0.6, 0.8, 0, %d], [0, 0, 1, 0.%d], [0, 0, 0, 1]])"
+    return "\n".join(move % (i % 60 * 2, i // 60 * 2, i) + " { " + part + " }" for i in range(count))
+
+
 def write_inputs():
     mesh = torus(240, 0)
     files = {"a.wkt": star(60000, 1), "b.wkt": star(60000, 2), "torus.off": off(*mesh),
              "moved.off": off(*torus(240, 0.3)), "a.map": grid_map(150), "b.map": grid_map(151),
-             "h.txt": half_spaces(60000), "s.json": scene(len(mesh[1]))}
+             "h.txt": half_spaces(60000), "s.json": scene(len(mesh[1])), "m.csg": model(6000, 3), "p.csg": model(20000, 2)}
     for name, text in files.items():
         with open(name, "w") as out:
             out.write(text)
@@ -94,6 +100,7 @@ plane interior a.wkt -o OUT.nef2
 plane closure a.wkt -o OUT.nef2
 plane boundary a.wkt -o OUT.nef2
 plane regularize a.wkt -o OUT.nef2
+plane csg p.csg -o OUT.wkt
 plane info a.wkt
 plane locate a.wkt 0 0
 solid union torus.off moved.off -o OUT.off
@@ -108,6 +115,7 @@ solid boundary torus.off -o OUT.nef
 solid regularize torus.off -o OUT.nef
 solid section torus.off --plane 1,2,3,0 --side closed -o OUT.nef
 solid halfspaces h.txt -o OUT.nef
+solid csg m.csg -o OUT.nef
 solid info torus.off
 solid locate torus.off 0 0 0
 solid compare torus.off moved.off

@@ -155,6 +155,9 @@ class [[gnu::visibility("hidden")]] PlaneTrapezoids;
 /// intersection of zero sets is the whole plane.
 [[nodiscard]] Nef2 intersection_of(std::span<const Nef2> sets,
                                    Context& context = unlimited_context());
+/// Returns the points of a that belong to none of the other sets.
+[[nodiscard]] Nef2 difference_of(const Nef2& a, std::span<const Nef2> others,
+                                 Context& context = unlimited_context());
 
 // The operators of Nef's algebra. These operators are declared outside the class because g++ does
 // not export a friend that is declared only inside its class.

@@ -10,7 +10,9 @@
 // set reaches infinity, and changes only while one set alone holds it. A use count of 1 is read
 // relaxed, so an acquire fence comes before memory is reused that other threads may have read.
 //
-// Unions of many sets are computed in a balanced tree, its halves in parallel.
+// Unions and intersections of many sets are computed in a balanced tree of neighbours (halve()), its
+// halves in parallel. All orders give the same set; the order decides how large intermediate sets
+// are.
 //
 // Tested by tests/space/nef3_test.cpp, tests/space/nef3_property_test.cpp and
 // tests/space/threads_test.cpp.
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -421,12 +424,82 @@ Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunctio
 
 namespace {
 
-/// Combines sets pairwise, neighbours first, so that every set takes part in O(log n) operations.
-/// Uses up the sets.
-Nef3 combine_all(std::span<Nef3> sets, MarkFunction f, Context& context) {
-  if (sets.size() == 1) return std::move(sets[0]);
-  const std::size_t half = sets.size() / 2;
-  const std::array<std::span<Nef3>, 2> parts{sets.first(half), sets.subspan(half)};
+/// A set with what decides when it is combined with which others.
+struct PlacedSet {
+  Nef3 set;
+  Box3 box;            // Around its boundary; infinite if nothing is known.
+  std::size_t weight;  // About how much work the set is.
+};
+
+double centre(const Box3& box, std::size_t axis) {
+  const double sum = box.low[axis] + box.high[axis];
+  return std::isfinite(sum) ? sum : 0;
+}
+
+std::vector<PlacedSet> placed(std::vector<Nef3> sets) {
+  std::vector<PlacedSet> result;
+  result.reserve(sets.size());
+  for (Nef3& set : sets) {
+    const SpaceComplex& c = set.complex();
+    const Box3 box = c.vertex_count() == 0 ? Box3{{0, 0, 0}, {0, 0, 0}} : box_of(c);
+    const std::size_t weight = c.edge_count() + 1;
+    result.push_back({std::move(set), box, weight});
+  }
+  return result;
+}
+
+std::size_t total_weight(std::span<const PlacedSet> sets) {
+  std::size_t total = 0;
+  for (const PlacedSet& placed : sets) total += placed.weight;
+  return total;
+}
+
+/// Returns the axis along which the centres of the sets are spread most.
+std::size_t widest_axis(std::span<const PlacedSet> sets) {
+  std::array<double, 3> spread{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = centre(sets[0].box, axis), high = low;
+    for (const PlacedSet& placed : sets) {
+      low = std::min(low, centre(placed.box, axis));
+      high = std::max(high, centre(placed.box, axis));
+    }
+    spread[axis] = high - low;
+  }
+  const auto widest = std::max_element(spread.begin(), spread.end());
+  return static_cast<std::size_t>(widest - spread.begin());
+}
+
+/// Orders sets and returns how many of them make the first half. A set that outweighs all others
+/// is a half of its own, so that it takes part in one operation only. Otherwise the halves lie side
+/// by side and weigh about the same, so that sets are combined with their neighbours first: what
+/// lies inside others is gone early, and halves that are apart need no Boolean.
+std::size_t halve(std::span<PlacedSet> sets) {
+  const std::size_t total = total_weight(sets);
+  const auto is_lighter = [](const PlacedSet& a, const PlacedSet& b) {
+    return a.weight < b.weight;
+  };
+  const auto heaviest = std::max_element(sets.begin(), sets.end(), is_lighter);
+  if (2 * heaviest->weight > total) {
+    std::swap(sets.front(), *heaviest);
+    return 1;
+  }
+  const std::size_t axis = widest_axis(sets);
+  std::stable_sort(sets.begin(), sets.end(), [axis](const PlacedSet& a, const PlacedSet& b) {
+    return centre(a.box, axis) < centre(b.box, axis);
+  });
+  std::size_t count = 1;
+  for (std::size_t weight = sets[0].weight; count + 1 < sets.size(); ++count) {
+    if (2 * weight + sets[count].weight > total) break;
+    weight += sets[count].weight;
+  }
+  return count;
+}
+
+/// Combines sets pairwise in a balanced tree (halve()). Uses up the sets.
+Nef3 combine_all(std::span<PlacedSet> sets, MarkFunction f, Context& context) {
+  if (sets.size() == 1) return std::move(sets[0].set);
+  const std::size_t half = halve(sets);
+  const std::array<std::span<PlacedSet>, 2> parts{sets.first(half), sets.subspan(half)};
   std::array<Nef3, 2> both;
   // Each half is charged while the other one may still be in work.
   std::array<MemoryCharge, 2> memory{MemoryCharge(context), MemoryCharge(context)};
@@ -435,6 +508,24 @@ Nef3 combine_all(std::span<Nef3> sets, MarkFunction f, Context& context) {
     if (parts[i].size() > 1) memory[i].add(both[i].bytes(), "a set of space");
   });
   return boolean_op(std::move(both[0]), std::move(both[1]), f, context);
+}
+
+/// Whether a set and its boundary lie in the box around its boundary.
+bool is_in_box(const Nef3& set) {
+  return set.complex().volume_mark[0] == 0 && !has_frame(set.complex());
+}
+
+/// Whether the boxes of all sets have a common point.
+bool have_common_point(std::span<const PlacedSet> sets) {
+  Box3 common = sets[0].box;
+  for (const PlacedSet& placed : sets) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      common.low[axis] = std::max(common.low[axis], placed.box.low[axis]);
+      common.high[axis] = std::min(common.high[axis], placed.box.high[axis]);
+      if (common.low[axis] > common.high[axis]) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -449,7 +540,9 @@ bool operator==(const Nef3& a, const Nef3& b) {
 }
 
 Nef3 united(std::vector<Nef3> sets, Context& context) {
-  return sets.empty() ? Nef3::empty() : combine_all(sets, kUnion, context);
+  if (sets.empty()) return Nef3::empty();
+  std::vector<PlacedSet> parts = placed(std::move(sets));
+  return combine_all(parts, kUnion, context);
 }
 
 Nef3 union_of(std::span<const Nef3> sets, Context& context) {
@@ -457,8 +550,26 @@ Nef3 union_of(std::span<const Nef3> sets, Context& context) {
 }
 
 Nef3 intersection_of(std::span<const Nef3> sets, Context& context) {
-  std::vector<Nef3> own(sets.begin(), sets.end());
-  return own.empty() ? Nef3::whole() : combine_all(own, kIntersection, context);
+  if (sets.empty()) return Nef3::whole();
+  std::vector<PlacedSet> parts = placed({sets.begin(), sets.end()});
+  const bool are_in_boxes = std::all_of(sets.begin(), sets.end(), is_in_box);
+  if (are_in_boxes && !have_common_point(parts)) return Nef3::empty();
+  return combine_all(parts, kIntersection, context);
+}
+
+Nef3 difference_of(const Nef3& a, std::span<const Nef3> others, Context& context) {
+  std::vector<Nef3> near;
+  if (is_in_box(a) && !a.is_empty()) {
+    const Box3 box = box_of(a.complex());
+    for (const Nef3& other : others) {
+      const bool is_apart =
+          other.is_empty() || (is_in_box(other) && !box.meets(box_of(other.complex())));
+      if (!is_apart) near.push_back(other);
+    }
+  } else {
+    near.assign(others.begin(), others.end());
+  }
+  return boolean_op(a, united(std::move(near), context), kDifference, context);
 }
 
 }  // namespace plumb

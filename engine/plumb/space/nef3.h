@@ -143,13 +143,18 @@ class Nef3;
 /// the cells near the plane.
 [[nodiscard]] Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns the union of any number of sets, computed pairwise in a balanced tree. If there are no
-/// sets, the union is empty.
+/// Returns the union of any number of sets, computed pairwise in a balanced tree. The order depends
+/// on the sizes and places of the sets, not on the order in which they are given: neighbours are
+/// united first. If there are no sets, the union is empty.
 [[nodiscard]] Nef3 union_of(std::span<const Nef3> sets, Context& context = unlimited_context());
-/// Returns the intersection of any number of sets, computed pairwise in a balanced tree. If there
-/// are no sets, the intersection is the whole space.
+/// Returns the intersection of any number of sets, computed in the same way. If there are no sets,
+/// the intersection is the whole space.
 [[nodiscard]] Nef3 intersection_of(std::span<const Nef3> sets,
                                    Context& context = unlimited_context());
+/// Returns the points of a that belong to none of the other sets. The union of these sets is
+/// subtracted at once; sets whose boxes do not meet the box of a are left out.
+[[nodiscard]] Nef3 difference_of(const Nef3& a, std::span<const Nef3> others,
+                                 Context& context = unlimited_context());
 
 // The operators of Nef's algebra. They are declared here because g++ does not export a friend
 // function that is declared only inside its class.

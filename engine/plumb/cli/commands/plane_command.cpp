@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/cli/commands/csg_command.h"
 #include "plumb/cli/commands/plane_kind.h"
 #include "plumb/cli/commands/set_command.h"
 #include "plumb/cli/files/operands.h"
@@ -187,6 +188,7 @@ std::unique_ptr<CommandBody> make_plane_difference() {
 std::unique_ptr<CommandBody> make_plane_symmetric_difference() {
   return std::make_unique<BinaryOperation<Plane>>(kSymmetricDifference);
 }
+std::unique_ptr<CommandBody> make_plane_csg() { return std::make_unique<CsgOperation<Plane>>(); }
 std::unique_ptr<CommandBody> make_plane_complement() {
   return std::make_unique<UnaryOperation<Plane>>(&Nef2::complement);
 }

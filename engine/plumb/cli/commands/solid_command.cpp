@@ -1,6 +1,6 @@
 // The commands `plumb solid ...`: sets of space, combined, transformed and queried.
 //
-// Most commands are templates (set_command.h); this file adds expressions over named files,
+// Most commands are templates (set_command.h, csg_command.h); this file adds expressions over named files,
 // sections by planes, intersections of half-spaces, comparison, and Minkowski sums. Files are read
 // in parallel where there are threads for it. Without a name for the format a result is written as
 // .nef, which holds every set.
@@ -16,6 +16,8 @@
 #include <utility>
 
 #include "plumb/base/set_expression.h"
+#include "plumb/base/set_tree.h"
+#include "plumb/cli/commands/csg_command.h"
 #include "plumb/cli/commands/set_command.h"
 #include "plumb/cli/commands/solid_kind.h"
 #include "plumb/cli/files/operands.h"
@@ -105,18 +107,22 @@ class MinkowskiSum : public SolidOperation {
 
 // ---------------------------------------------------------------- expressions
 
-MarkFunction function_of(SetOperator op) {
-  switch (op) {
-    case SetOperator::Union:
-      return kUnion;
-    case SetOperator::Intersection:
-      return kIntersection;
-    case SetOperator::Difference:
-      return kDifference;
-    default:
-      return kSymmetricDifference;
+/// The operations of an expression, for evaluate_tree().
+struct SolidOperations {
+  Context& context;
+
+  Nef3 union_of(const std::vector<Nef3>& sets) { return plumb::union_of(sets, context); }
+  Nef3 intersection_of(const std::vector<Nef3>& sets) {
+    return plumb::intersection_of(sets, context);
   }
-}
+  Nef3 difference_of(const std::vector<Nef3>& sets) {
+    return plumb::difference_of(sets[0], std::span(sets).subspan(1), context);
+  }
+  Nef3 symmetric_difference(Nef3 a, Nef3 b) {
+    return boolean_op(std::move(a), std::move(b), kSymmetricDifference, context);
+  }
+  Nef3 complement(const Nef3& a) { return a.complement(context); }
+};
 
 /// The set that an expression over named files describes.
 class Evaluation : public SolidOperation {
@@ -141,22 +147,14 @@ class Evaluation : public SolidOperation {
       names.push_back(file->second);
     }
     const std::vector<Nef3> operands = read_all(names, session);
-    return evaluate<Nef3>(
-        expression, [&](std::uint32_t name) { return operands[name]; },
-        [](const Nef3& a) { return !a; },
-        [&](SetOperator op, const Nef3& a, const Nef3& b) {
-          session.begin("combine");
-          return boolean_op(a, b, function_of(op), session.context());
-        });
+    session.begin("combine");
+    SolidOperations operations{session.context()};
+    return evaluate_tree<Nef3>(
+        rewritten(expression), [&](std::uint32_t name) { return operands[name]; }, operations);
   }
 
   ProgressStages stages() const override {
-    const SetExpression expression = parse_set_expression(text_);
-    const auto combines = [](const SetExpression::Step& step) {
-      return step.op != SetOperator::Operand && step.op != SetOperator::Complement;
-    };
-    const auto operations = std::ranges::count_if(expression.steps, combines);
-    return stages_of_sets<Solid>(expression.names.size(), static_cast<std::size_t>(operations));
+    return stages_of_sets<Solid>(parse_set_expression(text_).names.size(), 1);
   }
 
   std::map<std::string, std::string> bound_files() const {
@@ -305,6 +303,7 @@ std::unique_ptr<CommandBody> make_solid_symmetric_difference() {
   return std::make_unique<BinaryOperation<Solid>>(kSymmetricDifference);
 }
 std::unique_ptr<CommandBody> make_solid_eval() { return std::make_unique<Evaluation>(); }
+std::unique_ptr<CommandBody> make_solid_csg() { return std::make_unique<CsgOperation<Solid>>(); }
 std::unique_ptr<CommandBody> make_solid_complement() {
   return std::make_unique<UnaryOperation<Solid>>(&Nef3::complement);
 }

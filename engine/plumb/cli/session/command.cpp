@@ -114,6 +114,7 @@ std::unique_ptr<CommandBody> make_plane_boundary();
 std::unique_ptr<CommandBody> make_plane_regularize();
 std::unique_ptr<CommandBody> make_plane_minkowski();
 std::unique_ptr<CommandBody> make_plane_offset();
+std::unique_ptr<CommandBody> make_plane_csg();
 std::unique_ptr<CommandBody> make_plane_info();
 std::unique_ptr<CommandBody> make_plane_locate();
 std::unique_ptr<CommandBody> make_solid_union();
@@ -128,6 +129,7 @@ std::unique_ptr<CommandBody> make_solid_boundary();
 std::unique_ptr<CommandBody> make_solid_regularize();
 std::unique_ptr<CommandBody> make_solid_section();
 std::unique_ptr<CommandBody> make_solid_halfspaces();
+std::unique_ptr<CommandBody> make_solid_csg();
 std::unique_ptr<CommandBody> make_solid_info();
 std::unique_ptr<CommandBody> make_solid_locate();
 std::unique_ptr<CommandBody> make_solid_compare();
@@ -197,6 +199,8 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"plane offset", "A", "A grown or shrunk by a distance",
               "./plumb plane offset corpus/plane/star.wkt --by 0.5 -o out.svg", "plane-set",
               make_plane_offset},
+      Command{"plane csg", "MODEL", "A flat model of OpenSCAD (.csg)",
+              "./plumb plane csg corpus/csg/gasket.csg -o out.svg", "plane-set", make_plane_csg},
       Command{"plane info", "A", "Counts, exact area; bounded? empty?",
               "./plumb plane info corpus/plane/star.wkt --json", "plane-set", make_plane_info},
       Command{"plane locate", "A X Y", "Where does the point lie; is it in A?",
@@ -244,6 +248,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"solid halfspaces", "FILE", "The intersection of half-spaces",
               "./plumb solid halfspaces corpus/solids/octahedron.txt -o out.off", "solid-set",
               make_solid_halfspaces},
+      Command{"solid csg", "MODEL", "A model of OpenSCAD (.csg), exactly",
+              "./plumb solid csg corpus/csg/bracket.csg --explain -o out.off", "solid-set",
+              make_solid_csg},
       Command{"solid info", "A", "Counts, exact volume; bounded? simple?",
               "./plumb solid info corpus/solids/l-block.off --json", "solid-set", make_solid_info},
       Command{"solid locate", "A X Y Z", "Where does the point lie; is it in A?",

@@ -226,6 +226,10 @@ Nef2 intersection_of(std::span<const Nef2> sets, Context& context) {
   return sets.empty() ? Nef2::whole() : fold(sets, kIntersection, context);
 }
 
+Nef2 difference_of(const Nef2& a, std::span<const Nef2> others, Context& context) {
+  return boolean_op(a, union_of(others, context), kDifference, context);
+}
+
 Nef2 operator+(const Nef2& a, const Nef2& b) { return boolean_op(a, b, kUnion); }
 Nef2 operator*(const Nef2& a, const Nef2& b) { return boolean_op(a, b, kIntersection); }
 Nef2 operator-(const Nef2& a, const Nef2& b) { return boolean_op(a, b, kDifference); }

@@ -1,0 +1,134 @@
+// Expressions over sets as trees whose operators take any number of operands, and their evaluation.
+//
+// Main flow:
+//  1. SetTreeBuilder  takes operands and binary operators. Equal subexpressions become one node
+//  2. finish()        rewrites the expression:
+//                     - chains of unions become one union, and chains of intersections become one
+//                       intersection; an operand that occurs twice in a chain is kept once
+//                     - intersections with complements, and chains of differences, become one
+//                       difference: (intersection of some operands) - (union of the others)
+//                     - unions with complements become the complement of such a difference, so that
+//                       few sets are unbounded
+//                     A node with several users is evaluated once and ends the chains of its users
+//  3. evaluate_tree() calls functions for unions, intersections and differences of many sets, which
+//                     can choose the order in which they combine them (union_of() in nef3.h)
+// All rewriting steps are identities of Boolean algebra. So the value is exactly the value of the
+// expression from left to right, for every class of sets.
+//
+// Cost: O(n) for n operators, besides the operations on sets. Nothing recurses.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "plumb/base/set_expression.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// A rewritten expression. Nodes come after their children.
+struct SetTree {
+  /// A node. The children of a union or an intersection have no order. A difference subtracts all
+  /// other children from the first one. A complement has one child, and a symmetric difference two.
+  struct Node {
+    SetOperator op = SetOperator::Operand;
+    std::uint32_t operand = 0;      ///< The number of the operand, if `op` is Operand.
+    std::uint32_t first_child = 0;  ///< Index into `children`.
+    std::uint32_t child_count = 0;  ///< The number of children; 0 for an operand.
+  };
+  std::vector<Node> nodes;              ///< All nodes.
+  std::vector<std::uint32_t> children;  ///< Indices of nodes.
+  std::uint32_t value = 0;              ///< The node whose value is that of the expression.
+
+  /// Returns the children of a node.
+  std::span<const std::uint32_t> children_of(const Node& node) const {
+    return std::span(children).subspan(node.first_child, node.child_count);
+  }
+};
+
+/// Collects an expression, and rewrites it.
+class SetTreeBuilder {
+ public:
+  /// A subexpression.
+  using Term = std::uint32_t;
+
+  /// Returns the operand with a number; the same term for the same number.
+  Term operand(std::uint32_t number);
+  /// Returns the complement of a term.
+  Term complement(Term of);
+  /// Returns the value of a binary operator. Requires an operator other than Operand and
+  /// Complement.
+  Term combine(SetOperator op, Term a, Term b);
+
+  /// Returns the rewritten expression.
+  [[nodiscard]] SetTree finish(Term value) const;
+
+ private:
+  struct Binary {
+    SetOperator op;
+    std::uint32_t a;
+    std::uint32_t b;
+    friend bool operator==(const Binary&, const Binary&) = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Binary& binary) const;
+  };
+
+  Term add(SetOperator op, std::uint32_t a, std::uint32_t b);
+
+  std::vector<Binary> terms_;
+  std::unordered_map<Binary, Term, Hash> known_;
+};
+
+/// Returns the rewritten form of a parsed expression. Operand i is expression.names[i].
+[[nodiscard]] SetTree rewritten(const SetExpression& expression);
+
+/// Returns the value of a tree. `operand(i)` returns the value of operand i, and `operations` has
+/// the members union_of(sets), intersection_of(sets) and difference_of(sets), which take a
+/// std::vector<Set> of at least two sets; symmetric_difference(a, b) and complement(a). A value is
+/// freed as soon as no operation needs it any more.
+template <class Set, class Operand, class Operations>
+[[nodiscard]] Set evaluate_tree(const SetTree& tree, const Operand& operand,
+                                Operations& operations) {
+  std::vector<std::uint32_t> users(tree.nodes.size(), 0);
+  for (const std::uint32_t child : tree.children) ++users[child];
+  ++users[tree.value];
+  std::vector<Set> values(tree.nodes.size());
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const SetTree::Node& node = tree.nodes[i];
+    if (users[i] == 0) continue;
+    if (node.op == SetOperator::Operand) {
+      values[i] = operand(node.operand);
+      continue;
+    }
+    std::vector<Set> sets;
+    for (const std::uint32_t child : tree.children_of(node)) {
+      const bool is_last = --users[child] == 0;
+      sets.push_back(is_last ? std::exchange(values[child], Set()) : values[child]);
+    }
+    switch (node.op) {
+      case SetOperator::Union:
+        values[i] = operations.union_of(std::move(sets));
+        break;
+      case SetOperator::Intersection:
+        values[i] = operations.intersection_of(std::move(sets));
+        break;
+      case SetOperator::Difference:
+        values[i] = operations.difference_of(std::move(sets));
+        break;
+      case SetOperator::SymmetricDifference:
+        values[i] = operations.symmetric_difference(std::move(sets[0]), std::move(sets[1]));
+        break;
+      default:
+        values[i] = operations.complement(std::move(sets[0]));
+    }
+  }
+  return std::move(values[tree.value]);
+}
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,359 @@
+// Nodes of a tree from the parameters in a file.
+//
+// Parameters that are missing or undef have OpenSCAD's defaults. Numbers that have no meaning for a
+// shape, such as a negative radius, are kept: the evaluation says what they give. What would be an
+// index out of range later is refused here, at its place.
+//
+// Tested by tests/io/csg_reader_test.cpp.
+#include "plumb/io/csg/csg_nodes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+/// A word of the language, and the parameters that are understood or may be skipped without a note.
+struct CsgWord {
+  std::string_view name;
+  CsgKind kind;
+  std::string_view parameters;  // Names between blanks.
+};
+
+constexpr std::array kWords{
+    CsgWord{"group", CsgKind::Group, " "},
+    CsgWord{"union", CsgKind::Union, " "},
+    CsgWord{"color", CsgKind::Color, " c alpha "},
+    CsgWord{"render", CsgKind::Render, " convexity "},
+    CsgWord{"difference", CsgKind::Difference, " "},
+    CsgWord{"intersection", CsgKind::Intersection, " "},
+    CsgWord{"hull", CsgKind::Hull, " "},
+    CsgWord{"minkowski", CsgKind::Minkowski, " convexity "},
+    CsgWord{"multmatrix", CsgKind::Multmatrix, " m "},
+    CsgWord{"resize", CsgKind::Resize, " newsize auto convexity "},
+    CsgWord{"offset", CsgKind::Offset, " r delta chamfer $fn $fa $fs "},
+    CsgWord{"projection", CsgKind::Projection, " cut convexity "},
+    CsgWord{"linear_extrude", CsgKind::LinearExtrude,
+            " height center twist slices scale convexity v $fn $fa $fs "},
+    CsgWord{"rotate_extrude", CsgKind::RotateExtrude, " angle convexity $fn $fa $fs "},
+    CsgWord{"cube", CsgKind::Cube, " size center "},
+    CsgWord{"sphere", CsgKind::Sphere, " r $fn $fa $fs "},
+    CsgWord{"cylinder", CsgKind::Cylinder, " h r r1 r2 center $fn $fa $fs "},
+    CsgWord{"polyhedron", CsgKind::Polyhedron, " points faces triangles convexity "},
+    CsgWord{"square", CsgKind::Square, " size center "},
+    CsgWord{"circle", CsgKind::Circle, " r $fn $fa $fs "},
+    CsgWord{"polygon", CsgKind::Polygon, " points paths convexity "},
+    CsgWord{"import", CsgKind::Solid,
+            " file layer origin scale center dpi id width height filename timestamp convexity $fn "
+            "$fa $fs "},
+};
+
+const CsgWord* word_of(std::string_view name) {
+  const auto found = std::find_if(kWords.begin(), kWords.end(),
+                                  [&](const CsgWord& word) { return word.name == name; });
+  return found == kWords.end() ? nullptr : &*found;
+}
+
+constexpr std::size_t kMostNotes = 20;
+
+}  // namespace
+
+CsgKind CsgNodes::kind_of_node() {
+  if (const CsgWord* word = word_of(scanner_.name())) return word->kind;
+  const std::string name(scanner_.name());
+  if (name == "text") {
+    scanner_.fail(ErrorCode::UnknownFormat,
+                  "text() is not supported, because its shape depends on installed fonts");
+  }
+  if (name == "surface") {
+    scanner_.fail(ErrorCode::UnknownFormat,
+                  "surface() is not supported; import() of a mesh of it is");
+  }
+  scanner_.fail(
+      ErrorCode::UnknownFormat,
+      plumb::quoted(name) + " is no node of OpenSCAD's flattened models that is supported");
+}
+
+void CsgNodes::append() {
+  const CsgKind kind = kind_of_node();
+  memory_.add(sizeof(CsgTree::Node), "a model");
+  CsgTree::Node node;
+  node.kind = kind;
+  node.end = static_cast<std::uint32_t>(tree_.nodes.size() + 1);
+  node.first_number = static_cast<std::uint32_t>(tree_.numbers.size());
+  node.first_index = static_cast<std::uint32_t>(tree_.indices.size());
+  node.line = scanner_.line();
+  node.column = scanner_.column();
+  tree_.nodes.push_back(node);
+  append_numbers(kind);
+  CsgTree::Node& added = tree_.nodes.back();
+  added.number_count = static_cast<std::uint32_t>(tree_.numbers.size() - added.first_number);
+  added.index_count = static_cast<std::uint32_t>(tree_.indices.size() - added.first_index);
+  note_unknown(kind);
+}
+
+void CsgNodes::remove_from(std::uint32_t node) {
+  tree_.numbers.resize(tree_.nodes[node].first_number);
+  tree_.indices.resize(tree_.nodes[node].first_index);
+  tree_.nodes.resize(node);
+  while (!imports_.empty() && imports_.back().node >= node) imports_.pop_back();
+}
+
+void CsgNodes::append_numbers(CsgKind kind) {
+  switch (kind) {
+    case CsgKind::Color:
+      return append_color();
+    case CsgKind::Multmatrix:
+      return append_map();
+    case CsgKind::Resize:
+      return append_resize();
+    case CsgKind::Offset:
+      return append_offset();
+    case CsgKind::Projection:
+      return push(flag("cut"));
+    case CsgKind::LinearExtrude:
+      return append_linear();
+    case CsgKind::RotateExtrude:
+      push(number("angle", 360));
+      return append_division();
+    case CsgKind::Cube:
+      append_vector(find_or_first("size"), 3, 1);
+      return push(flag("center"));
+    case CsgKind::Square:
+      append_vector(find_or_first("size"), 2, 1);
+      return push(flag("center"));
+    case CsgKind::Sphere:
+    case CsgKind::Circle:
+      push(number("r", 1));
+      return append_division();
+    case CsgKind::Cylinder:
+      return append_cylinder();
+    case CsgKind::Polyhedron:
+      return append_points(3);
+    case CsgKind::Polygon:
+      return append_points(2);
+    case CsgKind::Solid:
+      return append_import();
+    default:
+      return;
+  }
+}
+
+// ---------------------------------------------------------------- nodes
+
+/// The rows are those of an affine map, so the last one is 0 0 0 w, and w divides all others.
+void CsgNodes::append_map() {
+  const std::optional<CsgValue> matrix = find_or_first("m");
+  if (!matrix) scanner_.fail(ErrorCode::BadArgument, "multmatrix needs a matrix");
+  std::array<double, 16> entries{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const std::vector<CsgValue> rows = elements(*matrix);
+  for (std::size_t row = 0; row < std::min<std::size_t>(rows.size(), 4); ++row) {
+    const std::vector<CsgValue> columns = elements(rows[row]);
+    for (std::size_t column = 0; column < std::min<std::size_t>(columns.size(), 4); ++column) {
+      entries[4 * row + column] = number_of(columns[column]);
+    }
+  }
+  const bool is_affine = entries[12] == 0 && entries[13] == 0 && entries[14] == 0;
+  if (!is_affine || entries[15] != 1) {
+    scanner_.fail(ErrorCode::BadArgument, "the last row of the matrix is not 0, 0, 0, 1",
+                  matrix->at);
+  }
+  for (std::size_t i = 0; i < 12; ++i) push(entries[i]);
+}
+
+void CsgNodes::append_color() {
+  const std::optional<CsgValue> color = find_or_first("c");
+  if (color && color->kind == Kind::Vector) append_vector(color, 4, 1);
+}
+
+void CsgNodes::append_resize() {
+  append_vector(find_or_first("newsize"), 3, 0);
+  const std::optional<CsgValue> automatic = find("auto");
+  const bool is_vector = automatic && automatic->kind == Kind::Vector;
+  if (is_vector) return append_vector(automatic, 3, 0);
+  const double all = automatic ? number_of(*automatic) : 0;
+  for (int axis = 0; axis < 3; ++axis) push(all);
+}
+
+void CsgNodes::append_offset() {
+  const bool is_round = find("r").has_value();
+  push(is_round ? number("r", 1) : number("delta", 1));
+  push(is_round ? 0 : flag("chamfer") != 0 ? 2 : 1);
+  append_division();
+}
+
+void CsgNodes::append_linear() {
+  push(number("height", 100));
+  push(flag("center"));
+  push(number("twist", 0));
+  push(number("slices", 0));
+  append_vector(find("scale"), 2, 1);
+  append_division();
+}
+
+void CsgNodes::append_cylinder() {
+  const double both = number("r", 1);
+  push(number("h", 1));
+  push(number("r1", both));
+  push(number("r2", both));
+  push(flag("center"));
+  append_division();
+}
+
+void CsgNodes::append_points(std::uint32_t axes) {
+  const std::optional<CsgValue> points = find_or_first("points");
+  std::uint32_t count = 0;
+  if (points) {
+    for (const CsgValue& point : elements(*points)) {
+      append_vector(point, axes, 0);
+      ++count;
+    }
+  }
+  const bool are_faces = axes == 3;
+  std::optional<CsgValue> lists = find(are_faces ? "faces" : "paths");
+  if (are_faces && !lists) lists = find("triangles");
+  append_lists(lists, count, are_faces);
+}
+
+/// Appends faces or paths. A polygon without paths has one path through all points.
+void CsgNodes::append_lists(std::optional<CsgValue> lists, std::uint32_t points, bool are_faces) {
+  if (!lists) {
+    push_index(are_faces || points == 0 ? 0 : 1);
+    if (are_faces || points == 0) return;
+    push_index(points);
+    for (std::uint32_t i = 0; i < points; ++i) push_index(i);
+    return;
+  }
+  const std::vector<CsgValue> all = elements(*lists);
+  push_index(all.size());
+  for (const CsgValue& list : all) push_index(elements(list).size());
+  for (const CsgValue& list : all) {
+    for (const CsgValue& corner : elements(list)) push_index(index_of(corner, points));
+  }
+}
+
+void CsgNodes::append_import() {
+  const std::optional<CsgValue> file = find_or_first("file");
+  if (!file || file->kind != Kind::Text) {
+    scanner_.fail(ErrorCode::BadArgument, "import needs the name of a file");
+  }
+  const auto node = static_cast<std::uint32_t>(tree_.nodes.size() - 1);
+  imports_.push_back({node, scanner_.text_of(*file)});
+  memory_.add(imports_.back().file.size() + sizeof(CsgImport), "a model");
+}
+
+/// Zero or negative angles and lengths would divide a circle into endlessly many chords; OpenSCAD
+/// takes 0.01 instead.
+void CsgNodes::append_division() {
+  push(number("$fn", 0));
+  push(std::max(number("$fa", 12), 0.01));
+  push(std::max(number("$fs", 2), 0.01));
+}
+
+// ---------------------------------------------------------------- parameters
+
+/// Returns the value of a parameter, unless it is missing or undef.
+std::optional<CsgValue> CsgNodes::find(std::string_view name) {
+  for (const CsgParameter& parameter : scanner_.parameters()) {
+    if (parameter.name != name) continue;
+    const CsgValue& value = scanner_.value(parameter.value);
+    if (value.kind != Kind::Undefined) return value;
+  }
+  return {};
+}
+
+/// Does the same; if the parameter is missing, returns the value of the first one, if it has no
+/// name.
+std::optional<CsgValue> CsgNodes::find_or_first(std::string_view name) {
+  const std::optional<CsgValue> found = find(name);
+  const auto parameters = scanner_.parameters();
+  if (found || parameters.empty() || !parameters[0].name.empty()) return found;
+  const CsgValue& first = scanner_.value(parameters[0].value);
+  return first.kind == Kind::Undefined ? std::nullopt : std::optional(first);
+}
+
+double CsgNodes::number_of(const CsgValue& value) {
+  if (value.kind != Kind::Number && value.kind != Kind::Boolean) {
+    scanner_.fail(ErrorCode::BadArgument, "expected a number", value.at);
+  }
+  return value.number;
+}
+
+double CsgNodes::number(std::string_view name, double otherwise) {
+  const std::optional<CsgValue> value = find(name);
+  return value ? number_of(*value) : otherwise;
+}
+
+double CsgNodes::flag(std::string_view name) { return number(name, 0) != 0 ? 1 : 0; }
+
+/// Returns the elements of a vector.
+std::vector<CsgValue> CsgNodes::elements(const CsgValue& vector) {
+  if (vector.kind != Kind::Vector) {
+    scanner_.fail(ErrorCode::BadArgument, "expected a vector", vector.at);
+  }
+  std::vector<CsgValue> all;
+  for (std::uint32_t i = vector.first; i < vector.end; i = scanner_.value(i).end) {
+    all.push_back(scanner_.value(i));
+  }
+  return all;
+}
+
+/// Appends `count` numbers of a vector; a number stands for all of them. Missing ones are
+/// `otherwise`.
+void CsgNodes::append_vector(const std::optional<CsgValue>& value, std::size_t count,
+                             double otherwise) {
+  std::vector<double> numbers(count, otherwise);
+  if (value && value->kind == Kind::Number) {
+    std::fill(numbers.begin(), numbers.end(), value->number);
+  } else if (value) {
+    const std::vector<CsgValue> all = elements(*value);
+    for (std::size_t i = 0; i < std::min(count, all.size()); ++i) numbers[i] = number_of(all[i]);
+  }
+  for (const double x : numbers) push(x);
+}
+
+std::uint32_t CsgNodes::index_of(const CsgValue& value, std::uint32_t count) {
+  const double index = number_of(value);
+  if (!(index >= 0 && index < count) || std::floor(index) != index) {
+    scanner_.fail(ErrorCode::BadIndex,
+                  "there is no point of this number; the points are numbered from 0 to " +
+                      std::to_string(static_cast<std::int64_t>(count) - 1),
+                  value.at);
+  }
+  return static_cast<std::uint32_t>(index);
+}
+
+void CsgNodes::push(double value) {
+  if (tree_.numbers.size() == std::numeric_limits<std::uint32_t>::max()) {
+    scanner_.fail(ErrorCode::ResourceLimit, "a model has at most 2^32 - 1 numbers");
+  }
+  memory_.add(sizeof(double), "a model");
+  tree_.numbers.push_back(value);
+}
+
+void CsgNodes::push_index(std::size_t value) {
+  if (tree_.indices.size() == std::numeric_limits<std::uint32_t>::max()) {
+    scanner_.fail(ErrorCode::ResourceLimit, "a model has at most 2^32 - 1 indices");
+  }
+  memory_.add(sizeof(std::uint32_t), "a model");
+  tree_.indices.push_back(static_cast<std::uint32_t>(value));
+}
+
+void CsgNodes::note_unknown(CsgKind kind) {
+  const CsgWord& word = *word_of(scanner_.name());
+  for (const CsgParameter& parameter : scanner_.parameters()) {
+    const std::string padded = " " + std::string(parameter.name) + " ";
+    if (parameter.name.empty() || word.parameters.find(padded) != std::string_view::npos) continue;
+    const std::string note = "the parameter " + plumb::quoted(parameter.name) + " of " +
+                             std::string(name_of(kind)) + " is passed over";
+    const bool is_known = std::find(notes_.begin(), notes_.end(), note) != notes_.end();
+    if (!is_known && notes_.size() < kMostNotes) notes_.push_back(note);
+  }
+}
+
+}  // namespace plumb

@@ -1,0 +1,70 @@
+// From the parameters of a node in a file to the numbers of a node in a tree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plumb/csg/csg_tree.h"
+#include "plumb/io/csg/csg_syntax.h"
+
+namespace plumb {
+
+/// A file that a node imports. The node gets its kind and its index when the file has been read.
+struct CsgImport {
+  std::uint32_t node;
+  std::string file;
+};
+
+/// Appends nodes to a tree.
+class CsgNodes {
+ public:
+  CsgNodes(CsgTree& tree, CsgScanner& scanner, Context& context)
+      : tree_(tree), scanner_(scanner), memory_(context) {}
+
+  /// Appends the node that the scanner reported last. Its subtree is the node alone.
+  void append();
+  /// Removes the last nodes, from a node on.
+  void remove_from(std::uint32_t node);
+
+  std::vector<CsgImport>& imports() { return imports_; }
+  /// Notes on parameters that were skipped, each once.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  using Kind = CsgValue::Kind;
+
+  CsgKind kind_of_node();
+  void append_numbers(CsgKind kind);
+  void append_map();
+  void append_color();
+  void append_resize();
+  void append_offset();
+  void append_linear();
+  void append_cylinder();
+  void append_points(std::uint32_t axes);
+  void append_lists(std::optional<CsgValue> lists, std::uint32_t points, bool are_faces);
+  void append_import();
+  void append_division();
+  void note_unknown(CsgKind kind);
+
+  std::optional<CsgValue> find(std::string_view name);
+  std::optional<CsgValue> find_or_first(std::string_view name);
+  double number(std::string_view name, double otherwise);
+  double flag(std::string_view name);
+  double number_of(const CsgValue& value);
+  std::vector<CsgValue> elements(const CsgValue& vector);
+  void append_vector(const std::optional<CsgValue>& value, std::size_t count, double otherwise);
+  std::uint32_t index_of(const CsgValue& value, std::uint32_t count);
+  void push(double value);
+  void push_index(std::size_t value);
+
+  CsgTree& tree_;
+  CsgScanner& scanner_;
+  MemoryCharge memory_;
+  std::vector<CsgImport> imports_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace plumb

@@ -1,0 +1,237 @@
+// Models of OpenSCAD: nodes, the modifier `!`, and imported files.
+//
+// Nodes are appended to the tree as they are read; the end of a subtree is set when its block ends.
+// A node with the modifier `*` or `%` is read like any other, so that its errors are found, and
+// removed at its end. Files are imported last, so that those of removed nodes are never opened.
+//
+// Tested by tests/io/csg_reader_test.cpp, tests/system/hostile_files_test.cpp and
+// fuzz/csg_reader.cpp.
+#include "plumb/io/csg_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "plumb/base/internal/round_to_nearest.h"
+#include "plumb/io/csg/csg_nodes.h"
+#include "plumb/io/csg/csg_syntax.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/solid_io.h"
+#include "plumb/io/text/files.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads one model.
+class ModelReader {
+ public:
+  ModelReader(const std::string& path, std::string_view text, const CsgReadOptions& options,
+              Context& context)
+      : path_(path),
+        options_(options),
+        context_(context),
+        scanner_(text, input_name(path), context),
+        nodes_(read_.tree, scanner_, context) {
+    read_.tree.file = input_name(path);
+  }
+
+  CsgRead run() {
+    read_nodes_with_places();
+    read_.notes = nodes_.notes();
+    note_left_out();
+    if (root_) keep_subtree(*root_);
+    for (const CsgImport& import : nodes_.imports()) import_file(import);
+    return std::move(read_);
+  }
+
+ private:
+  using Event = CsgScanner::Event;
+
+  /// A node whose block is open.
+  struct Open {
+    std::uint32_t node;
+    bool is_left_out;
+  };
+
+  std::vector<CsgTree::Node>& tree_nodes() { return read_.tree.nodes; }
+
+  /// Reads the nodes. Errors about limits get the place of the node that is read.
+  void read_nodes_with_places() {
+    try {
+      read_nodes();
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::ResourceLimit || !error.place().file.empty()) throw;
+      scanner_.fail(error.code(), error.message());
+    }
+  }
+
+  void read_nodes() {
+    std::vector<Open> open;
+    for (Event event = scanner_.next(); event != Event::Done; event = scanner_.next()) {
+      if (event == Event::Close) {
+        close(open.back());
+        open.pop_back();
+        continue;
+      }
+      const Open node{static_cast<std::uint32_t>(tree_nodes().size()),
+                      scanner_.has('*') || scanner_.has('%')};
+      nodes_.append();
+      if (scanner_.has('!') && !root_) root_ = node.node;
+      if (event == Event::Open) {
+        open.push_back(node);
+      } else {
+        close(node);
+      }
+    }
+    tree_nodes()[0].end = static_cast<std::uint32_t>(tree_nodes().size());
+  }
+
+  void close(const Open& open) {
+    if (!open.is_left_out) {
+      tree_nodes()[open.node].end = static_cast<std::uint32_t>(tree_nodes().size());
+      return;
+    }
+    ++left_out_;
+    nodes_.remove_from(open.node);
+    if (root_ && *root_ >= open.node) root_.reset();
+  }
+
+  void note_left_out() {
+    if (left_out_ == 0) return;
+    read_.notes.push_back(std::to_string(left_out_) + (left_out_ == 1 ? " node" : " nodes") +
+                          " with the modifier * or % left out");
+  }
+
+  /// Makes the subtree of a node the only one below the root.
+  void keep_subtree(std::uint32_t top) {
+    const std::vector<CsgTree::Node> all = std::move(tree_nodes());
+    const std::uint32_t end = all[top].end;
+    tree_nodes() = {all[0]};
+    tree_nodes()[0].end = end - top + 1;
+    for (std::uint32_t i = top; i < end; ++i) {
+      tree_nodes().push_back(all[i]);
+      tree_nodes().back().end -= top - 1;
+    }
+    std::vector<CsgImport> kept;
+    for (CsgImport& import : nodes_.imports()) {
+      if (import.node < top || import.node >= end) continue;
+      kept.push_back({import.node - (top - 1), std::move(import.file)});
+    }
+    nodes_.imports() = std::move(kept);
+    read_.notes.push_back("all but the node with the modifier ! left out");
+  }
+
+  // -------------------------------------------------------------- imports
+
+  [[noreturn]] void fail_at(const CsgTree::Node& node, ErrorCode code,
+                            const std::string& message) const {
+    throw Error(code, message, {read_.tree.file, node.line, node.column});
+  }
+
+  fs::path folder() const {
+    const fs::path parent = path_ == "-" ? fs::path() : fs::path(path_).parent_path();
+    return parent.empty() ? fs::path(".") : parent;
+  }
+
+  /// Returns the file that a node names, if it may be read.
+  std::string allowed_file(const CsgTree::Node& node, const std::string& name) const {
+    if (options_.imports == CsgImports::None) {
+      fail_at(node, ErrorCode::CannotOpen, "imports are not allowed");
+    }
+    const fs::path file = folder() / name;
+    if (options_.imports == CsgImports::Anywhere) return file.string();
+    std::error_code error;
+    const fs::path base = fs::canonical(folder(), error);
+    const fs::path place = error ? fs::path() : fs::weakly_canonical(file, error);
+    const bool is_below =
+        !error &&
+        std::mismatch(base.begin(), base.end(), place.begin(), place.end()).first == base.end();
+    if (!is_below) {
+      fail_at(node, ErrorCode::CannotOpen,
+              "the imported file " + plumb::quoted(name) +
+                  " does not lie in the folder of the model or below it");
+    }
+    return file.string();
+  }
+
+  /// Reads an imported file, each file once.
+  void import_file(const CsgImport& import) {
+    CsgTree::Node& node = tree_nodes()[import.node];
+    const auto known = imported_.find(import.file);
+    if (known != imported_.end()) {
+      set_import(node, known->second);
+      return;
+    }
+    const std::string file = allowed_file(node, import.file);
+    try {
+      const std::pair<CsgKind, std::uint32_t> value = read_import(file);
+      imported_.emplace(import.file, value);
+      set_import(node, value);
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Cancelled) throw;
+      fail_at(node, error.code(), "import: " + std::string(error.what()));
+    }
+  }
+
+  void set_import(CsgTree::Node& node, const std::pair<CsgKind, std::uint32_t>& value) {
+    node.kind = value.first;
+    node.first_index = static_cast<std::uint32_t>(read_.tree.indices.size());
+    node.index_count = 1;
+    read_.tree.indices.push_back(value.second);
+  }
+
+  std::pair<CsgKind, std::uint32_t> read_import(const std::string& file) {
+    CsgTree& tree = read_.tree;
+    if (plane_format_of(file)) {
+      const ReadOptions options{file, options_.exact_decimals};
+      PlaneRead shape = read_plane_set_file(file, {}, options, context_);
+      tell(file, shape.notes, read_.notes);
+      tree.shapes.push_back(shape.set.regularization(context_));
+      return {CsgKind::Shape, static_cast<std::uint32_t>(tree.shapes.size() - 1)};
+    }
+    SolidReadOptions options;
+    options.exact_decimals = options_.exact_decimals;
+    SolidRead solid = read_solid_file(file, options, context_);
+    tell(file, solid.notes, read_.notes);
+    tell(file, solid.warnings, read_.warnings);
+    tree.solids.push_back(solid.set.regularization(context_));
+    return {CsgKind::Solid, static_cast<std::uint32_t>(tree.solids.size() - 1)};
+  }
+
+  static void tell(const std::string& file, const std::vector<std::string>& from,
+                   std::vector<std::string>& to) {
+    for (const std::string& text : from) to.push_back(file + ": " + text);
+  }
+
+  std::string path_;
+  CsgReadOptions options_;
+  Context& context_;
+  CsgRead read_;
+  CsgScanner scanner_;
+  CsgNodes nodes_;
+  std::optional<std::uint32_t> root_;  // The first node with the modifier !.
+  std::uint64_t left_out_ = 0;
+  std::map<std::string, std::pair<CsgKind, std::uint32_t>> imported_;
+};
+
+}  // namespace
+
+CsgRead read_csg(const std::string& path, std::string_view text, const CsgReadOptions& options,
+                 Context& context) {
+  const RoundToNearest rounding;
+  return ModelReader(path, text, options, context).run();
+}
+
+CsgRead read_csg_file(const std::string& path, const CsgReadOptions& options, Context& context) {
+  const std::string text = read_input(path, context);
+  CsgRead read = read_csg(path, text, options, context);
+  context.release_memory(text.size());
+  return read;
+}
+
+}  // namespace plumb

@@ -1,0 +1,98 @@
+// The commands `plumb solid csg` and `plumb plane csg` from outside.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "refusal.h"
+#include "run_program.h"
+
+namespace plumb::testing::csg_command_test {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+const std::string kBracket = "corpus/csg/bracket.csg";
+const std::string kGasket = "corpus/csg/gasket.csg";
+
+/// Tests that write files.
+class CsgProgram : public ::testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return (scratch_ / name).string(); }
+  std::string holding(const std::string& text, const std::string& name) const {
+    write_file(file(name), text);
+    return file(name);
+  }
+
+  ScratchDirectory scratch_;
+};
+
+std::string exact_volume(const Words& words) {
+  const RunResult result = run(words);
+  EXPECT_EQ(result.code, 0) << result.err;
+  return Json::parse(result.out)["volume"]["exact"];
+}
+
+TEST_F(CsgProgram, writes_the_same_set_in_every_exact_way) {
+  const std::string nef = file("bracket.nef");
+  EXPECT_EQ(run({"solid", "csg", kBracket, "--canonical", "-o", nef}).code, 0);
+  EXPECT_EQ(run({"audit", nef}).code, 0);
+  EXPECT_EQ(exact_volume({"solid", "csg", kBracket, "--json"}),
+            exact_volume({"solid", "info", nef, "--json"}));
+}
+
+TEST_F(CsgProgram, threads_change_no_byte) {
+  const std::string one = file("one.nef"), four = file("four.nef");
+  EXPECT_EQ(run({"solid", "csg", kBracket, "-o", one}).code, 0);
+  EXPECT_EQ(run({"solid", "csg", kBracket, "--threads", "4", "-o", four}).code, 0);
+  EXPECT_EQ(read_file(one), read_file(four));
+}
+
+TEST_F(CsgProgram, explains_the_tree) {
+  const RunResult result = run({"solid", "csg", kBracket, "--explain", "-o", file("a.off")});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("seconds   cells  node\n"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("  hull at line 10\n"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("union at line 3, together with the node above\n"), std::string::npos)
+      << result.err;
+}
+
+TEST_F(CsgProgram, tells_sets_of_plane_and_space_apart) {
+  expect_refusal(run({"solid", "csg", kGasket}), kGasket, "use plumb plane csg");
+  expect_refusal(run({"plane", "csg", kBracket}), kBracket, "use plumb solid csg");
+  const RunResult plane = run({"plane", "csg", kGasket, "--json"});
+  EXPECT_EQ(plane.code, 0) << plane.err;
+  EXPECT_EQ(Json::parse(plane.out)["bounded"], true);
+}
+
+TEST_F(CsgProgram, imports_only_from_below_the_model) {
+  const std::string model = holding(
+      "import(file = \"" + fs::absolute("corpus/csg/pyramid.off").string() + "\");", "m.csg");
+  expect_refusal(run({"solid", "csg", model}), model + ":1:1", "does not lie in the folder");
+  EXPECT_EQ(exact_volume({"solid", "csg", model, "--anywhere", "--json"}), "1");
+}
+
+TEST_F(CsgProgram, refuses_with_the_place_and_writes_nothing) {
+  const std::string out = file("out.off");
+  const std::string text = holding("cube();\ntext(text = \"x\");\n", "text.csg");
+  expect_refusal(run({"solid", "csg", text, "-o", out}), text + ":2:1", "text() is not supported");
+  const std::string open =
+      holding("union() {\n polyhedron(points = [[0,0,0],[1,0,0],[0,1,0]], faces = [[0,1,2]]);\n}\n",
+              "open.csg");
+  expect_refusal(run({"solid", "csg", open, "-o", out}), open + ":2:2", "polyhedron: ");
+  const std::string huge = holding(
+      "cube(size = [1e308, 1e308, 1e308], center = true);\n"
+      "multmatrix([[1e308,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) "
+      "{ cube(); multmatrix([[1e308,0,0,0],[0,1,0,0],[0,0,1,0],"
+      "[0,0,0,1]]) { cube(); } }\n",
+      "huge.csg");
+  const RunResult beyond = run({"solid", "csg", huge, "-o", out});
+  EXPECT_EQ(beyond.code, 2) << beyond.err;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+}  // namespace
+}  // namespace plumb::testing::csg_command_test

@@ -1,0 +1,256 @@
+// OpenSCAD's flattened models: what is read, what is refused and where, and which files a model may
+// import.
+#include "plumb/io/csg_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/csg/evaluate.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb::testing::csg_reader_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+CsgTree tree_of(const std::string& text) { return read_csg("m.csg", text).tree; }
+
+std::vector<CsgKind> kinds_of(const CsgTree& tree) {
+  std::vector<CsgKind> kinds;
+  for (const CsgTree::Node& node : tree.nodes) kinds.push_back(node.kind);
+  return kinds;
+}
+
+std::vector<double> numbers_of(const std::string& text) {
+  const CsgTree tree = tree_of(text);
+  const auto numbers = tree.numbers_of(tree.nodes.at(1));
+  return {numbers.begin(), numbers.end()};
+}
+
+Rational volume_of(const std::string& text) { return *evaluate(tree_of(text)).solid.volume(); }
+
+void expect_refusal(const std::string& text, ErrorCode code, const std::string& message) {
+  try {
+    static_cast<void>(read_csg("m.csg", text));
+    ADD_FAILURE() << "accepted: " << text;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), code) << text << ": " << error.what();
+    EXPECT_EQ(std::string(error.what()).find(message), 0U) << text << ": " << error.what();
+  }
+}
+
+TEST(CsgReader, NestsNodes) {
+  const CsgTree tree = tree_of(
+      "group() {\n  union() { cube(); sphere(); }\n  difference();\n}\nhull() { group(); }\n");
+  EXPECT_EQ(kinds_of(tree),
+            (std::vector{CsgKind::Root, CsgKind::Group, CsgKind::Union, CsgKind::Cube,
+                         CsgKind::Sphere, CsgKind::Difference, CsgKind::Hull, CsgKind::Group}));
+  std::vector<std::uint32_t> ends;
+  for (const CsgTree::Node& node : tree.nodes) ends.push_back(node.end);
+  EXPECT_EQ(ends, (std::vector<std::uint32_t>{8, 6, 5, 4, 5, 6, 8, 8}));
+  EXPECT_EQ(tree.nodes[5].line, 3U);
+  EXPECT_EQ(tree.nodes[5].column, 3U);
+}
+
+TEST(CsgReader, ParametersHaveNamesPlacesAndDefaults) {
+  EXPECT_EQ(numbers_of("cube(size = [1, 2.5, -3e2], center = true);"),
+            (std::vector<double>{1, 2.5, -300, 1}));
+  EXPECT_EQ(numbers_of("cube(size = 4);"), (std::vector<double>{4, 4, 4, 0}));
+  EXPECT_EQ(numbers_of("cube([1,2,3]);"), (std::vector<double>{1, 2, 3, 0}));
+  EXPECT_EQ(numbers_of("cube(size = undef);"), (std::vector<double>{1, 1, 1, 0}));
+  EXPECT_EQ(numbers_of("cylinder(h = 5, r1 = 1, r2 = 0, $fn = 7);"),
+            (std::vector<double>{5, 1, 0, 0, 7, 12, 2}));
+  EXPECT_EQ(numbers_of("sphere($fa = 0, $fs = -1, r = 3);"),
+            (std::vector<double>{3, 0, 0.01, 0.01}));
+  EXPECT_EQ(numbers_of("offset(delta = -2, chamfer = true);"),
+            (std::vector<double>{-2, 2, 0, 12, 2}));
+  EXPECT_EQ(numbers_of("multmatrix([[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12], [0, 0, 0, 1]]);"),
+            (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+  EXPECT_EQ(numbers_of("linear_extrude(height = 2, scale = 3, twist = 90, slices = 8);"),
+            (std::vector<double>{2, 0, 90, 8, 3, 3, 0, 12, 2}));
+}
+
+TEST(CsgReader, CommentsBlanksAndLineBreaksMayStandAnywhere) {
+  EXPECT_EQ(volume_of("\xef\xbb\xbf// c\r\n cube /* ( */ (\n size // x\n =[1,\t2,3 ,],)\n;;"),
+            Rational(6));
+}
+
+TEST(CsgReader, NumbersAreTheNearestDoubles) {
+  EXPECT_EQ(numbers_of("cube(size = [.1, +1E-3, 1e-400]);"), (std::vector<double>{.1, .001, 0, 0}));
+}
+
+TEST(CsgReader, ModifiersLeaveNodesOutAndChooseTheRoot) {
+  EXPECT_EQ(volume_of("cube(size = 2); *cube(size = 9); %group() { cube(size = 9); }"),
+            Rational(8));
+  EXPECT_EQ(volume_of("#cube(size = 2);"), Rational(8));
+  EXPECT_EQ(volume_of("cube(size = 9); group() { !union() { cube(size = 2); } cube(size = 5); }"),
+            Rational(8));
+  EXPECT_EQ(volume_of("cube(size = 3); *group() { !cube(size = 2); }"), Rational(27));
+}
+
+TEST(CsgReader, PolyhedraLookOutward) {
+  const std::string points = "points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]";
+  EXPECT_EQ(volume_of("polyhedron(" + points + ", faces = [[0,1,2],[0,3,1],[0,2,3],[1,3,2]]);"),
+            Rational(1) / Rational(6));
+}
+
+TEST(CsgReader, UnknownParametersAreNamedOnce) {
+  const CsgRead read = read_csg("m.csg", "cube(size = 1, foo = 2); cube(foo = 3);");
+  EXPECT_EQ(read.notes, std::vector<std::string>{"the parameter 'foo' of cube is passed over"});
+}
+
+TEST(CsgReader, RefusesAtThePlace) {
+  expect_refusal("cube();\n  text(text = \"a\");", ErrorCode::UnknownFormat,
+                 "m.csg:2:3: text() is not supported");
+  expect_refusal("surface(file = \"a\");", ErrorCode::UnknownFormat,
+                 "m.csg:1:1: surface() is not supported");
+  expect_refusal("roof() { square(); }", ErrorCode::UnknownFormat, "m.csg:1:1: 'roof' is no node");
+  expect_refusal("cube(", ErrorCode::Syntax,
+                 "m.csg:1:6: expected a parameter or ')', found the end");
+  expect_refusal("group() {\ncube();", ErrorCode::Syntax, "m.csg:2:8: expected '}', found the end");
+  expect_refusal("}", ErrorCode::Syntax, "m.csg:1:1: expected a node, found '}'");
+  expect_refusal("cube() sphere();", ErrorCode::Syntax,
+                 "m.csg:1:8: expected ';' or '{', found 'sphere'");
+  expect_refusal("cube(size = [1, 2);", ErrorCode::Syntax, "m.csg:1:18: expected ',' or ']'");
+  expect_refusal("cube(size = abc);", ErrorCode::Syntax, "m.csg:1:13: expected a number, a vector");
+  expect_refusal("cube(size = 1x);", ErrorCode::Syntax, "m.csg:1:13: ");
+  expect_refusal("cube(size = 1e999);", ErrorCode::NumberOutOfRange, "m.csg:1:13: ");
+  expect_refusal("cube(size = inf);", ErrorCode::NumberOutOfRange,
+                 "m.csg:1:13: the number is not finite");
+  expect_refusal("cube(size = [1, -nan, 2]);", ErrorCode::NumberOutOfRange, "m.csg:1:17: ");
+  expect_refusal("cube(size = \"a\");", ErrorCode::BadArgument, "m.csg:1:13: expected a vector");
+  expect_refusal("sphere(r = [1]);", ErrorCode::BadArgument, "m.csg:1:12: expected a number");
+  expect_refusal("multmatrix();", ErrorCode::BadArgument, "m.csg:1:1: multmatrix needs a matrix");
+  expect_refusal("multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,1,1]]);", ErrorCode::BadArgument,
+                 "m.csg:1:12: the last row");
+  expect_refusal("polygon(points = [[0,0],[1,0],[0,1]], paths = [[0, 1, 3]]);", ErrorCode::BadIndex,
+                 "m.csg:1:55: there is no point of this number");
+  expect_refusal("polygon(points = [[0,0]], paths = [[0.5]]);", ErrorCode::BadIndex,
+                 "m.csg:1:37: ");
+  expect_refusal("/* no end", ErrorCode::Syntax, "m.csg:1:1: this comment does not end");
+  expect_refusal("import(file = \"a", ErrorCode::Syntax, "m.csg:1:15: this text does not end");
+  expect_refusal("import(file = \"a\x01\");", ErrorCode::NotText, "m.csg:1:17: ");
+  expect_refusal("cube(size = " + std::string(100, '[') + ");", ErrorCode::Syntax,
+                 "m.csg:1:77: vectors are nested too deep");
+}
+
+TEST(CsgReader, AMillionNestedGroupsAreRead) {
+  constexpr std::size_t kDepth = 1000000;
+  std::string text;
+  for (std::size_t i = 0; i < kDepth; ++i) text += "group(){";
+  EXPECT_THROW(tree_of(text), Error);  // Nothing closes them.
+  const std::string closed = text + "cube();" + std::string(kDepth, '}');
+  const CsgTree tree = tree_of(closed);
+  EXPECT_EQ(tree.nodes.size(), kDepth + 2);
+  EXPECT_EQ(evaluate(tree).solid.volume(), Rational(1));
+}
+
+TEST(CsgReader, HugeNumbersStayExact) {
+  EXPECT_EQ(volume_of("cube(size = [1e308, 1e308, 1e308]);"),
+            Rational(1e308) * Rational(1e308) * Rational(1e308));
+  expect_refusal("cube(size = [1e309, 1, 1]);", ErrorCode::NumberOutOfRange, "m.csg:1:14: ");
+}
+
+TEST(CsgReader, LimitsOfMemoryHaveTheName) {
+  Limits limits;
+  limits.max_memory_bytes = 100000;
+  Context context(limits);
+  std::string text;
+  for (int i = 0; i < 10000; ++i) text += "cube();\n";
+  try {
+    static_cast<void>(read_csg("m.csg", text, {}, context));
+    FAIL() << "the limit is exceeded";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+  }
+}
+
+// ---------------------------------------------------------------- imports
+
+/// A folder with a model, a mesh beside it, and one beside the folder.
+class CsgImportsTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    top_ = fs::path(::testing::TempDir()) / ("csg_imports_" + name);
+    fs::remove_all(top_);
+    fs::create_directories(top_ / "model" / "parts");
+    for (const char* place : {"model/near.off", "model/parts/near.off", "far.off"}) {
+      fs::copy_file("corpus/csg/pyramid.off", top_ / place);
+    }
+  }
+  void TearDown() override { fs::remove_all(top_); }
+
+  CsgRead read(const std::string& file, CsgImports imports = CsgImports::BelowModel) {
+    const std::string model = (top_ / "model" / "m.csg").string();
+    return read_csg(model, "import(file = \"" + file + "\");", {imports, false});
+  }
+  void expect_refused(const std::string& file, CsgImports imports = CsgImports::BelowModel) {
+    try {
+      static_cast<void>(read(file, imports));
+      ADD_FAILURE() << "accepted: " << file;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::CannotOpen) << error.what();
+      EXPECT_EQ(error.place().line, 1U);
+      EXPECT_EQ(std::string(error.what()).find("OFF"), std::string::npos) << error.what();
+    }
+  }
+
+  fs::path top_;
+};
+
+TEST_F(CsgImportsTest, FilesBelowTheModelAreRead) {
+  EXPECT_EQ(evaluate(read("near.off").tree).solid.volume(), Rational(1));
+  EXPECT_EQ(evaluate(read("parts/../parts/near.off").tree).solid.volume(), Rational(1));
+}
+
+TEST_F(CsgImportsTest, OtherFilesAreRefused) {
+  expect_refused("../far.off");
+  expect_refused((top_ / "far.off").string());
+  fs::create_symlink(top_ / "far.off", top_ / "model" / "link.off");
+  expect_refused("link.off");
+  fs::create_directory_symlink(top_, top_ / "model" / "up");
+  expect_refused("up/far.off");
+  expect_refused("near.off", CsgImports::None);
+  expect_refused("missing.off");
+}
+
+TEST_F(CsgImportsTest, OptionAllowsOtherFiles) {
+  EXPECT_EQ(evaluate(read("../far.off", CsgImports::Anywhere).tree).solid.volume(), Rational(1));
+}
+
+TEST_F(CsgImportsTest, ErrorsOfImportedFilesNameBothPlaces) {
+  std::ofstream(top_ / "model" / "bad.off") << "OFF\n1 0 0\n0 0 x\n";
+  try {
+    static_cast<void>(read("bad.off"));
+    FAIL() << "the file is not valid";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("m.csg:1:1: import: "), std::string::npos) << text;
+    EXPECT_NE(text.find("bad.off:3:5: "), std::string::npos) << text;
+  }
+}
+
+TEST(CsgReader, ReadsTheCorpus) {
+  const CsgRead bracket = read_csg_file("corpus/csg/bracket.csg");
+  const Nef3 solid = evaluate(bracket.tree).solid;
+  EXPECT_TRUE(solid.is_simple());
+  EXPECT_EQ(solid.counts().marked_volumes, 1U);
+  EXPECT_EQ(bracket.notes.size(), 1U);  // The modifier %.
+  EXPECT_EQ(evaluate(read_csg_file("corpus/csg/imports.csg").tree).solid.volume(), Rational(2));
+  const CsgResult gasket = evaluate(read_csg_file("corpus/csg/gasket.csg").tree);
+  EXPECT_EQ(gasket.dimension, CsgDimension::Plane);
+  // A rectangle with rounded corners, without an ellipse and two disks.
+  const double area = nearest_double(gasket.shape.area().value());
+  EXPECT_NEAR(area, 46 * 26 - (4 - 3.1415) * 9 - 3.1415 * (12 * 12 + 2 * 4), 10);
+}
+
+}  // namespace
+}  // namespace plumb::testing::csg_reader_test
