@@ -27,8 +27,7 @@ else:
 """
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="needs signals of POSIX")
-def test_ctrl_c_takes_effect_soon():
+def seconds_to_interrupt() -> float:
     with subprocess.Popen(
         [sys.executable, "-c", PROGRAM], stdout=subprocess.PIPE, text=True
     ) as process:
@@ -39,5 +38,11 @@ def test_ctrl_c_takes_effect_soon():
         process.send_signal(signal.SIGINT)
         word, _, when = process.stdout.readline().partition(" ")
         assert word == "interrupted"
-        assert float(when) - sent < 0.2
         assert process.stdout.readline() == "True\n"
+        return float(when) - sent
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs signals of POSIX")
+def test_ctrl_c_takes_effect_soon():
+    # On a machine that is busy with other work, one of three attempts has to be in time.
+    assert any(seconds_to_interrupt() < 0.2 for _ in range(3))
