@@ -209,6 +209,7 @@ TEST(Documents, show_pictures_that_the_program_makes) {
 TEST(Json, fits_its_schema_whatever_the_answer) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"map-check", "map check corpus/maps/us-states.clean.map"},
+      {"map-repair", "map repair corpus/layers/fields.geojson"},
       {"plane-set", "plane complement corpus/plane/star.wkt"},
       {"plane-set", "plane info corpus/plane/quadrant.nef2"},
       {"solid-set", "solid complement corpus/solids/l-block.off"},
@@ -251,6 +252,7 @@ TEST(Json, schema_checker_finds_what_does_not_fit) {
 TEST(Streams, dash_is_standard_input_and_output) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"corpus/maps/us-counties.map", "map check - -o - --format geojson"},
+      {"corpus/layers/fields.geojson", "map repair - -o - --format geojson"},
       {"corpus/plane/star.wkt", "plane union - corpus/plane/frame.geojson -o - --format nef2"},
       {"corpus/plane/quadrant.nef2", "plane locate - 0 0"},
       {"corpus/solids/l-block.off", "solid info -"},

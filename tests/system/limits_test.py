@@ -3,6 +3,7 @@ to raise, nothing written. The time that a limit is passed by is printed; only m
 
     limits_test.py PROGRAM
 """
+import json
 import math
 import os
 import random
@@ -78,11 +79,20 @@ def model(count, dimension):
     return "\n".join(move % (i % 60 * 2, i // 60 * 2, i) + " { " + part + " }" for i in range(count))
 
 
+def layer(count):
+    """Squares that overlap their neighbours."""
+    square = lambda x, y: [[x, y], [x + 1.25, y], [x + 1.25, y + 1.25], [x, y + 1.25], [x, y]]
+    return json.dumps({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [square(i % count, i // count)]}}
+        for i in range(count * count)]})
+
+
 def write_inputs():
     mesh = torus(240, 0)
     files = {"a.wkt": star(60000, 1), "b.wkt": star(60000, 2), "torus.off": off(*mesh),
              "moved.off": off(*torus(240, 0.3)), "a.map": grid_map(150), "b.map": grid_map(151),
-             "h.txt": half_spaces(60000), "s.json": scene(len(mesh[1])), "m.csg": model(6000, 3), "p.csg": model(20000, 2)}
+             "h.txt": half_spaces(60000), "s.json": scene(len(mesh[1])), "m.csg": model(6000, 3), "p.csg": model(20000, 2),
+             "l.geojson": layer(120)}
     for name, text in files.items():
         with open(name, "w") as out:
             out.write(text)
@@ -91,6 +101,7 @@ def write_inputs():
 COMMANDS = """
 map check a.map
 map overlay a.map b.map -o OUT.svg
+map repair l.geojson -o OUT.geojson
 plane union a.wkt b.wkt -o OUT.nef2
 plane intersection a.wkt b.wkt -o OUT.wkt
 plane difference a.wkt b.wkt -o OUT.svg

@@ -1,5 +1,5 @@
-"""What `plumb plane` and `plumb map overlay` write is valid for another library: shapely (GEOS) reads it and finds nothing
-wrong. Exits with 77, which ctest counts as skipped, where shapely is not installed.
+"""What `plumb plane`, `plumb map overlay` and `plumb map repair` write is valid for another library: shapely (GEOS) reads it
+and finds nothing wrong. Exits with 77, which ctest counts as skipped, where shapely is not installed.
 
     shapely_test.py PROGRAM [PAIRS]
 """
@@ -93,6 +93,29 @@ def check_overlay(program, dice, folder):
         sys.exit("the cells of an overlay are no coverage:\n" + text)
 
 
+def check_repair(program, dice, folder):
+    """Random polygons on each other: the repaired layer is a coverage of the same points."""
+    kind = dice.randint(0, 3)
+    rings = [[[coordinate(dice, kind), coordinate(dice, kind)] for _ in range(3)] for _ in range(dice.randint(2, 6))]
+    features = [{"type": "Feature", "id": i, "properties": None,
+                 "geometry": {"type": "Polygon", "coordinates": [ring + ring[:1]]}} for i, ring in enumerate(rings)]
+    path = os.path.join(folder, "a.geojson")
+    with open(path, "w") as out:
+        json.dump({"type": "FeatureCollection", "features": features}, out)
+    text = run(program, "map", "repair", path, "--gaps-below", "0", "--format", "geojson")
+    cells = [shape(feature["geometry"]) for feature in json.loads(text)["features"] if feature["geometry"]]
+    for cell in cells:
+        require_valid(cell, "a feature of the repaired layer of " + json.dumps(features))
+    if hasattr(shapely, "coverage_is_valid") and not shapely.coverage_is_valid(cells):
+        sys.exit("a repaired layer is no coverage:\n" + text)
+    if kind == 3:
+        return  # Areas of very different sizes.
+    before = shapely.union_all([shape(feature["geometry"]).buffer(0) for feature in features]).area
+    after = sum(cell.area for cell in cells)
+    if abs(before - after) > 1e-9 + (0 if kind == 0 else 200 * ULP):
+        sys.exit("a repaired layer has area %r instead of %r:\n%s" % (after, before, text))
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     pairs = int(sys.argv[2]) if len(sys.argv) > 2 else 120
@@ -102,7 +125,9 @@ def main():
             check_pair(program, folder, dice)
         for _ in range(pairs // 6):
             check_overlay(program, dice, folder)
-    print("%d pairs and %d overlays are valid" % (pairs, pairs // 6))
+        for _ in range(pairs // 2):
+            check_repair(program, dice, folder)
+    print("%d pairs, %d overlays and %d repaired layers are valid" % (pairs, pairs // 6, pairs // 2))
 
 
 main()

@@ -103,6 +103,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
 
 std::unique_ptr<CommandBody> make_map_check();
 std::unique_ptr<CommandBody> make_map_overlay();
+std::unique_ptr<CommandBody> make_map_repair();
 std::unique_ptr<CommandBody> make_plane_union();
 std::unique_ptr<CommandBody> make_plane_intersection();
 std::unique_ptr<CommandBody> make_plane_difference();
@@ -165,6 +166,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
               "./plumb map overlay corpus/maps/us-states.clean.map "
               "corpus/maps/us-counties.clean.map -o out.svg",
               "map-overlay", make_map_overlay},
+      Command{"map repair", "LAYER", "A layer without overlaps and gaps; what was changed",
+              "./plumb map repair corpus/layers/fields.geojson -o out.geojson", "map-repair",
+              make_map_repair},
       Command{"plane union", "A B...", "What lies in any of the sets",
               "./plumb plane union corpus/plane/star.wkt corpus/plane/frame.geojson -o out.wkt",
               "plane-set", make_plane_union},
@@ -326,7 +330,7 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
 
 std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
-      CommandGroup{"map", "Maps, exactly: check regions for defects, overlay two maps"},
+      CommandGroup{"map", "Maps, exactly: check regions, overlay two maps, repair layers"},
       CommandGroup{"plane", "Sets of the plane, exactly: union ... offset, info, locate"},
       CommandGroup{"solid", "Sets of space, exactly: union ... make, slice, info"},
       CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report, minkowski"},

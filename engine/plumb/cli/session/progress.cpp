@@ -123,6 +123,9 @@ ProgressStage checking_map() {
 ProgressStage overlaying_maps() {
   return {"overlay", {{"sweep", 12}, {"areas of regions", 22}, {"areas of cells", 115}}};
 }
+ProgressStage repairing_layer() {
+  return {"repair", {{"sweep", 4}, {"cells of the layer", 1}, {"areas", 1}, {"polygons", 1}}};
+}
 ProgressStage auditing_map() { return {"audit", {{"", 1.9}}}; }
 ProgressStage drawing_map() { return {"draw", {{"", 2}}}; }
 

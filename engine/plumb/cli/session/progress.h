@@ -104,6 +104,7 @@ class ProgressEstimate {
 ProgressStage reading_map();
 ProgressStage checking_map();
 ProgressStage overlaying_maps();
+ProgressStage repairing_layer();
 ProgressStage auditing_map();
 ProgressStage drawing_map();
 

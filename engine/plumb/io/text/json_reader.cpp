@@ -257,4 +257,23 @@ double JsonValues::number(Id value) const {
   return Json::parse(all.substr(0, all.find_first_not_of("+-.0123456789Ee"))).get<double>();
 }
 
+std::string_view JsonValues::source(Id value) const {
+  const std::string_view all = rest(value);
+  if (is_text(value)) return quoted(value);
+  if (!is_object(value) && !is_list(value)) {
+    return all.substr(0, all.find_first_of(",]} \t\r\n"));
+  }
+  // The text is valid JSON, so only brackets outside of texts matter.
+  std::size_t open = 0, i = 0;
+  do {
+    if (all[i] == '"') {
+      for (++i; all[i] != '"'; ++i) i += all[i] == '\\' ? 1 : 0;
+    }
+    if (all[i] == '{' || all[i] == '[') ++open;
+    if (all[i] == '}' || all[i] == ']') --open;
+    ++i;
+  } while (open > 0);
+  return all.substr(0, i);
+}
+
 }  // namespace plumb

@@ -184,6 +184,11 @@ class JsonValues {
   /// Returns the nearest double. Requires is_number().
   double number(Id value) const;
 
+  /// Returns the byte of the text at which a value begins.
+  std::size_t byte(Id value) const { return spans_[value].begin; }
+  /// Returns a value as it stands in the text. Cost: O(bytes of the value).
+  std::string_view source(Id value) const;
+
  private:
   struct Span {
     std::uint32_t begin;  ///< First byte.

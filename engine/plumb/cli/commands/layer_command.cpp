@@ -1,0 +1,126 @@
+// The command `plumb map repair LAYER`: a layer of features without overlaps and gaps.
+//
+// The repaired layer goes to -o, and the report to standard output: as text, or as JSON with
+// --json. With --dry-run there is only the report, and the exit code says whether the layer has
+// overlaps or gaps. --changes writes the regions of the report as GeoJSON.
+// Tested by tests/cli/layer_command_test.cpp.
+#include <array>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "plumb/cli/files/outputs.h"
+#include "plumb/cli/session/command.h"
+#include "plumb/cli/session/progress.h"
+#include "plumb/io/layer_io.h"
+#include "plumb/io/text/files.h"
+#include "plumb/plane/layer.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb::cli {
+namespace {
+
+struct LayerFormat {
+  std::string_view name;
+  std::string_view extension;
+};
+
+constexpr std::array kLayerFormats{LayerFormat{"geojson", ".geojson"},
+                                   LayerFormat{"geojson", ".json"}};
+
+/// Returns the rule of a name. Requires one of the four names, or none.
+OwnerRule owner_rule(std::string_view name) {
+  if (name == "largest") return OwnerRule::Largest;
+  if (name == "smallest") return OwnerRule::Smallest;
+  return name == "first" ? OwnerRule::First : OwnerRule::LongestBorder;
+}
+
+class MapRepair : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("LAYER", file_, "A layer: GeoJSON or TopoJSON; - is standard input")
+        ->required()
+        ->type_name("");
+    add_choice(app, "--rule", rule_, {"longest-border", "largest", "smallest", "first"},
+               "Which feature gets an overlap or a gap: the one with the longest common border "
+               "(default), the largest, the smallest, or the first one");
+    app.add_option(
+           "--gaps-below", options_.gaps_below,
+           "Fill enclosed gaps whose width (twice the area by the perimeter) is less than W "
+           "(default: 1/10000 of the diagonal of the layer)")
+        ->check(CLI::Range(0.0, 1e300).description(""))
+        ->type_name("W");
+    app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")
+        ->type_name("NAME");
+    app.add_option("--changes", changes_, "Write overlaps, gaps and holes as GeoJSON")
+        ->type_name("OUT");
+    app.add_flag("--dry-run", is_dry_run_, "Only report; exit 1 if there are overlaps or gaps");
+  }
+
+  ExitCode run(Session& session) override {
+    open_outputs(session);
+    options_.rule = owner_rule(rule_);
+    session.expect({reading_map(), repairing_layer(), writing()});
+    session.begin("read");
+    LayerFile file = read_layer_file(file_, read_options_, session.context());
+    for (const std::string& note : file.notes) session.note(input_name(file_) + ": " + note);
+    layer_ = std::move(file.layer);
+    session.begin("repair");
+    repaired_ = repair_layer(layer_, options_, session.context());
+    session.deliver();
+    return is_dry_run_ && repaired_.report.has_defects() ? ExitCode::No : ExitCode::Yes;
+  }
+
+ private:
+  /// Opens outputs before the work, so that a path that cannot be written costs nothing.
+  void open_outputs(Session& session) {
+    const CommonOptions& common = session.options();
+    const bool is_written = !common.out.empty() || !common.format.empty();
+    if (is_dry_run_ && is_written) throw Error(ErrorCode::Usage, "--dry-run writes no layer");
+    if (is_written) check_format(common);
+    const std::string out = common.out.empty() ? "-" : common.out;
+    if (is_written) {
+      session.outputs().add(out, [this, &session](std::ostream& stream) {
+        write_layer_geojson(stream, repaired_.layer, session.context());
+      });
+    }
+    if (!changes_.empty()) {
+      session.outputs().add(changes_, [this, &session](std::ostream& stream) {
+        write_layer_report_geojson(stream, layer_, repaired_.report, session.context());
+      });
+    }
+    if (common.json) {
+      session.outputs().add("-", [this](std::ostream& stream) {
+        write_layer_report_json(stream, layer_, repaired_.report);
+      });
+    } else if (changes_ != "-" && !(is_written && out == "-")) {
+      session.outputs().add("-", [this](std::ostream& stream) {
+        write_layer_report_text(stream, layer_, repaired_.report);
+      });
+    }
+  }
+
+  void check_format(const CommonOptions& common) const {
+    if (!common.format.empty()) {
+      format_named(kLayerFormats, common.format);
+    } else if (common.out == "-") {
+      throw Error(ErrorCode::Usage, "-o - needs --format geojson");
+    } else {
+      format_of_file(kLayerFormats, common.out);
+    }
+  }
+
+  std::string file_, rule_, changes_;
+  bool is_dry_run_ = false;
+  LayerReadOptions read_options_;
+  LayerRepairOptions options_;
+  Layer layer_;
+  RepairedLayer repaired_;
+};
+
+}  // namespace
+
+std::unique_ptr<CommandBody> make_map_repair() { return std::make_unique<MapRepair>(); }
+
+}  // namespace plumb::cli

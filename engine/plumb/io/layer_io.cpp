@@ -1,0 +1,555 @@
+// Layers in GeoJSON and TopoJSON, and reports of repairs.
+//
+// GeoJSON states the positions of each ring. TopoJSON states arcs, which rings share; a ring is a
+// list of arcs, and ~i is arc i from its end to its start. The points of an arc are made once, so
+// features that share an arc share its points. Both kinds of geometries are found by one walk over
+// geometries, which keeps a stack of its own because collections may be nested.
+//
+// A layer is written with the numbers of features from 1 and their ids, if they have any.
+//
+// Tested by tests/io/layer_io_test.cpp.
+#include "plumb/io/layer_io.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+#include <utility>
+
+#include "plumb/base/internal/round_to_nearest.h"
+#include "plumb/io/text/files.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/json_reader.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+// A point, a corner, and the growth of both lists.
+constexpr std::uint64_t kBytesPerLayerPosition = 60;
+
+class LayerReader {
+ public:
+  using Id = JsonValues::Id;
+
+  LayerReader(std::string_view text, const LayerReadOptions& options, Context& context)
+      : text_(text),
+        options_(options),
+        context_(context),
+        json_(
+            text, options.name,
+            [this](std::size_t byte, ErrorCode code, const std::string& what) {
+              fail_at(byte, code, what);
+            },
+            context) {}
+
+  LayerFile read() {
+    const std::string type = type_of(JsonValues::kDocument);
+    if (type == "Topology") {
+      read_topology();
+    } else if (type == "FeatureCollection") {
+      for (const Id feature : list(JsonValues::kDocument, "features")) read_feature(feature);
+    } else if (type == "Feature") {
+      read_feature(JsonValues::kDocument);
+    } else {
+      add_geometry(JsonValues::kDocument);
+      file_.layer.end_feature("", "");
+    }
+    add_notes();
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] void fail_at(std::size_t byte, ErrorCode code, const std::string& what) const {
+    TextCursor cursor(text_, options_.name);
+    cursor.move_to(text_.data() + byte);
+    cursor.fail(code, what);
+  }
+  [[noreturn]] void fail(ErrorCode code, const std::string& what, Id at) {
+    fail_at(json_.byte(at), code, what);
+  }
+  std::string type_of(Id object);
+  JsonValues::Items list(Id object, std::string_view member);
+  JsonValues::Items items(Id value, const char* what);
+  std::string_view member_source(Id object, std::string_view member) const;
+  double number(Id value);
+
+  void read_feature(Id feature);
+  void add_geometry(Id geometry);
+  void add_polygon(Id rings);
+  void add_positions(Id ring);
+  void end_ring(Id at);
+  std::uint32_t add_point(Point2 p);
+
+  void read_topology();
+  void read_transform();
+  void read_arcs();
+  Id chosen_object();
+  void add_arcs(Id ring);
+  void add_notes();
+
+  std::string_view text_;
+  const LayerReadOptions& options_;
+  Context& context_;
+  JsonValues json_;
+  LayerFile file_;
+  bool is_topology_ = false;
+  bool is_quantised_ = false;
+  Point2 scale_{1, 1}, translate_{0, 0};
+  std::vector<std::uint32_t> arc_begin_{0};  // Points of arc i: arc_begin_[i], ..., one less than
+                                             // arc_begin_[i + 1].
+  std::size_t dropped_ = 0;                  // Points and lines.
+  std::size_t collapsed_ = 0;                // Rings with fewer than three positions.
+  std::size_t steps_ = 0;
+};
+
+std::string LayerReader::type_of(Id object) {
+  if (!json_.is_object(object)) fail(ErrorCode::Syntax, "expected an object", object);
+  const std::optional<Id> type = json_.find(object, "type");
+  if (!type || !json_.is_text(*type)) {
+    fail(ErrorCode::Syntax, "an object without \"type\": is this GeoJSON or TopoJSON?", object);
+  }
+  return json_.text(*type);
+}
+
+JsonValues::Items LayerReader::items(Id value, const char* what) {
+  if (!json_.is_list(value)) fail(ErrorCode::Syntax, std::string("expected ") + what, value);
+  return json_.items(value);
+}
+
+JsonValues::Items LayerReader::list(Id object, std::string_view member) {
+  const std::optional<Id> found = json_.find(object, member);
+  if (!found || !json_.is_list(*found)) {
+    fail(ErrorCode::Syntax, "expected a list \"" + std::string(member) + '"', object);
+  }
+  return json_.items(*found);
+}
+
+std::string_view LayerReader::member_source(Id object, std::string_view member) const {
+  const std::optional<Id> found = json_.find(object, member);
+  return found ? json_.source(*found) : std::string_view();
+}
+
+double LayerReader::number(Id value) {
+  if (!json_.is_number(value)) fail(ErrorCode::Syntax, "expected a number", value);
+  const std::string_view token = json_.source(value);
+  double result = 0;
+  const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), result);
+  if (code == std::errc::result_out_of_range) return json_.number(value);  // Tiny: nearest double.
+  return result;
+}
+
+std::uint32_t LayerReader::add_point(Point2 p) {
+  constexpr std::size_t kSteps = 4096;
+  if (steps_++ % kSteps == 0) {
+    context_.checkpoint("read", steps_, 0);
+    context_.charge_memory(kSteps * kBytesPerLayerPosition, "the layer");
+  }
+  file_.layer.points.push_back(p);
+  return static_cast<std::uint32_t>(file_.layer.points.size() - 1);
+}
+
+// ---------------------------------------------------------------- features
+
+void LayerReader::read_feature(Id feature) {
+  if (type_of(feature) != "Feature") fail(ErrorCode::Syntax, "expected a Feature", feature);
+  const std::optional<Id> geometry = json_.find(feature, "geometry");
+  if (geometry && json_.is_object(*geometry)) add_geometry(*geometry);
+  file_.layer.end_feature(member_source(feature, "id"), member_source(feature, "properties"));
+}
+
+/// Adds the polygons of a geometry and of all geometries in it.
+void LayerReader::add_geometry(Id geometry) {
+  const char* const member = is_topology_ ? "arcs" : "coordinates";
+  std::vector<Id> open{geometry};
+  while (!open.empty()) {
+    const Id at = open.back();
+    open.pop_back();
+    if (!json_.is_object(at)) continue;  // null
+    const std::optional<Id> type_id = json_.find(at, "type");
+    if (is_topology_ && (!type_id || !json_.is_text(*type_id))) continue;  // {"type": null}
+    const std::string type = type_of(at);
+    if (type == "Polygon") {
+      const std::optional<Id> rings = json_.find(at, member);
+      if (!rings) fail(ErrorCode::Syntax, "a Polygon needs " + std::string(member), at);
+      add_polygon(*rings);
+    } else if (type == "MultiPolygon") {
+      for (const Id rings : list(at, member)) add_polygon(rings);
+    } else if (type == "GeometryCollection") {
+      const std::size_t first = open.size();
+      for (const Id part : list(at, "geometries")) open.push_back(part);
+      std::reverse(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
+    } else if (type == "Point" || type == "MultiPoint" || type == "LineString" ||
+               type == "MultiLineString") {
+      ++dropped_;
+    } else {
+      fail(ErrorCode::Syntax, "expected a geometry, found " + plumb::quoted(type), at);
+    }
+  }
+}
+
+void LayerReader::add_polygon(Id rings) {
+  for (const Id ring : items(rings, "a list of rings")) {
+    if (is_topology_) {
+      add_arcs(ring);
+    } else {
+      add_positions(ring);
+    }
+    end_ring(ring);
+  }
+  if (file_.layer.ring_count() > file_.layer.polygon_begin.back()) file_.layer.end_polygon();
+}
+
+void LayerReader::add_positions(Id ring) {
+  for (const Id position : items(ring, "a list of positions")) {
+    const JsonValues::Items numbers = items(position, "a position");
+    double xy[2] = {0, 0};
+    std::size_t count = 0;
+    for (const Id value : numbers) {
+      if (count == 2) break;
+      xy[count++] = number(value);
+    }
+    if (count < 2) fail(ErrorCode::BadShape, "a position needs two numbers, x and y", position);
+    file_.layer.ring_corners.push_back(add_point({xy[0], xy[1]}));
+  }
+}
+
+/// Ends a ring: its last corner must be where its first corner is, and is left out.
+void LayerReader::end_ring(Id at) {
+  Layer& layer = file_.layer;
+  const std::size_t first = layer.ring_begin.back();
+  const auto is_equal = [&layer](std::uint32_t i, std::uint32_t j) {
+    const Point2 p = layer.points.approx(i), q = layer.points.approx(j);
+    return p.x == q.x && p.y == q.y;
+  };
+  std::vector<std::uint32_t>& corners = layer.ring_corners;
+  if (corners.size() > first && !is_equal(corners[first], corners.back())) {
+    fail(ErrorCode::BadShape, "a ring must end with the position it starts with", at);
+  }
+  if (corners.size() > first) corners.pop_back();
+  while (corners.size() > first + 1 && is_equal(corners[first], corners.back())) corners.pop_back();
+  const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
+  corners.erase(std::unique(begin, corners.end(), is_equal), corners.end());
+  if (corners.size() - first < 3) {
+    corners.resize(first);
+    ++collapsed_;
+    return;
+  }
+  layer.end_ring();
+}
+
+// ---------------------------------------------------------------- TopoJSON
+
+void LayerReader::read_topology() {
+  is_topology_ = true;
+  read_transform();
+  read_arcs();
+  const Id object = chosen_object();
+  const bool is_collection = type_of(object) == "GeometryCollection";
+  std::vector<Id> geometries;
+  if (is_collection) {
+    for (const Id geometry : list(object, "geometries")) geometries.push_back(geometry);
+  } else {
+    geometries.push_back(object);
+  }
+  for (const Id geometry : geometries) {
+    if (!json_.is_object(geometry)) fail(ErrorCode::Syntax, "expected a geometry", geometry);
+    add_geometry(geometry);
+    file_.layer.end_feature(member_source(geometry, "id"), member_source(geometry, "properties"));
+  }
+}
+
+void LayerReader::read_transform() {
+  const std::optional<Id> transform = json_.find(JsonValues::kDocument, "transform");
+  if (!transform || !json_.is_object(*transform)) return;
+  is_quantised_ = true;
+  const auto pair = [&](std::string_view member) {
+    double xy[2] = {0, 0};
+    std::size_t count = 0;
+    for (const Id value : list(*transform, member)) {
+      if (count < 2) xy[count] = number(value);
+      ++count;
+    }
+    if (count != 2) fail(ErrorCode::BadShape, "a transform has pairs of numbers", *transform);
+    return Point2{xy[0], xy[1]};
+  };
+  scale_ = pair("scale");
+  translate_ = pair("translate");
+}
+
+void LayerReader::read_arcs() {
+  for (const Id arc : list(JsonValues::kDocument, "arcs")) {
+    Point2 sum{0, 0};
+    for (const Id position : items(arc, "a list of positions")) {
+      double xy[2] = {0, 0};
+      std::size_t count = 0;
+      for (const Id value : items(position, "a position")) {
+        if (count == 2) break;
+        xy[count++] = number(value);
+      }
+      if (count < 2) fail(ErrorCode::BadShape, "a position needs two numbers, x and y", position);
+      Point2 p{xy[0], xy[1]};
+      if (is_quantised_) {
+        sum = {sum.x + p.x, sum.y + p.y};
+        p = {sum.x * scale_.x + translate_.x, sum.y * scale_.y + translate_.y};
+      }
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+        fail(ErrorCode::NumberOutOfRange, "a position lies beyond the largest double", position);
+      }
+      add_point(p);
+    }
+    arc_begin_.push_back(static_cast<std::uint32_t>(file_.layer.points.size()));
+  }
+}
+
+/// Returns the object of that name, or the first one.
+LayerReader::Id LayerReader::chosen_object() {
+  const std::optional<Id> objects = json_.find(JsonValues::kDocument, "objects");
+  if (!objects || !json_.is_object(*objects)) {
+    fail(ErrorCode::Syntax, "expected an object \"objects\"", JsonValues::kDocument);
+  }
+  std::optional<Id> chosen;
+  std::string others;
+  bool is_name = true;
+  std::string name;
+  // Names and members take turns.
+  for (const Id value : json_.items(*objects)) {
+    if (is_name) {
+      name = json_.text(value);
+    } else if (!chosen && (options_.object.empty() || name == options_.object)) {
+      chosen = value;
+    } else {
+      others += (others.empty() ? "" : ", ") + plumb::quoted(name);
+    }
+    is_name = !is_name;
+  }
+  if (!chosen) {
+    throw Error(ErrorCode::BadArgument,
+                others.empty() ? "the file has no object"
+                               : "there is no object " + plumb::quoted(options_.object) +
+                                     "; the file has " + others,
+                {options_.name});
+  }
+  if (!others.empty() && options_.object.empty()) {
+    file_.notes.push_back("passed over: objects " + others + " (--object NAME reads another one)");
+  }
+  return *chosen;
+}
+
+/// Appends the points of the arcs of a ring. Each arc begins where the one before it ends.
+void LayerReader::add_arcs(Id ring) {
+  std::vector<std::uint32_t>& corners = file_.layer.ring_corners;
+  const auto arcs = static_cast<std::int64_t>(arc_begin_.size() - 1);
+  for (const Id value : items(ring, "a list of arcs")) {
+    const double stated = number(value);
+    const double index = stated < 0 ? -1 - stated : stated;
+    if (!(index < static_cast<double>(arcs)) || index != std::floor(index)) {
+      fail(ErrorCode::BadIndex, "there is no such arc", value);
+    }
+    const auto arc = static_cast<std::size_t>(index);
+    const std::uint32_t begin = arc_begin_[arc], end = arc_begin_[arc + 1];
+    constexpr std::size_t kMostCorners = std::size_t{1} << 30U;
+    if (corners.size() + (end - begin) > kMostCorners) {
+      fail(ErrorCode::ResourceLimit, "more than 2^30 corners", value);
+    }
+    context_.charge_memory((end - begin) * sizeof(std::uint32_t), "the layer");
+    steps_ += end - begin;
+    for (std::uint32_t i = 0; i < end - begin; ++i) {
+      corners.push_back(stated < 0 ? end - 1 - i : begin + i);
+    }
+  }
+}
+
+void LayerReader::add_notes() {
+  if (dropped_ > 0) {
+    file_.notes.push_back("passed over: " + std::to_string(dropped_) + " of points and lines");
+  }
+  if (collapsed_ > 0) {
+    file_.notes.push_back("passed over: " + std::to_string(collapsed_) +
+                          " rings with fewer than three different positions");
+  }
+  if (json_.find(JsonValues::kDocument, "crs")) file_.notes.push_back("passed over: \"crs\"");
+}
+
+}  // namespace
+
+LayerFile read_layer(std::string_view text, const LayerReadOptions& options, Context& context) {
+  const RoundToNearest rounding;
+  return LayerReader(text, options, context).read();
+}
+
+LayerFile read_layer_file(const std::string& path, LayerReadOptions options, Context& context) {
+  options.name = input_name(path);
+  const std::string text = read_input(path, context);
+  LayerFile file = read_layer(text, options, context);
+  context.release_memory(text.size());
+  return file;
+}
+
+// ---------------------------------------------------------------- writing
+
+namespace {
+
+void write_ring(TextOutput& out, const Layer& layer, std::size_t r) {
+  const std::span<const std::uint32_t> ring = layer.ring(r);
+  out << '[';
+  for (std::size_t i = 0; i <= ring.size(); ++i) {
+    const Point2 p = layer.points.approx(ring[i < ring.size() ? i : 0]);
+    out << (i == 0 ? "[" : ",[") << p.x << ',' << p.y << ']';
+  }
+  out << ']';
+}
+
+void write_polygon(TextOutput& out, const Layer& layer, std::size_t p) {
+  out << '[';
+  for (std::size_t r = layer.polygon_begin[p]; r < layer.polygon_begin[p + 1]; ++r) {
+    if (r > layer.polygon_begin[p]) out << ',';
+    write_ring(out, layer, r);
+  }
+  out << ']';
+}
+
+/// Writes the geometry of a feature.
+void write_geometry(TextOutput& out, const Layer& layer, std::size_t f) {
+  const std::uint32_t begin = layer.feature_begin[f], end = layer.feature_begin[f + 1];
+  if (begin == end) {
+    out << "null";
+    return;
+  }
+  const bool is_one = end - begin == 1;
+  out << R"({"type":")" << (is_one ? "Polygon" : "MultiPolygon") << R"(","coordinates":)"
+      << (is_one ? "" : "[");
+  for (std::size_t p = begin; p < end; ++p) {
+    if (p > begin) out << ',';
+    write_polygon(out, layer, p);
+  }
+  out << (is_one ? "}" : "]}");
+}
+
+std::string_view kind_of(const LayerRegion& region) {
+  if (region.kind == LayerRegionKind::Overlap) return "overlap";
+  return region.kind == LayerRegionKind::Gap ? "gap" : "hole";
+}
+
+/// Returns a feature as JSON: its number from 1 and, if it has one, its id.
+nlohmann::ordered_json feature_json(const Layer& layer, std::uint32_t feature) {
+  nlohmann::ordered_json json = {{"number", feature + 1}};
+  if (!layer.id(feature).empty()) json["id"] = nlohmann::ordered_json::parse(layer.id(feature));
+  return json;
+}
+
+nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report,
+                                   const LayerRegion& region) {
+  nlohmann::ordered_json features = nlohmann::ordered_json::array();
+  for (const std::uint32_t f : report.features_of(region)) {
+    features.push_back(feature_json(layer, f));
+  }
+  nlohmann::ordered_json json = {{"kind", kind_of(region)},
+                                 {"area", nearest_double(region.area)},
+                                 {"width", region.width},
+                                 {"features", std::move(features)},
+                                 {"to", nullptr}};
+  if (region.owner != LayerRegion::kNobody) json["to"] = feature_json(layer, region.owner);
+  return json;
+}
+
+/// Returns what a feature is called: "feature 3" or "feature 3 (id)".
+std::string name_of(const Layer& layer, std::uint32_t feature) {
+  std::string name = "feature " + std::to_string(feature + 1);
+  if (layer.id(feature).empty()) return name;
+  // An id may be anything in the file; as JSON in ASCII it cannot send commands to a terminal.
+  const auto id = nlohmann::json::parse(layer.id(feature));
+  return name + " (" + id.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ")";
+}
+
+/// Returns a corner of a region, as a place to look at.
+std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
+  const std::uint32_t polygon = report.shapes.feature_begin[region];
+  if (polygon == report.shapes.feature_begin[region + 1]) return {};
+  return report.shapes.points.approx(report.shapes.ring(report.shapes.polygon_begin[polygon])[0]);
+}
+
+void write_region(TextOutput& out, const Layer& layer, const LayerReport& report, std::size_t i) {
+  const LayerRegion& region = report.regions[i];
+  out << kind_of(region) << (region.kind == LayerRegionKind::Overlap ? " of " : " between ");
+  bool is_first = true;
+  for (const std::uint32_t f : report.features_of(region)) {
+    if (!is_first) out << ", ";
+    is_first = false;
+    out << name_of(layer, f);
+  }
+  out << ": area " << nearest_double(region.area) << ", width " << region.width;
+  if (const std::optional<Point2> at = place_of(report, i)) {
+    out << ", at " << at->x << ' ' << at->y;
+  }
+  if (region.owner != LayerRegion::kNobody) out << "; goes to " << name_of(layer, region.owner);
+  out << '\n';
+}
+
+}  // namespace
+
+void write_layer_geojson(std::ostream& stream, const Layer& layer, Context& context) {
+  TextOutput out(stream, context);
+  out << R"({"type":"FeatureCollection","features":[)" << '\n';
+  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
+    out << (f == 0 ? "" : ",\n") << R"({"type":"Feature",)";
+    if (!layer.id(f).empty()) out << R"("id":)" << layer.id(f) << ',';
+    out << R"("properties":)" << (layer.properties(f).empty() ? "null" : layer.properties(f))
+        << R"(,"geometry":)";
+    write_geometry(out, layer, f);
+    out << '}';
+  }
+  out << "\n]}\n";
+  out.flush();
+}
+
+void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,
+                                Context& context) {
+  TextOutput out(stream, context);
+  out << R"({"type":"FeatureCollection","features":[)" << '\n';
+  for (std::size_t i = 0; i < report.regions.size(); ++i) {
+    out << (i == 0 ? "" : ",\n") << R"({"type":"Feature","properties":)"
+        << region_json(layer, report, report.regions[i]).dump() << R"(,"geometry":)";
+    write_geometry(out, report.shapes, i);
+    out << '}';
+  }
+  out << "\n]}\n";
+  out.flush();
+}
+
+void write_layer_report_text(std::ostream& stream, const Layer& layer, const LayerReport& report) {
+  TextOutput out(stream);
+  out << std::uint64_t{layer.feature_count()} << " features, "
+      << std::uint64_t{report.count(LayerRegionKind::Overlap)} << " overlaps, "
+      << std::uint64_t{report.count(LayerRegionKind::Gap)} << " gaps below width "
+      << report.gaps_below << ", " << std::uint64_t{report.count(LayerRegionKind::Hole)}
+      << " holes\n";
+  for (std::size_t i = 0; i < report.regions.size(); ++i) write_region(out, layer, report, i);
+  for (const std::uint32_t f : report.emptied) out << name_of(layer, f) << " has no area left\n";
+  out.flush();
+}
+
+void write_layer_report_json(std::ostream& out, const Layer& layer, const LayerReport& report) {
+  nlohmann::ordered_json regions = nlohmann::ordered_json::array();
+  for (const LayerRegion& region : report.regions) {
+    regions.push_back(region_json(layer, report, region));
+  }
+  nlohmann::ordered_json emptied = nlohmann::ordered_json::array();
+  for (const std::uint32_t f : report.emptied) emptied.push_back(feature_json(layer, f));
+  const nlohmann::ordered_json json = {{"features", layer.feature_count()},
+                                       {"overlaps", report.count(LayerRegionKind::Overlap)},
+                                       {"gaps", report.count(LayerRegionKind::Gap)},
+                                       {"holes", report.count(LayerRegionKind::Hole)},
+                                       {"gaps_below", report.gaps_below},
+                                       {"regions", std::move(regions)},
+                                       {"emptied", std::move(emptied)},
+                                       {"rounding_moved_by", report.rounding.largest_move}};
+  out << json.dump() << '\n';
+}
+
+}  // namespace plumb

@@ -1,0 +1,166 @@
+// Layers of features, and their repair. A layer is a list of features, such as countries. A feature
+// has an id, properties and polygons. In a coverage, features may touch but do not overlap.
+//
+// repair_layer() finds the regions in which features overlap and the gaps between features, gives
+// each of these regions to one feature, and returns a coverage whose vertices are doubles.
+//
+// Main flow of repair_layer():
+//  1. CoveredCells      arranges the rings of all features exactly. Each face gets the list of the
+//                       features that cover it. A polygon covers the points that its rings enclose
+//                       by the even-odd rule.
+//  2. LayerRegions      unites neighbouring faces with the same list to regions. Each region that
+//                       several features cover is one overlap. Each bounded region that no feature
+//                       covers is one gap or one hole.
+//  3. RegionOwners      gives each overlap and each gap to one feature
+//  4. layer_of_labels   keeps the edges between different owners, rounds their vertices together
+//                       (plane_rounding.h), and traces the polygons of each feature
+//
+// Exactness: the arrangement, the lists and the areas are exact. Widths and lengths of borders are
+// computed in doubles. They only select the owner of a region that is determined exactly.
+//
+// Cost: O((n + k) log n) for n corners and k crossings, and the total length of the lists of
+// features.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/plane/plane_rounding.h"
+#include "plumb/predicates/point_table2.h"
+#include "plumb/predicates/rational.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Features with polygons in flat arrays. A ring is closed: an edge joins its last corner to its
+/// first corner. The first corner is not repeated. The first ring of a polygon is its outer ring.
+struct Layer {
+  PointTable2 points;                       ///< Corners of all rings.
+  std::vector<std::uint32_t> ring_corners;  ///< Corners of all rings, as indices into `points`.
+  /// For each ring, the offset of its first corner. The last entry is the number of corners.
+  std::vector<std::uint32_t> ring_begin = {0};
+  /// For each polygon, its first ring. The last entry is the number of rings.
+  std::vector<std::uint32_t> polygon_begin = {0};
+  /// For each feature, its first polygon. The last entry is the number of polygons.
+  std::vector<std::uint32_t> feature_begin = {0};
+  std::string json;  ///< The ids and properties of all features as JSON texts, end to end.
+  /// For feature f, its id begins at json_begin[2 f] and its properties at json_begin[2 f + 1].
+  std::vector<std::uint64_t> json_begin = {0};
+
+  std::size_t feature_count() const { return feature_begin.size() - 1; }  ///< Number of features.
+  std::size_t polygon_count() const { return polygon_begin.size() - 1; }  ///< Number of polygons.
+  std::size_t ring_count() const { return ring_begin.size() - 1; }        ///< Number of rings.
+  /// Returns the corners of ring `r` as indices into `points`.
+  std::span<const std::uint32_t> ring(std::size_t r) const {
+    return {ring_corners.data() + ring_begin[r], ring_corners.data() + ring_begin[r + 1]};
+  }
+  /// Returns the id of feature `f` as a JSON text, such as "FR" in quotes. Empty if there is none.
+  std::string_view id(std::size_t f) const { return json_text(2 * f); }
+  /// Returns the properties of feature `f` as a JSON text. Empty if there are none.
+  std::string_view properties(std::size_t f) const { return json_text(2 * f + 1); }
+
+  /// Ends a ring, which consists of the corners after the previous ring.
+  void end_ring() { ring_begin.push_back(static_cast<std::uint32_t>(ring_corners.size())); }
+  /// Ends a polygon, which consists of the rings after the previous polygon.
+  void end_polygon() { polygon_begin.push_back(static_cast<std::uint32_t>(ring_count())); }
+  /// Ends a feature, which consists of the polygons after the previous feature.
+  void end_feature(std::string_view id, std::string_view properties) {
+    feature_begin.push_back(static_cast<std::uint32_t>(polygon_count()));
+    for (const std::string_view text : {id, properties}) {
+      json += text;
+      json_begin.push_back(json.size());
+    }
+  }
+
+ private:
+  std::string_view json_text(std::size_t i) const {
+    return std::string_view(json).substr(json_begin[i], json_begin[i + 1] - json_begin[i]);
+  }
+};
+
+/// How the owner of an overlap or a gap is selected. The candidates for an overlap are the features
+/// that cover it. The candidates for a gap are the features along its boundary. If candidates are
+/// equal, the one that comes first in the layer is selected.
+enum class OwnerRule : std::uint8_t {
+  LongestBorder,  ///< The candidate that has the longest common border with the region.
+  Largest,        ///< The candidate with the largest area.
+  Smallest,       ///< The candidate with the smallest area.
+  First,          ///< The candidate that comes first in the layer.
+};
+
+/// Options of repair_layer().
+struct LayerRepairOptions {
+  OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners are selected.
+  /// An enclosed region that no feature covers is a gap if its width is less than this value.
+  /// Otherwise it is a hole, such as a lake, and stays as it is. If there is no value, the bound is
+  /// 1/10000 of the diagonal of the bounding box of the layer.
+  std::optional<double> gaps_below = {};
+};
+
+/// The kinds of regions that a report lists.
+enum class LayerRegionKind : std::uint8_t {
+  Overlap,  ///< Several features cover the region.
+  Gap,      ///< No feature covers the region, and it is narrow (LayerRepairOptions::gaps_below).
+  Hole,     ///< No feature covers the region, and it is wide. A hole is no defect.
+};
+
+/// A region of a report: a connected overlap of the same features, a gap or a hole.
+struct LayerRegion {
+  static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+
+  LayerRegionKind kind;          ///< What the region is.
+  Rational area;                 ///< The exact area.
+  double width;                  ///< Twice the area, divided by the perimeter.
+  std::uint32_t features_begin;  ///< First entry in LayerReport::features.
+  std::uint32_t features_end;    ///< Behind the last entry in LayerReport::features.
+  std::uint32_t owner;           ///< The feature that gets the region; kNobody for a hole.
+};
+
+/// What repair_layer() has found and changed.
+struct LayerReport {
+  std::vector<LayerRegion> regions;  ///< Overlaps, gaps and holes.
+  /// For each region, the features that cover it, or the features along the boundary of a gap or a
+  /// hole, in ascending order.
+  std::vector<std::uint32_t> features;
+  /// Polygons of the regions. Feature k belongs to regions[k] and has no id and no properties. A
+  /// region that vanishes in doubles has no polygons.
+  Layer shapes;
+  double gaps_below = 0;               ///< The bound for the widths of gaps.
+  std::vector<std::uint32_t> emptied;  ///< Features that had an area before and have none.
+  PlaneRoundingReport rounding;        ///< What rounding has changed.
+
+  /// Returns the features of a region.
+  std::span<const std::uint32_t> features_of(const LayerRegion& region) const {
+    return {features.data() + region.features_begin, features.data() + region.features_end};
+  }
+  /// Returns the number of regions of a kind. O(regions).
+  std::size_t count(LayerRegionKind kind) const;
+  /// Whether the layer has overlaps or gaps.
+  bool has_defects() const;
+};
+
+/// A repaired layer.
+struct RepairedLayer {
+  /// The features with their ids and properties, in the order of the input. Polygons are valid,
+  /// their vertices are doubles, and features meet only in common edges and vertices.
+  Layer layer;
+  LayerReport report;  ///< What was found and changed.
+};
+
+/// Returns the layer without overlaps and gaps, and a report. An overlap that covers a feature
+/// completely, together with other overlaps, goes to this feature, whatever the rule is. So such a
+/// feature does not vanish, unless several features are equal. Throws Error{NumberOutOfRange} if
+/// coordinates are too large to be rounded, ResourceLimit if a limit of the Context is exceeded, and
+/// Cancelled if a stop is requested.
+RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
+                           Context& context = unlimited_context());
+
+}  // namespace plumb
+#pragma GCC visibility pop

@@ -1,0 +1,157 @@
+// Layers in GeoJSON and TopoJSON.
+
+#include "plumb/io/layer_io.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/error.h"
+
+namespace plumb::layer_io_test {
+namespace {
+
+using Json = nlohmann::json;
+
+Layer read(const std::string& text, const std::string& object = "") {
+  return read_layer(text, {"some.file", object}).layer;
+}
+
+std::string written(const Layer& layer) {
+  std::ostringstream out;
+  write_layer_geojson(out, layer);
+  return out.str();
+}
+
+std::string feature(const std::string& members, const std::string& geometry) {
+  return R"({"type":"Feature",)" + members + R"("geometry":)" + geometry + '}';
+}
+
+std::string collection(const std::string& features) {
+  return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+}
+
+const std::string kSquare = R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]})";
+
+TEST(LayerReader, keeps_ids_and_properties) {
+  const std::string properties =
+      R"({"name":"a \"b\" ]}","n":[1,{"x":"\\"}],"big":12345678901234567890})";
+  const Layer layer = read(
+      collection(feature(R"("id":"DE","properties":)" + properties + ',', kSquare) + ',' +
+                 feature(R"("id":7,"properties":null,)", "null") + ',' + feature("", kSquare)));
+  ASSERT_EQ(layer.feature_count(), 3U);
+  EXPECT_EQ(layer.id(0), "\"DE\"");
+  EXPECT_EQ(layer.properties(0), properties);
+  EXPECT_EQ(layer.id(1), "7");
+  EXPECT_EQ(layer.properties(1), "null");
+  EXPECT_EQ(layer.id(2), "");
+  EXPECT_EQ(layer.polygon_count(), 2U);
+  const std::string text = written(layer);
+  EXPECT_EQ(written(read(text)), text);
+  EXPECT_EQ(Json::parse(text)["features"][0]["geometry"], Json::parse(kSquare));
+  EXPECT_TRUE(Json::parse(text)["features"][1]["geometry"].is_null());
+}
+
+TEST(LayerReader, reads_polygons_in_any_nesting) {
+  const std::string multi = R"({"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[0,1],[0,0]]],)"
+                            R"([[[5,5],[9,5],[5,9],[5,5]],[[6,6],[6,7],[7,6],[6,6]]]]})";
+  const Layer layer = read(R"({"type":"GeometryCollection","geometries":[)" + multi + ',' +
+                           kSquare + R"(,{"type":"Point","coordinates":[1,2]}]})");
+  EXPECT_EQ(layer.feature_count(), 1U);
+  EXPECT_EQ(layer.polygon_count(), 3U);
+  EXPECT_EQ(layer.ring_count(), 4U);
+  EXPECT_EQ(layer.polygon_begin, (std::vector<std::uint32_t>{0, 1, 3, 4}));
+}
+
+TEST(LayerReader, leaves_out_rings_without_three_positions) {
+  const LayerFile file = read_layer(feature(
+      "", R"({"type":"Polygon","coordinates":[[[0,0],[0,0],[1,0],[0,0]],[],[[1,1],[1,1]]]})"));
+  EXPECT_EQ(file.layer.feature_count(), 1U);
+  EXPECT_EQ(file.layer.polygon_count(), 0U);
+  ASSERT_EQ(file.notes.size(), 1U);
+  EXPECT_NE(file.notes[0].find("3 rings"), std::string::npos) << file.notes[0];
+}
+
+const std::string kTopology =
+    R"({"type":"Topology","transform":{"scale":[0.5,0.25],"translate":[10,20]},"arcs":[)"
+    R"([[0,0],[0,8]],[[0,8],[-4,0],[0,-8],[4,0]],[[0,0],[4,0],[0,8],[-4,0]]],"objects":{)"
+    R"("halves":{"type":"GeometryCollection","geometries":[)"
+    R"({"type":"Polygon","arcs":[[0,1]],"id":"west","properties":{"n":1}},)"
+    R"({"type":"MultiPolygon","arcs":[[[2,-1]]],"id":"east"},{"type":null}]},)"
+    R"("all":{"type":"Polygon","arcs":[[1,2]]}}})";
+
+TEST(LayerReader, joins_the_arcs_of_a_topology) {
+  const LayerFile file = read_layer(kTopology);
+  const Layer& layer = file.layer;
+  ASSERT_EQ(layer.feature_count(), 3U);
+  EXPECT_EQ(layer.id(0), "\"west\"");
+  EXPECT_EQ(layer.properties(0), R"({"n":1})");
+  const Json json = Json::parse(written(layer));
+  EXPECT_EQ(json["features"][0]["geometry"]["coordinates"],
+            Json::parse("[[[10,20],[10,22],[8,22],[8,20],[10,20]]]"));
+  EXPECT_EQ(json["features"][1]["geometry"]["coordinates"],
+            Json::parse("[[[10,20],[12,20],[12,22],[10,22],[10,20]]]"));
+  ASSERT_EQ(file.notes.size(), 1U);
+  EXPECT_NE(file.notes[0].find("objects 'all'"), std::string::npos) << file.notes[0];
+  EXPECT_EQ(read(kTopology, "all").feature_count(), 1U);
+  EXPECT_TRUE(repair_layer(layer).report.regions.empty());
+}
+
+TEST(LayerReader, refuses_with_the_place) {
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {"", "some.file:1:1"},
+      {"[]", "some.file:1:1: expected an object"},
+      {"{\"type\":7}", "some.file:1:1: an object without"},
+      {"{\"type\":\"Curve\"}", "some.file:1:1: expected a geometry, found 'Curve'"},
+      {"{\"type\":\"FeatureCollection\"}", "some.file:1:1: expected a list \"features\""},
+      {collection("\n7"), "some.file:2:1: expected an object"},
+      {collection("\n" + kSquare), "some.file:2:1: expected a Feature"},
+      {R"({"type":"Polygon","coordinates":[
+[[0,0],[1,0],[0,1]]]})",
+       "some.file:2:1: a ring must end with"},
+      {R"({"type":"Polygon","coordinates":[[
+[0]]]})",
+       "some.file:2:1: a position needs two numbers"},
+      {R"({"type":"Polygon","coordinates":[[[0,
+"1"]]]})",
+       "some.file:2:1: expected a number"},
+      {R"({"type":"Polygon","coordinates":[[[0,1e999]]]})", "some.file:1:"},
+      {R"({"type":"Topology","arcs":[],"objects":{"a":{"type":"Polygon","arcs":[[
+0]]}}})",
+       "some.file:2:1: there is no such arc"},
+      {R"({"type":"Topology","arcs":[],"objects":{"a":{"type":"Polygon","arcs":[[-1.5]]}}})",
+       "some.file:1:72: there is no such arc"},
+      {R"({"type":"Topology","arcs":[],"objects":{}})", "some.file: the file has no object"},
+  };
+  for (const auto& [text, message] : wrong) {
+    try {
+      read(text);
+      ADD_FAILURE() << "accepted: " << text;
+    } catch (const Error& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with(message)) << error.what() << '\n' << text;
+    }
+  }
+}
+
+TEST(LayerReader, says_which_objects_there_are) {
+  try {
+    read(kTopology, "none");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "some.file: there is no object 'none'; the file has 'halves', 'all'");
+  }
+}
+
+TEST(LayerReader, survives_every_cut) {
+  for (std::size_t size = 0; size < kTopology.size(); ++size) {
+    EXPECT_THROW(read(kTopology.substr(0, size)), Error) << size;
+  }
+}
+
+}  // namespace
+}  // namespace plumb::layer_io_test
