@@ -46,6 +46,48 @@ class OutputFileTest : public ::testing::Test {
   fs::path directory_;
 };
 
+TEST_F(OutputFileTest, waits_for_no_reader_of_a_named_pipe) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  try {
+    const OutputFile file(path("pipe"));
+    ADD_FAILURE() << "opened a pipe that nobody reads";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::CannotWrite);
+  }
+}
+
+TEST_F(OutputFileTest, waits_for_the_writer_of_a_named_pipe_within_limits) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  Limits limits;
+  limits.max_seconds = 0.3;
+  Context impatient(limits);
+  EXPECT_THROW(read_input(path("pipe"), impatient), Error);
+  std::thread writer([this] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    std::ofstream(path("pipe")) << std::string(100'000, 'x');
+  });
+  Context context;
+  EXPECT_EQ(read_input(path("pipe"), context).size(), 100'000U);
+  writer.join();
+}
+
+TEST_F(OutputFileTest, tells_files_below_a_folder_from_others) {
+  fs::create_directories(directory_ / "in" / "deeper");
+  std::ofstream(path("out")) << "x";
+  std::ofstream(path("in/deeper/file")) << "x";
+  fs::create_symlink(path("out"), directory_ / "in" / "link");
+  fs::create_symlink(path("in/deeper"), directory_ / "in" / "folder");
+  const std::string folder = path("in");
+  EXPECT_TRUE(lies_below(folder, path("in/deeper/file")));
+  EXPECT_TRUE(lies_below(folder, path("in/folder/file")));
+  EXPECT_TRUE(lies_below(folder, path("in/deeper/../gone")));
+  EXPECT_FALSE(lies_below(folder, path("out")));
+  EXPECT_FALSE(lies_below(folder, path("in/link")));
+  EXPECT_FALSE(lies_below(folder, path("in/../out")));
+  EXPECT_FALSE(lies_below(folder, path("inside")));
+  EXPECT_FALSE(lies_below(path("gone"), path("gone/file")));
+}
+
 TEST_F(OutputFileTest, appears_whole_on_commit) {
   OutputFile file(path("a"));
   file.stream() << "hello " << std::string(200'000, 'x');

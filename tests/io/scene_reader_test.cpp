@@ -239,6 +239,37 @@ TEST(scene_reader, reads_the_model_beside_the_scene) {
   fs::remove_all(folder);
 }
 
+/// A scene of a stranger must not show what other files hold.
+TEST(scene_reader, names_no_file_outside_of_its_folder) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "plumb-scene-test-outside";
+  fs::create_directories(folder / "scenes");
+  std::ofstream(folder / "secret.off") << "secret words\n";
+  fs::remove(folder / "scenes" / "link.off");
+  fs::create_symlink(folder / "secret.off", folder / "scenes" / "link.off");
+  const std::string scene = (folder / "scenes" / "a.json").string();
+  const std::string outside = (folder / "secret.off").string();
+  Context context;
+  for (const std::string& name : {outside, std::string("../secret.off"), std::string("link.off")}) {
+    std::ofstream(scene) << R"({"model": ")" << name << R"(", "points": [], "polygons": []})";
+    try {
+      read_scene_file(scene, {}, context);
+      ADD_FAILURE() << "read " << name;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::CannotOpen);
+      EXPECT_EQ(error.place().file, scene);
+      EXPECT_EQ(std::string(error.what()).find("secret words"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("does not lie in the folder"), std::string::npos);
+    }
+  }
+  std::ofstream(folder / "square.off") << "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  std::ofstream(scene) << R"({"model": "../square.off", "points": [], "polygons": []})";
+  ReadOptions anywhere;
+  anywhere.named_files = NamedFiles::Anywhere;
+  EXPECT_EQ(read_scene_file(scene, anywhere, context).scene.mesh->face_count(), 1U);
+  fs::remove_all(folder);
+}
+
 /// A face that gives no triangle would shift the numbers of the faces after it.
 TEST(scene_reader, refuses_models_with_faces_without_area) {
   namespace fs = std::filesystem;

@@ -104,6 +104,40 @@ TEST(LinkFacets, AddsTheJumpsOfDoubledFacets) {
   EXPECT_TRUE(mesh.merge().empty());
 }
 
+// Facets at one edge, some of them equal, against a comparison of all pairs; and so many that this
+// comparison would not end.
+TEST(LinkFacets, FindsDoubledFacetsAmongManyAtOneEdge) {
+  Dice dice(43);
+  for (int round = 0; round < 30; ++round) {
+    std::vector<Point3> points{{0, 0, 0}, {1, 0, 0}};
+    for (int i = 0; i < 6; ++i) points.push_back({0.5, 1. + i % 3, i < 3 ? 0. : 1.});
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (int i = 0; i < 20; ++i) {
+      const std::uint32_t tip = 2 + dice.below(6);
+      faces.push_back(dice.below(2) == 0 ? std::vector{0U, 1U, tip} : std::vector{1U, 0U, tip});
+    }
+    Linked mesh(make_mesh(points, faces));
+    std::vector<MeshReport::FacePair> expected;
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+      for (std::uint32_t g = 0; g < f; ++g) {
+        if (faces[f][2] != faces[g][2]) continue;
+        expected.emplace_back(f, g);
+        break;
+      }
+    }
+    EXPECT_EQ(mesh.merge(), expected);
+  }
+  constexpr std::uint32_t kMany = 100'000;
+  std::vector<Point3> points{{0, 0, 0}, {1, 0, 0}};
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t i = 0; i < kMany; ++i) {
+    points.push_back({0.5, 1. + i, 0});
+    faces.push_back({0, 1, 2 + i});
+  }
+  Linked mesh(make_mesh(points, faces));
+  EXPECT_TRUE(mesh.merge().empty());
+}
+
 // Pages of a book, triangles with one common edge: some opposite, some at less than a degree.
 TEST(LinkFacets, TurnsAroundAnEdgeCounterClockwise) {
   Dice dice(42);

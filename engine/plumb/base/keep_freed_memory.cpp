@@ -3,6 +3,7 @@
 #if defined(__GLIBC__)
 #include <malloc.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <climits>
@@ -12,6 +13,18 @@
 #endif
 
 namespace plumb {
+namespace {
+
+#if defined(__GLIBC__)
+/// Whether the process may use so little address space that a reserve would be missed.
+bool is_address_space_scarce() {
+  constexpr rlim_t kPlenty = rlim_t{1} << 30;
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur < kPlenty;
+}
+#endif
+
+}  // namespace
 
 void keep_freed_memory() {
 #if defined(__GLIBC__)
@@ -24,6 +37,7 @@ void keep_freed_memory() {
 
 void use_huge_pages() {
 #if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
+  if (is_address_space_scarce()) return;
   constexpr int kHeap = 64 << 20, kUsualPad = 128 << 10;
   constexpr std::uintptr_t kHugePage = std::uintptr_t{2} << 20;
   const auto end_of_heap = [] { return reinterpret_cast<std::uintptr_t>(sbrk(0)); };

@@ -18,7 +18,7 @@ void keep_freed_memory();
 /// setting, the first union of two fandisk meshes with 12,946 triangles takes 0.9 times as long as
 /// without this setting. Requires that keep_freed_memory() was called before. Otherwise malloc
 /// would release the reserved memory. The function reserves nothing if malloc still has more than 1
-/// MB of free memory.
+/// MB of free memory, or if the process may use less than 1 GB of address space.
 void use_huge_pages();
 
 }  // namespace plumb

@@ -145,13 +145,7 @@ class ModelReader {
     }
     const fs::path file = folder() / name;
     if (options_.imports == CsgImports::Anywhere) return file.string();
-    std::error_code error;
-    const fs::path base = fs::canonical(folder(), error);
-    const fs::path place = error ? fs::path() : fs::weakly_canonical(file, error);
-    const bool is_below =
-        !error &&
-        std::mismatch(base.begin(), base.end(), place.begin(), place.end()).first == base.end();
-    if (!is_below) {
+    if (!lies_below(folder().string(), file.string())) {
       fail_at(node, ErrorCode::CannotOpen,
               "the imported file " + plumb::quoted(name) +
                   " does not lie in the folder of the model or below it");

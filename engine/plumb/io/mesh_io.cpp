@@ -95,9 +95,7 @@ MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const Rea
   const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
   if (format != MeshFormat::Gltf || path == "-") return read_mesh(bytes, format, options, context);
   const auto load = [&](const std::string& name) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    return read_input(((folder.empty() ? std::filesystem::path(".") : folder) / name).string(),
-                      context);
+    return read_input(named_file(path, name, options.named_files), context);
   };
   return read_gltf(bytes, load, options, context);
 }

@@ -17,12 +17,20 @@ enum class RingRule : std::uint8_t {
   Negative,  ///< All rings of the file together: the points whose winding number is negative.
 };
 
+/// Which files a file may name, for example a scene its model. Whoever sends a file chooses these
+/// names, and the messages of a program may show where reading such a file failed.
+enum class NamedFiles : std::uint8_t {
+  Below,     ///< Files in the folder of the file and below it, after symbolic links are resolved.
+  Anywhere,  ///< All files.
+};
+
 /// Options of reading a text.
 struct ReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
   /// is rounded to the nearest double.
   bool exact_decimals = false;
+  NamedFiles named_files = NamedFiles::Below;  ///< Which other files the file may name.
   RingRule rings = RingRule::Odd;  ///< For polygons of the plane; ignored for all other contents.
 };
 

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -379,14 +378,11 @@ SurfaceMesh fanned_surface(const PolygonMesh& mesh) {
 }
 
 SceneFile read_scene_file(const std::string& path, ReadOptions options, Context& context) {
-  namespace fs = std::filesystem;
   options.name = input_name(path);
   const std::string text = read_input(path, context);
   const ParsedScene scene = parse_scene(text, options, context);
-  const fs::path folder = path == "-" ? fs::path() : fs::path(path).parent_path();
-  const auto beside = [&folder](const std::string& name) {
-    const std::string file = (folder / name).string();
-    return file == "-" ? "./-" : file;
+  const auto beside = [&](const std::string& name) {
+    return named_file(path, name, options.named_files);
   };
   SceneNotes notes;
   const std::string model = beside(scene.model);

@@ -351,6 +351,7 @@ void SurfaceInput::declare(CLI::App& app) {
   app.add_option("SCENE", file_, "A scene: .json; - is standard input")->required()->type_name("");
   app.add_flag("--repair", repairs_,
                "Add loops around handles to shapes that do not separate, so that they do");
+  app.add_flag("--anywhere", reads_anywhere_, "The scene may name files outside of its folder");
 }
 
 void SurfaceInput::declare_expression(CLI::App& app, bool is_required) {
@@ -367,8 +368,10 @@ void SurfaceInput::declare_expression(CLI::App& app, bool is_required) {
 
 DividedScene SurfaceInput::read(Session& session) const {
   session.begin("read");
-  SceneFile file = read_scene_file(file_, {.exact_decimals = session.options().exact_decimals},
-                                   session.context());
+  ReadOptions options;
+  options.exact_decimals = session.options().exact_decimals;
+  if (reads_anywhere_) options.named_files = NamedFiles::Anywhere;
+  SceneFile file = read_scene_file(file_, options, session.context());
   for (const std::string& note : file.notes) session.note(note);
   for (const std::string& warning : file.warnings) session.warn(file.model, warning);
   std::vector<SurfaceRepair> repairs;

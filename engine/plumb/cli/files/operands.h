@@ -170,6 +170,7 @@ class SurfaceInput {
   std::string expression_;
   std::string rule_;
   bool repairs_ = false;
+  bool reads_anywhere_ = false;
 };
 
 }  // namespace plumb::cli

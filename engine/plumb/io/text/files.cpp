@@ -25,6 +25,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "plumb/io/text/input_cursors.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -51,7 +52,9 @@ class InputFile {
   InputFile(const std::string& path, Context& context)
       : fd_(STDIN_FILENO), path_(path), context_(context) {
     if (path == "-") return;
-    fd_ = uninterrupted(context_, [&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); });
+    // Without waiting for a program that writes to a named pipe: wait() does that.
+    const int flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK;
+    fd_ = uninterrupted(context_, [&] { return ::open(path.c_str(), flags); });
     if (fd_ < 0) fail(path_);
   }
   ~InputFile() {
@@ -79,10 +82,12 @@ class InputFile {
 
   /// Reads some bytes; returns 0 at the end.
   std::size_t read(char* to, std::size_t most) const {
-    wait();
-    const ssize_t got = uninterrupted(context_, [&] { return ::read(fd_, to, most); });
-    if (got < 0) fail(path_);
-    return static_cast<std::size_t>(got);
+    for (;;) {
+      wait();
+      const ssize_t got = uninterrupted(context_, [&] { return ::read(fd_, to, most); });
+      if (got >= 0) return static_cast<std::size_t>(got);
+      if (errno != EAGAIN) fail(path_);
+    }
   }
 
  private:
@@ -116,6 +121,32 @@ std::string read_input(const std::string& path, Context& context) {
   context.release_memory(bytes.size() - used);
   bytes.resize(used);
   return bytes;
+}
+
+bool lies_below(const std::string& folder, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path base = fs::canonical(folder.empty() ? "." : folder, error);
+  if (error) return false;
+  const fs::path place = fs::weakly_canonical(file, error);
+  return !error &&
+         std::mismatch(base.begin(), base.end(), place.begin(), place.end()).first == base.end();
+}
+
+std::string named_file(const std::string& input, const std::string& name, NamedFiles named_files) {
+  namespace fs = std::filesystem;
+  const fs::path folder = input == "-" ? fs::path() : fs::path(input).parent_path();
+  const std::string file = (folder / name).string();
+  const auto refuse = [&](const char* why) {
+    throw Error(ErrorCode::CannotOpen, plumb::quoted(name) + why, {input_name(input)});
+  };
+  if (named_files == NamedFiles::Below && !lies_below(folder.string(), file)) {
+    refuse(" does not lie in the folder of the file that names it, nor below");
+  }
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!error && fs::exists(status) && !fs::is_regular_file(status)) refuse(" is no ordinary file");
+  return file == "-" ? "./-" : file;
 }
 
 namespace {
@@ -233,8 +264,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_l
   }
   is_direct_ = exists && !S_ISREG(status.st_mode);
   if (is_direct_) {
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail();
+    open_directly();
   } else {
     if (exists && ::access(target_.c_str(), W_OK) != 0) fail();
     open_temporary();
@@ -247,6 +277,15 @@ OutputFile::~OutputFile() {
   if (temporary_.empty()) return;
   ::unlink(temporary_.c_str());
   temporary_names.remove(temporary_.c_str());
+}
+
+/// Opens a device or a pipe. A named pipe that no program reads is refused, not waited for.
+void OutputFile::open_directly() {
+  descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor_ < 0 && errno == ENXIO) {
+    throw Error(ErrorCode::CannotWrite, "no program reads this pipe", {path_});
+  }
+  if (descriptor_ < 0 || ::fcntl(descriptor_, F_SETFL, O_WRONLY) != 0) fail();
 }
 
 void OutputFile::open_temporary() {

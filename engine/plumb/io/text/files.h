@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/io/read_options.h"
 
 namespace plumb {
 
@@ -17,6 +18,15 @@ namespace plumb {
 /// charged to `context` before it is allocated and stays charged; release it with the string.
 /// Throws Error{CannotOpen} with the system's reason ("FILE: reason"), and Error{ResourceLimit}.
 std::string read_input(const std::string& path, Context& context);
+
+/// Whether a file that another file names lies in a folder or below it, after symbolic links have
+/// been resolved. `folder` may be empty, which is the current folder. A file that does not exist
+/// lies where its name leads.
+bool lies_below(const std::string& folder, const std::string& file);
+/// Returns the path of a file that the file `input` names, relative to the folder of `input`. Throws
+/// Error{CannotOpen}, whose text names `input` and quotes nothing but the name, if the file lies
+/// outside of this folder and `named_files` does not allow that, or if it is not an ordinary file.
+std::string named_file(const std::string& input, const std::string& name, NamedFiles named_files);
 
 /// Returns what `path` is called in messages: itself, or "stdin" for "-".
 std::string input_name(const std::string& path);
@@ -82,6 +92,7 @@ class OutputFile {
   void withdraw() noexcept;
 
  private:
+  void open_directly();
   void open_temporary();
   [[noreturn]] void fail() const;
   void close();

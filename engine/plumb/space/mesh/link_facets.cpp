@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <numeric>
 #include <utility>
 
 #include "plumb/predicates/plane_signs.h"
@@ -103,14 +105,17 @@ class Doubles {
  public:
   Doubles(const MeshFacets& facets, const MeshLinks& links) : facets_(facets), links_(links) {}
 
-  /// Returns for each facet an earlier one with the same boundary, or itself; an empty list if
-  /// there is none.
+  /// Returns for each facet the first one with the same boundary, or itself; an empty list if no two
+  /// facets have the same boundary. Cost: O(n log n) for n corners, however many facets share an
+  /// edge.
   std::vector<std::uint32_t> find() {
+    std::vector<std::uint32_t> beginning;  // The facets whose cycles begin with an edge.
     for (std::size_t e = 0; e < links_.edge_count(); ++e) {
-      const auto uses = links_.uses_of(e);
-      for (std::size_t j = 1; j < uses.size(); ++j) {
-        if (is_first(uses[j])) compare_with_earlier(uses.first(j), uses[j]);
+      beginning.clear();
+      for (const std::uint32_t use : links_.uses_of(e)) {
+        if (is_first(use)) beginning.push_back(links_.facet[use]);
       }
+      if (beginning.size() > 1) join_equal(beginning);
     }
     return std::move(same_);
   }
@@ -120,19 +125,32 @@ class Doubles {
   /// with equal uses.
   bool is_first(std::uint32_t use) const { return facets_.begin[links_.facet[use]] == use; }
 
-  /// Compares the facet of a use with earlier ones that begin along the same edge.
-  void compare_with_earlier(std::span<const std::uint32_t> earlier, std::uint32_t use) {
-    const std::uint32_t g = links_.facet[use];
-    for (const std::uint32_t other : earlier) {
-      const std::uint32_t f = links_.facet[other];
-      if (!is_first(other) || facets_.plane[f] != facets_.plane[g]) continue;
-      if (!std::ranges::equal(facets_.corners(f), facets_.corners(g))) continue;
-      if (same_.empty()) {
-        for (std::uint32_t i = 0; i < facets_.size(); ++i) same_.push_back(i);
+  /// Sorts facets such that equal ones are neighbours, those of lower numbers first.
+  void join_equal(std::vector<std::uint32_t>& facets) {
+    std::sort(facets.begin(), facets.end(), [this](std::uint32_t f, std::uint32_t g) {
+      const auto order = compare(f, g);
+      return order != 0 ? order < 0 : f < g;
+    });
+    std::uint32_t first = facets[0];
+    for (std::size_t i = 1; i < facets.size(); ++i) {
+      if (compare(first, facets[i]) == 0) {
+        set_same(facets[i], first);
+      } else {
+        first = facets[i];
       }
-      same_[g] = f;
-      return;
     }
+  }
+  std::strong_ordering compare(std::uint32_t f, std::uint32_t g) const {
+    if (const auto order = facets_.plane[f] <=> facets_.plane[g]; order != 0) return order;
+    const auto a = facets_.corners(f), b = facets_.corners(g);
+    return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
+  }
+  void set_same(std::uint32_t facet, std::uint32_t first) {
+    if (same_.empty()) {
+      same_.resize(facets_.size());
+      std::iota(same_.begin(), same_.end(), 0U);
+    }
+    same_[facet] = first;
   }
 
   const MeshFacets& facets_;
