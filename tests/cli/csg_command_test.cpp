@@ -58,6 +58,8 @@ TEST_F(CsgProgram, explains_the_tree) {
   EXPECT_NE(result.err.find("  hull at line 10\n"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("union at line 3, together with the node above\n"), std::string::npos)
       << result.err;
+  EXPECT_NE(result.err.find("cylinder at line 13\n"), std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find("not needed"), std::string::npos) << result.err;
 }
 
 TEST_F(CsgProgram, tells_sets_of_plane_and_space_apart) {

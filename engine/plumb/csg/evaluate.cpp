@@ -276,7 +276,11 @@ class Evaluator {
       if (users_[i] == 0) continue;
       ++needed_;
       if (is_map(i) && inputs_of(i).size() == 1) {
-        use(below_maps(i), i);
+        const std::uint32_t base = below_maps(i);
+        for (std::uint32_t k = inputs_of(i)[0]; k != base; k = inputs_of(k)[0]) {
+          report(k).work = CsgWork::Rewritten;  // Unless something else needs its value.
+        }
+        use(base, i);
       } else {
         for (const std::uint32_t input : inputs_of(i)) use(input, i);
       }

@@ -50,7 +50,7 @@ enum class CsgDimension : std::uint8_t {
 enum class CsgWork : std::uint8_t {
   LeftOut,    ///< The value has no influence on the result.
   Computed,   ///< The node was evaluated.
-  Rewritten,  ///< The node is a part of a Boolean of many sets; only the topmost node has a value.
+  Rewritten,  ///< The node is computed with its user: a Boolean of many sets, or a chain of maps.
   Shared,     ///< The value is that of an equal node before it.
 };
 
