@@ -419,8 +419,10 @@ TEST(ReadPlaneSet, encloses_by_the_rule_that_is_asked_for) {
   EXPECT_EQ(areas_by_rule("MULTIPOLYGON(((0 0,4 0,4 4,0 4,0 0)),((2 2,2 6,6 6,6 2,2 2)))"),
             (Areas{28, 24, 12, 12}));
   // Lines and points belong to the set whatever the rule.
+  ReadOptions negative;
+  negative.rings = RingRule::Negative;
   EXPECT_EQ(read_plane_set("GEOMETRYCOLLECTION(POINT(9 9),LINESTRING(0 0,1 1))", PlaneFormat::Wkt,
-                           {"input", false, RingRule::Negative})
+                           negative)
                 .set.counts()
                 .vertices,
             3U);

@@ -62,7 +62,7 @@ TEST(WktReader, accepts_what_the_format_allows) {
       {"LINESTRING (0 0, 1 1, 0 0)\n",
        {"linestring (0 0,1 1 , 0 0)", "MULTILINESTRING ((0 0, 1 1, 0 0))",
         "MULTILINESTRING (EMPTY, (0 0, 1 1, 0 0))", "MULTICURVE ((0 0, 1 1, 0 0))",
-        "MULTICURVE Z (LINESTRING Z (0 0 7, 1 1 7, 0 0 7))", "LINEARRING (0 0, 1 1, 0 0)",
+        "MULTICURVE Z (LINESTRING Z (0 0 7, 1 1 7, 0 0 7))",
         "LINESTRING (0 0 1 2, 1 1 3 4, 0 0 5 6)"}},
       {"POLYGON ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1))\n",
        {"POLYGON((0 0,3 0,0 3,0 0),(1 1,2 1,1 2,1 1))",
@@ -75,6 +75,7 @@ TEST(WktReader, accepts_what_the_format_allows) {
         "POLYGONZ((0 0 5,3 0 6,0 3 7,0 0 5),(1 1 0,2 1 0,1 2 0,1 1 0))"}},
       {"MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)), ((5 5, 6 5, 5 6, 5 5)))\n",
        {"POLYGON ((0 0, 1 0, 0 1, 0 0)) POLYGON ((5 5, 6 5, 5 6, 5 5))",
+        "LINEARRING (0 0, 1 0, 0 1, 0 0) LINEARRING Z (5 5 1, 6 5 1, 5 6 1, 5 5 1)",
         "TRIANGLE ((0 0, 1 0, 0 1, 0 0)); TRIANGLE ((5 5, 6 5, 5 6, 5 5))",
         "TIN (((0 0, 1 0, 0 1, 0 0)), ((5 5, 6 5, 5 6, 5 5)))",
         "TIN Z (((0 0 7, 1 0 7, 0 1 7.0, 0 0 7)), TRIANGLE Z ((5 5 7, 6 5 nan, 5 6 7, 5 5 7)))",
@@ -106,7 +107,7 @@ TEST(WktReader, names_what_it_drops_once) {
       {"SRID=1;POINT ZM (1 2 3 4)\n<http://a/b> POINT (1 2)",
        {"passed over: coordinate reference systems, heights (Z), measures (M)"}},
       {"LINEARRING (0 0, 1 0, 0 1, 0 0) LINEARRING (0 0, 1 0, 0 1, 0 0)",
-       {"a LINEARRING is a line without an inside; a POLYGON has its inside"}},
+       {"a LINEARRING is read as the polygon that it bounds"}},
   };
   for (const auto& [text, notes] : cases) EXPECT_EQ(notes_of(text), notes) << text;
 }

@@ -79,9 +79,9 @@ ROWS = [
     *info("19-gltf-sparse-quantised-draco", "draco_fallback.gltf", "matreq.gltf", "quant.gltf", "sparse.gltf", "xmpreq.gltf"),
     Row("19-gltf-sparse-quantised-draco", "solid info nobv.gltf", 2, "zeros"),
     Row("19-gltf-sparse-quantised-draco", "solid info draco_nofallback.gltf", 2, "Draco"),
-    # Dialects of WKT. A LINEARRING is a closed line in simple features, so it has no area; this is told.
+    # Dialects of WKT. A LINEARRING is read as the polygon that it bounds; this is told.
     *[Row("20-wkt-dialects", "plane info " + name, 0, "area 6\n") for name in ("empty.wkt", "ewkt3d.wkt", "semi.wkt", "srid.wkt")],
-    Row("20-wkt-dialects", "plane info ring.wkt", 0, ("area 0\n", "a LINEARRING is a line without an inside")),
+    Row("20-wkt-dialects", "plane info ring.wkt", 0, ("area 6\n", "a LINEARRING is read as the polygon that it bounds")),
     Row("20-wkt-dialects", "plane info curve.wkt", 2, "curves are not read"),
     # GeoJSON: NaN in a property, a feature a line.
     Row("21-geojson-sequences-nan", "plane info nan.geojson", 0, "area 6\n"),

@@ -134,7 +134,7 @@ class WktReader {
   void read_geometry();
   void read_point();
   void read_line();
-  void read_ring_as_line();
+  void read_ring_as_polygon();
   void read_polygon();
   void read_ring();
   void read_points();
@@ -163,14 +163,14 @@ class WktReader {
   bool is_flat_ = false;     // Whether heights must be equal, for the faces of a surface.
   bool has_height_ = false;  // Whether height_ is that of an earlier position of the surface.
   bool drops_heights_ = false, drops_measures_ = false;
-  bool has_rings_as_lines_ = false;
+  bool has_rings_as_polygons_ = false;
   ReadNumber x_, y_, height_, other_;
 };
 
 const std::array<WktReader::Kind, 13> WktReader::kKinds{{
     {"POINT", &WktReader::read_point},
     {"LINESTRING", &WktReader::read_line},
-    {"LINEARRING", &WktReader::read_ring_as_line},
+    {"LINEARRING", &WktReader::read_ring_as_polygon},
     {"POLYGON", &WktReader::read_polygon},
     {"TRIANGLE", &WktReader::read_polygon},
     {"MULTIPOINT", &WktReader::read_points},
@@ -204,8 +204,8 @@ PlaneFile WktReader::read() {
   if (!has_geometry) fail_without_geometry();
   if (drops_heights_) shapes_.pass_over(kHeights);
   if (drops_measures_) shapes_.pass_over(kMeasures);
-  if (has_rings_as_lines_) {
-    shapes_.note("a LINEARRING is a line without an inside; a POLYGON has its inside");
+  if (has_rings_as_polygons_) {
+    shapes_.note("a LINEARRING is read as the polygon that it bounds");
   }
   return shapes_.take();
 }
@@ -408,10 +408,11 @@ void WktReader::read_line() {
 }
 
 /// Reads a closed line. That it has no inside would surprise whoever means a polygon.
-void WktReader::read_ring_as_line() {
+void WktReader::read_ring_as_polygon() {
   const std::uint32_t first = shapes_.position_count();
-  read_line();
-  has_rings_as_lines_ |= first != shapes_.position_count();
+  read_ring();
+  shapes_.end_polygon();
+  has_rings_as_polygons_ |= first != shapes_.position_count();
 }
 
 void WktReader::read_ring() {
