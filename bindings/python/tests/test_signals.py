@@ -10,8 +10,10 @@ import time
 import pytest
 
 PROGRAM = """
-import sys, time
+import signal, time
 import plumb
+# A process that runs in the background may have inherited that the signal is ignored.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 # A sum of two solids of many parts takes minutes.
 star = plumb.Solid.union_of(
     [plumb.Solid.ball(1.0, 1).translated((x, y, 0)) for x in range(6) for y in range(6)])
