@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cfenv>
+#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -17,13 +21,9 @@ namespace {
 
 using testing::is_same;
 
-constexpr MeshFormat kFormats[] = {MeshFormat::Off,    MeshFormat::ExactOff,  MeshFormat::Obj,
-                                   MeshFormat::Stl,    MeshFormat::StlBinary, MeshFormat::Ply,
-                                   MeshFormat::PlyText};
-
-bool is_stl(MeshFormat format) {
-  return format == MeshFormat::Stl || format == MeshFormat::StlBinary;
-}
+constexpr MeshFormat kFormats[] = {MeshFormat::Off,     MeshFormat::ExactOff,  MeshFormat::Obj,
+                                   MeshFormat::Stl,     MeshFormat::StlBinary, MeshFormat::Ply,
+                                   MeshFormat::PlyText, MeshFormat::Gltf};
 
 std::string written(const PolygonMesh& mesh, MeshFormat format) {
   std::ostringstream out;
@@ -42,7 +42,7 @@ TEST(SolidIo, reads_what_it_said_it_would_write) {
   for (const MeshFormat format : kFormats) {
     PolygonMesh expected = as_written(mesh, format);
     Context context;
-    if (is_stl(format)) weld_vertices(expected, context);
+    if (lists_triangles(format)) weld_vertices(expected, context);
     EXPECT_TRUE(is_same(read(written(mesh, format), format), expected));
   }
 }
@@ -130,6 +130,50 @@ TEST(SolidIo, writes_the_same_in_every_rounding_mode) {
       EXPECT_TRUE(is_same(again, expected));
     }
   }
+}
+
+// The bounds are computed here from the floats in the file. The requirements on chunks and bounds
+// are those of the glTF 2.0 Specification.
+TEST(SolidIo, glb_is_sound_gltf) {
+  PolygonMesh mesh = testing::tetrahedron();
+  mesh.points[1] = {0.1, -1e30, 1e-40};
+  const std::string bytes = written(mesh, MeshFormat::Gltf);
+  const auto word_at = [&](std::size_t at) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 4; i-- > 0;) word = word << 8U | static_cast<std::uint8_t>(bytes[at + i]);
+    return word;
+  };
+  EXPECT_EQ(word_at(8), bytes.size());
+  const std::uint32_t length = word_at(12);
+  EXPECT_EQ(length % 4, 0U);
+  const auto json = nlohmann::json::parse(bytes.substr(20, length));
+  const std::size_t begin = 20 + length + 8;
+  EXPECT_EQ(word_at(begin - 8), bytes.size() - begin);
+  EXPECT_EQ(json["buffers"][0]["byteLength"], bytes.size() - begin);
+  EXPECT_EQ(json["accessors"][0]["count"], 4);
+  EXPECT_EQ(json["accessors"][1]["count"], 12);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (std::size_t v = 0; v < 4; ++v) {
+      values.push_back(std::bit_cast<float>(word_at(begin + 12 * v + 4 * axis)));
+    }
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    EXPECT_EQ(json["accessors"][0]["min"][axis], *low);
+    EXPECT_EQ(json["accessors"][0]["max"][axis], *high);
+  }
+}
+
+TEST(SolidIo, glb_refuses_what_it_cannot_hold) {
+  for (const PolygonMesh& mesh :
+       {PolygonMesh{},
+        testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}),
+        testing::mesh_of({{1e39, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2}})}) {
+    std::ostringstream out;
+    EXPECT_THROW(write_mesh(out, mesh, MeshFormat::Gltf), Error);
+    EXPECT_EQ(out.str(), "");
+    EXPECT_THROW(as_written(mesh, MeshFormat::Gltf), Error);
+  }
+  EXPECT_THROW(write_mesh_file("no.gltf", testing::tetrahedron()), Error);
 }
 
 TEST(SolidIo, gives_back_the_memory_of_the_bytes) {

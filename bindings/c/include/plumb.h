@@ -294,8 +294,8 @@ PLUMB_API plumb_status plumb_mesh_read(const char* bytes, size_t size,
 PLUMB_API plumb_status plumb_mesh_read_file(const char* path, const plumb_read_options* options,
                                             plumb_mesh** out, plumb_notes** notes,
                                             const plumb_context* context, plumb_error** error);
-/** Writes the mesh as "off", "off-exact", "obj", "stl", "stl-binary", "ply" or "ply-text". STL
- * needs triangles. */
+/** Writes the mesh as "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text" or "glb".
+ * STL and GLB need triangles. */
 PLUMB_API plumb_status plumb_mesh_write(const plumb_mesh* mesh, const char* format,
                                         plumb_bytes** out, plumb_error** error);
 /** Writes a file, which is complete or absent. `format` may be null: the extension chooses it. */
@@ -466,8 +466,8 @@ PLUMB_API plumb_status plumb_solid_read_file(const char* path, const plumb_read_
                                              const plumb_solid_options* options, plumb_solid** out,
                                              plumb_notes** notes, const plumb_context* context,
                                              plumb_error** error);
-/** Writes "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text" or "nef". Only .nef
- * holds every set; `notes` tells what else a file does not hold. Equal sets give the same .nef
+/** Writes "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb" or "nef". Only
+ * .nef holds every set; `notes` tells what else a file does not hold. Equal sets give the same .nef
  * only after plumb_solid_canonical(). */
 PLUMB_API plumb_status plumb_solid_write(const plumb_solid* solid, const char* format,
                                          const plumb_write_options* options, plumb_bytes** out,

@@ -14,6 +14,7 @@
 #include <ostream>
 #include <utility>
 
+#include "plumb/io/mesh/glb.h"
 #include "plumb/io/mesh/gltf.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh/obj.h"
@@ -61,6 +62,10 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   const bool is_plain = extension.find('-') == extension.npos;
   return is_plain && !extension.empty() ? mesh_format_named(extension.substr(1)) : std::nullopt;
+}
+
+bool lists_triangles(MeshFormat format) {
+  return format == MeshFormat::Stl || format == MeshFormat::StlBinary || format == MeshFormat::Gltf;
 }
 
 MeshFormat guess_mesh_format(std::string_view bytes) {
@@ -139,6 +144,8 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
       return write_ply_binary(out, mesh);
     case MeshFormat::PlyText:
       return write_ply_text(out, mesh);
+    case MeshFormat::Gltf:
+      return write_glb(out, mesh);
     default:
       return write_off(out, mesh);
   }
@@ -146,10 +153,12 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
 
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      std::optional<MeshFormat> format) {
-  if (!format) format = mesh_format_of(path);
-  if (!format || *format == MeshFormat::Gltf) {
+  // A .gltf file is text, which is not written.
+  if (!format && !path.ends_with(".gltf")) format = mesh_format_of(path);
+  if (!format) {
     throw Error(ErrorCode::UnknownFormat,
-                "the extension names no format that is written: .off, .obj, .stl, .ply", {path});
+                "the extension names no format that is written: .off, .obj, .stl, .ply, .glb",
+                {path});
   }
   OutputFile file(path);
   write_mesh(file.stream(), mesh, *format);
@@ -172,8 +181,10 @@ void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
 
 PolygonMesh as_written(PolygonMesh mesh, MeshFormat format) {
   if (format == MeshFormat::ExactOff) return mesh;
-  if (format == MeshFormat::Stl || format == MeshFormat::StlBinary) require_triangles(mesh);
-  if (format == MeshFormat::StlBinary) return rounded_to_floats(std::move(mesh));
+  if (format == MeshFormat::Gltf) require_faces(mesh);
+  if (lists_triangles(format)) require_triangles(mesh);
+  const bool has_floats = format == MeshFormat::StlBinary || format == MeshFormat::Gltf;
+  if (has_floats) return rounded_to_floats(std::move(mesh));
   require_doubles(mesh);
   mesh.exact.clear();
   return mesh;

@@ -1,4 +1,4 @@
-// Reads and writes polygon meshes as OFF, OBJ, STL and PLY, and reads glTF.
+// Reads and writes polygon meshes as OFF, OBJ, STL, PLY and glTF.
 //
 // Reading: the caller may state the format. Otherwise the extension of the file determines the
 // format. If the extension names no format, the format is guessed from the bytes of the file. Faces
@@ -6,7 +6,8 @@
 // MeshFile::warnings report all contents of the file that are not in the mesh.
 //
 // Writing: the coordinates in OFF, OBJ, PLY and text STL are doubles. The coordinates in binary STL
-// are floats. The coordinates in exact OFF are fractions. STL files contain triangles only.
+// and in glTF are floats. The coordinates in exact OFF are fractions. STL and glTF files contain
+// triangles only.
 // as_written() returns the mesh that a reader of the written file will get.
 #pragma once
 
@@ -42,7 +43,7 @@ struct MeshFile {
 /// Formats of mesh files. For some formats there are several forms, such as text and binary STL. A
 /// writer writes exactly the form that the enumerator names. A reader accepts every form. For Stl
 /// and for StlBinary, a reader accepts text STL and binary STL. For Ply and for PlyText, a reader
-/// accepts every form of PLY.
+/// accepts every form of PLY. For Gltf, a reader accepts binary and text glTF.
 enum class MeshFormat : std::uint8_t {
   Off,        ///< OFF with doubles.
   ExactOff,   ///< OFF with fractions p/q as coordinates.
@@ -51,7 +52,7 @@ enum class MeshFormat : std::uint8_t {
   StlBinary,  ///< Binary STL, with floats.
   Ply,        ///< Binary PLY, little-endian, with doubles.
   PlyText,    ///< Text PLY, with doubles.
-  Gltf,       ///< glTF, text or binary. This format can be read but not written.
+  Gltf,       ///< Binary glTF (GLB), with floats.
 };
 
 /// Returns the format that the extension of `path` names: .off, .obj, .stl, .ply, .gltf or .glb.
@@ -60,6 +61,9 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path);
 /// Returns the format called `name`: off, off-exact, obj, stl, stl-binary, ply, ply-text, gltf or
 /// glb. Returns nullopt for any other name.
 std::optional<MeshFormat> mesh_format_named(std::string_view name);
+
+/// Whether files of this format contain triangles only: Stl, StlBinary and Gltf.
+bool lists_triangles(MeshFormat format);
 
 /// Returns the format that a file with these bytes seems to have:
 ///   - glTF if the bytes begin with "glTF" or "{"
@@ -97,17 +101,18 @@ std::string lack_of_faces(const MeshFile& file);
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
                         ReadOptions options = {}, Context& context = unlimited_context());
 
-/// Writes a mesh to a stream. Requires that `format` is not Gltf. Throws Error{NumberOutOfRange} if
-/// a coordinate is too large for the doubles or floats of the format. Throws Error{BadArgument} if
-/// the format is Stl or StlBinary and a face is not a triangle. Both errors are thrown before the
-/// first byte is written. Exceptions of `out` reach the caller.
+/// Writes a mesh to a stream. Exceptions of `out` reach the caller. Throws, before the first byte
+/// is written:
+///   - Error{NumberOutOfRange} if a coordinate is too large for the doubles or floats of the format
+///   - Error{BadArgument} if lists_triangles(format) is true and a face is not a triangle
+///   - Error{BadArgument} if the format is Gltf and the mesh has no faces
+///   - Error{CannotWrite} if the format is Gltf and the file would have 2^32 bytes or more
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
 /// Writes a mesh to the file `path`. If `format` is not given, the extension of `path` determines
-/// the format: .off, .obj, .stl or .ply. The file is created, or an existing file is replaced, only
-/// after all bytes have been written. Throws:
-///   - Error{UnknownFormat} if `format` is Gltf
-///   - Error{UnknownFormat} if `format` is not given and the extension is none of these four
+/// the format: .off, .obj, .stl, .ply or .glb. The file is created, or an existing file is
+/// replaced, only after all bytes have been written. Throws:
+///   - Error{UnknownFormat} if `format` is not given and the extension is none of these five
 ///     extensions
 ///   - Error{CannotWrite} if the file cannot be written
 ///   - the errors of write_mesh()
@@ -119,7 +124,8 @@ void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                      std::optional<MeshFormat> format = {});
 
 /// Returns the mesh with its coordinates rounded as write_mesh() rounds them. A reader of the
-/// written file will get this mesh. Throws as write_mesh() does.
+/// written file will get this mesh. A reader of STL or glTF also merges equal vertices. Throws as
+/// write_mesh() does, but does not check the size of the file.
 PolygonMesh as_written(PolygonMesh mesh, MeshFormat format);
 
 }  // namespace plumb

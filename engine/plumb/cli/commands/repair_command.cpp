@@ -115,7 +115,7 @@ class SolidRepair : public CommandBody {
     if (!format_->mesh) {
       set_.emplace(Nef3::from_mesh(mesh_, {}, session.context()), *format_, OutputRounding::Valid,
                    session.context());
-    } else if (*format_->mesh == MeshFormat::Stl || *format_->mesh == MeshFormat::StlBinary) {
+    } else if (lists_triangles(*format_->mesh)) {
       mesh_ = triangulated(mesh_, session.context());
     }
   }

@@ -30,6 +30,7 @@ constexpr std::array kFormats{
     SolidFormat{"obj", ".obj", MeshFormat::Obj},
     SolidFormat{"stl", ".stl", MeshFormat::Stl},
     SolidFormat{"ply", ".ply", MeshFormat::Ply},
+    SolidFormat{"glb", ".glb", MeshFormat::Gltf},
     SolidFormat{"nef", ".nef", std::nullopt},
     SolidFormat{"off-exact", ".off", MeshFormat::ExactOff},
     SolidFormat{"stl-binary", ".stl", MeshFormat::StlBinary},
@@ -97,11 +98,10 @@ SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding 
 }
 
 void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {
-  const bool wants_triangles = format == MeshFormat::Stl || format == MeshFormat::StlBinary;
   ToMeshOptions options;
-  options.faces = wants_triangles ? MeshFaces::Triangles : MeshFaces::PlanarPolygons;
-  const CoordinateType type =
-      format == MeshFormat::StlBinary ? CoordinateType::Float : CoordinateType::Double;
+  options.faces = lists_triangles(format) ? MeshFaces::Triangles : MeshFaces::PlanarPolygons;
+  const bool has_floats = format == MeshFormat::StlBinary || format == MeshFormat::Gltf;
+  const CoordinateType type = has_floats ? CoordinateType::Float : CoordinateType::Double;
   MeshOfComplex made;
   if (format == MeshFormat::ExactOff || rounding == OutputRounding::Nearest) {
     options.keeps_exact = true;
@@ -130,6 +130,9 @@ void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& c
     round_points(made.mesh, type);
     constexpr std::uint64_t kListed = 1;
     describe(check_rounding(made.mesh, kListed, context), losses_);
+  }
+  if (format == MeshFormat::Gltf && made.mesh.face_count() == 0) {
+    throw Error(ErrorCode::CannotWrite, "the set has no volume: a .glb file cannot hold it");
   }
   mesh_ = std::move(made.mesh);
 }
