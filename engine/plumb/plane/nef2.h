@@ -137,8 +137,11 @@ struct PlaneSelector {
   std::function<bool(FaceId)> face;      ///< Accepts faces.
 };
 
-class [[gnu::visibility("hidden")]] PlaneLocator;
-class [[gnu::visibility("hidden")]] PlaneTrapezoids;
+// Not attributes of the declarations: g++ warns of these if the classes are defined already.
+#pragma GCC visibility push(hidden)
+class PlaneLocator;
+class PlaneTrapezoids;
+#pragma GCC visibility pop
 
 /// Returns the set of the points p for which f(p in a, p in b) is true.
 [[nodiscard]] Nef2 boolean_op(const Nef2& a, const Nef2& b, MarkFunction f,
