@@ -109,7 +109,7 @@ AffineMap3 rotation(const std::array<double, 3>& axis, double degrees) {
   return rotation_of_quaternion(exact_rational(cosine_of_degrees(half)), v);
 }
 
-std::optional<Box3> bounding_box(const Nef3& set) {
+std::optional<BoundingBox3> bounding_box(const Nef3& set) {
   if (set.is_empty()) return std::nullopt;
   if (!set.is_bounded()) {
     throw Error(ErrorCode::BadArgument, "an unbounded set has no bounding box");
@@ -127,10 +127,10 @@ std::optional<Box3> bounding_box(const Nef3& set) {
   const auto end = [&](std::size_t axis, std::size_t side) {
     return coordinate_of(exact(c.points(), ends[axis][side]), axis);
   };
-  return Box3{{end(0, 0), end(1, 0), end(2, 0)}, {end(0, 1), end(1, 1), end(2, 1)}};
+  return BoundingBox3{{end(0, 0), end(1, 0), end(2, 0)}, {end(0, 1), end(1, 1), end(2, 1)}};
 }
 
-AffineMap3 resizing(const Box3& box, const std::array<Rational, 3>& size,
+AffineMap3 resizing(const BoundingBox3& box, const std::array<Rational, 3>& size,
                     const std::array<bool, 3>& is_automatic) {
   Vector factors{1, 1, 1};
   Rational greatest = 0;

@@ -31,19 +31,19 @@ namespace plumb {
 [[nodiscard]] AffineMap3 rotation(const std::array<double, 3>& axis, double degrees);
 
 /// The least box that contains a bounded set: the least and the greatest coordinates.
-struct Box3 {
+struct BoundingBox3 {
   RationalPoint3 low;   ///< The least coordinates.
   RationalPoint3 high;  ///< The greatest coordinates.
 };
 
 /// Returns the bounding box of the closure of a set, or nullopt if the set is empty. Throws
 /// Error{BadArgument} if the set is unbounded. O(n).
-[[nodiscard]] std::optional<Box3> bounding_box(const Nef3& set);
+[[nodiscard]] std::optional<BoundingBox3> bounding_box(const Nef3& set);
 
 /// Returns the scaling about the origin after which the bounding box has the given size; an axis
 /// with the size 0 keeps its size, or, if `is_automatic` says so, gets the greatest factor of the
 /// others. Throws Error{BadArgument} if a size is negative, or an axis has no extent and a size.
-[[nodiscard]] AffineMap3 resizing(const Box3& box, const std::array<Rational, 3>& size,
+[[nodiscard]] AffineMap3 resizing(const BoundingBox3& box, const std::array<Rational, 3>& size,
                                   const std::array<bool, 3>& is_automatic = {});
 
 }  // namespace plumb

@@ -321,7 +321,7 @@ class ListComponents : public CommandBody {
     }
     SolidFacts facts;
     std::optional<std::uint64_t> handles;
-    std::optional<Box3> box;
+    std::optional<BoundingBox3> box;
   };
 
   static nlohmann::ordered_json json(const std::vector<Part>& parts) {
