@@ -78,7 +78,7 @@ TEST_F(SolidProgram, examples_of_the_help_work) {
     EXPECT_EQ(std::system(command.c_str()), 0) << example;
     ++count;
   }
-  EXPECT_EQ(count, kBinary.size() + kUnary.size() + 15);
+  EXPECT_EQ(count, kBinary.size() + kUnary.size() + 16);
 }
 
 /// What is written is what is read, in every format; .nef says all, meshes the closure.

@@ -180,7 +180,8 @@ class Rewriter {
     return add(SetOperator::Difference, chain.negative);
   }
 
-  /// Returns the node of a complement. Two complements cancel; the first one may lose its only user.
+  /// Returns the node of a complement. Two complements cancel, and the first one may lose its only
+  /// user.
   std::uint32_t complement(std::uint32_t of) {
     const SetTree::Node& node = tree_.nodes[of];
     if (node.op == SetOperator::Complement) return tree_.children[node.first_child];

@@ -37,10 +37,11 @@ enum class CsgKind : std::uint8_t {
   /// The union of the children, scaled along the axes. Six numbers: the size along each axis, or 0;
   /// then for each axis whether its factor is automatic.
   Resize,
-  /// The union of the children grown by a distance. Five numbers: distance; 0 for round joins, 1 for
-  /// mitres, 2 for square joins; division of circles.
+  /// The union of the children grown by a distance. Five numbers: distance; 0 for round joins, 1
+  /// for mitres, 2 for square joins; division of circles.
   Offset,
-  Projection,  ///< The shadow of the children, or, if its one number is not 0, their slice at z = 0.
+  /// The shadow of the children, or, if its one number is not 0, their slice at z = 0.
+  Projection,
   /// Nine numbers: height; whether it is centred; twist; slices, or 0; scale of x and y; division.
   LinearExtrude,
   RotateExtrude,  ///< Four numbers: angle; division.

@@ -1,7 +1,8 @@
 // Evaluation of trees of constructive solid geometry.
 //
-// Nodes are numbered in preorder, so a pass over falling numbers sees children before parents, and a
-// pass over rising numbers sees parents first. Each step below is one such pass; no step recurses.
+// Nodes are numbered in preorder, so a pass over falling numbers sees children before parents, and
+// a pass over rising numbers sees parents first. Each step below is one such pass; no step
+// recurses.
 //
 // Equal subtrees have one representative, the one with the greatest number; children of a
 // representative are named by their representatives, which have greater numbers than it. Nodes that
@@ -12,8 +13,7 @@
 // regularized one by one. By the laws of the Boolean algebra of closed regular sets, the value does
 // not depend on the order in which they are done.
 //
-// Tested by tests/csg/evaluate_test.cpp: random trees against the oracle of the cells of half-spaces,
-// and against evaluation without rewriting.
+// Tested by tests/csg/evaluate_test.cpp: random trees against the oracle of unit cells.
 #include "plumb/csg/evaluate.h"
 
 #include <algorithm>

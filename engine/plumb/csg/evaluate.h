@@ -5,7 +5,8 @@
 //  2. equal nodes  numbers the nodes so that equal subtrees have equal numbers; each is evaluated
 //                  once
 //  3. regions      the nodes of a maximal part of the tree that consists of Booleans are rewritten
-//                  together (base/set_tree.h) and evaluated with unions and differences of many sets
+//                  together (base/set_tree.h), and evaluated with unions and differences of many
+//                  sets
 //  4. nodes        all other nodes are computed from their children: primitives (primitives.h),
 //                  maps, hulls, extrusions, slices, sums
 //

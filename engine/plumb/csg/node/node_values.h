@@ -1,5 +1,5 @@
-// Values of single nodes of a tree, from the values of their children. Parameters that give nothing,
-// such as a negative radius, give an empty set and a remark, as they do in OpenSCAD.
+// Values of single nodes of a tree, from the values of their children. Parameters that give
+// nothing, such as a negative radius, give an empty set and a remark, as they do in OpenSCAD.
 #pragma once
 
 #include <string>

@@ -146,7 +146,7 @@ void CsgNodes::append_numbers(CsgKind kind) {
 
 // ---------------------------------------------------------------- nodes
 
-/// The rows are those of an affine map, so the last one is 0 0 0 w, and w divides all others.
+/// The rows are those of an affine map: the last one has to be 0 0 0 1.
 void CsgNodes::append_map() {
   const std::optional<CsgValue> matrix = find_or_first("m");
   if (!matrix) scanner_.fail(ErrorCode::BadArgument, "multmatrix needs a matrix");
