@@ -1,5 +1,5 @@
-// Rewritten expressions have the value of the expression from left to right: on sets of 64 elements,
-// where all operations are exact and cheap.
+// Rewritten expressions have the value of the expression from left to right: on sets of 64
+// elements, where all operations are exact and cheap.
 #include "plumb/base/set_tree.h"
 
 #include <gtest/gtest.h>

@@ -24,8 +24,8 @@ std::vector<PlaneSegment> long_segments(std::size_t n, std::uint64_t seed = 1);
 /// different seeds cross about n times.
 PlanePolygon star_polygon(std::size_t n, std::uint64_t seed);
 
-/// A simple polygon of at most `corners` corners on the lattice of 0, ..., size in both coordinates;
-/// many corners are flat or share a line with others.
+/// A simple polygon of at most `corners` corners on the lattice of 0, ..., size in both
+/// coordinates; many corners are flat or share a line with others.
 PlanePolygon lattice_polygon(Dice& dice, std::size_t corners, std::uint32_t size);
 
 /// Convex 8-gons of integer coordinates below 2^30, counter-clockwise, so many that they cover

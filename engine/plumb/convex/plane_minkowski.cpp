@@ -1,9 +1,10 @@
 // Minkowski sums of sets of the plane by convolution.
 //
 // Directions are ordered by angle, beginning just after the direction straight down: first those
-// that lead lexicographically upward, then the others. A convex ring begins at its lexicographically
-// least corner, so its edges have ascending angles. The support of a direction d is the corner k
-// with angle(edge k - 1) <= angle(d) < angle(edge k), cyclically. It is extreme to the right of d.
+// that lead lexicographically upward, then the others. A convex ring begins at its
+// lexicographically least corner, so its edges have ascending angles. The support of a direction d
+// is the corner k with angle(edge k - 1) <= angle(d) < angle(edge k), cyclically. It is extreme to
+// the right of d.
 //
 // Convolution follows the border of the first operand with the set on the left. Along an edge, the
 // support of its direction is added. At a corner where the border turns left, the border of the

@@ -50,8 +50,9 @@ LayerFile read_layer(std::string_view text, const LayerReadOptions& options = {}
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options = {},
                           Context& context = unlimited_context());
 
-/// Writes a layer as a FeatureCollection (RFC 7946), one feature a line. Coordinates are the nearest
-/// doubles. Features without polygons have the geometry null. Exceptions of `out` reach the caller.
+/// Writes a layer as a FeatureCollection (RFC 7946), one feature a line. Coordinates are the
+/// nearest doubles. Features without polygons have the geometry null. Exceptions of `out` reach the
+/// caller.
 void write_layer_geojson(std::ostream& out, const Layer& layer,
                          Context& context = unlimited_context());
 

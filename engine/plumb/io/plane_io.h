@@ -2,8 +2,8 @@
 //
 // WKT, GeoJSON and WKB files list polygons, lines and points (PlaneShapes). A polygon stands for
 // the points that its rings enclose by the even-odd rule, together with the points on its rings;
-// the caller may choose another rule (RingRule). A line stands for the set of its points. A file stands for the union of the sets of all its
-// polygons, lines and points.
+// the caller may choose another rule (RingRule). A line stands for the set of its points. A file
+// stands for the union of the sets of all its polygons, lines and points.
 //
 // Reading: a file in WKT, GeoJSON or WKB cannot state which boundary points belong to the set. A
 // set that is read from such a file is closed. Notes name the contents of a file that a set cannot

@@ -31,8 +31,8 @@ struct LinearExtrusion {
 };
 
 /// Returns the closed solid between an outline at the bottom and its image at the top. It is empty
-/// if the outline has no area. Throws Error{BadArgument} if the outline is unbounded or an option is
-/// out of its range, and Error{NotFinite} if a number is not finite.
+/// if the outline has no area. Throws Error{BadArgument} if the outline is unbounded or an option
+/// is out of its range, and Error{NotFinite} if a number is not finite.
 [[nodiscard]] Nef3 linear_extrusion(const Nef2& outline, const LinearExtrusion& options,
                                     Context& context = unlimited_context());
 

@@ -2,11 +2,11 @@
 //
 // Invariants of HullBuilder: the living faces form a closed convex surface of triangles with
 // positive areas; neighbour i of a face lies across the edge from corner i to the next corner; each
-// point that is not in the hull so far is in the list of one face that it sees. A face sees a point,
-// and the other way round, if the point lies strictly in front of its plane. A point of a removed
-// face that is outside of the new hull sees a new face: if it sees a removed face and its remaining
-// neighbour across the horizon, it also sees the new face between them, whose plane turns from one
-// to the other about their common edge.
+// point that is not in the hull so far is in the list of one face that it sees. A face sees a
+// point, and the other way round, if the point lies strictly in front of its plane. A point of a
+// removed face that is outside of the new hull sees a new face: if it sees a removed face and its
+// remaining neighbour across the horizon, it also sees the new face between them, whose plane turns
+// from one to the other about their common edge.
 //
 // A point in the plane of a face does not see it. The edge of the horizon between a face that is
 // seen and one that is not does not lie on a line with the point, so new faces have areas.

@@ -31,8 +31,8 @@ struct CircleDivision {
 
 /// Returns the number of chords of a circle. If `count` is positive, this is the integer part of
 /// `count`, and at least 3. Otherwise it is ceil(max(min(360 / angle, 2 pi radius / length), 5)).
-/// It is 3 if the radius is less than 2^-20. Throws Error{ResourceLimit} if there are more than 2^20
-/// chords.
+/// It is 3 if the radius is less than 2^-20. Throws Error{ResourceLimit} if there are more than
+/// 2^20 chords.
 [[nodiscard]] std::uint32_t chords_of(double radius, const CircleDivision& division);
 
 /// Returns the cosine of an angle in degrees; exact for multiples of 60 and 90 degrees, and the

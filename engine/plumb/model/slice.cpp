@@ -2,8 +2,8 @@
 //
 // The result of a Boolean with a plane z = c is flat: all its facets lie in this plane. Its edges
 // are segments of the arrangement from which the subdivision of the plane is made. They cross
-// nowhere, so each edge of the arrangement is one edge of the flat set, and takes its mark; the face
-// on a side takes the mark of the facet on this side, if there is one.
+// nowhere, so each edge of the arrangement is one edge of the flat set, and takes its mark; the
+// face on a side takes the mark of the facet on this side, if there is one.
 //
 // Tested by tests/model/slice_test.cpp.
 #include "plumb/model/slice.h"

@@ -3,7 +3,8 @@
 // All features are arranged exactly, so every question about overlaps and gaps is one about the
 // faces of the arrangement and the lists of the features that cover them. Lists follow from the
 // list of face 0, which is empty: across an edge, those polygons change that have an odd number of
-// curves on the edge. The dual graph of an arrangement is connected, so one search visits all faces.
+// curves on the edge. The dual graph of an arrangement is connected, so one search visits all
+// faces.
 //
 // The result is made of labels of faces (owners). Edges between equal labels are left out, and the
 // pieces of one curve that remain on both sides of a left-out crossing become one curve again, so

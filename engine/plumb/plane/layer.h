@@ -157,8 +157,8 @@ struct RepairedLayer {
 /// Returns the layer without overlaps and gaps, and a report. An overlap that covers a feature
 /// completely, together with other overlaps, goes to this feature, whatever the rule is. So such a
 /// feature does not vanish, unless several features are equal. Throws Error{NumberOutOfRange} if
-/// coordinates are too large to be rounded, ResourceLimit if a limit of the Context is exceeded, and
-/// Cancelled if a stop is requested.
+/// coordinates are too large to be rounded, ResourceLimit if a limit of the Context is exceeded,
+/// and Cancelled if a stop is requested.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
                            Context& context = unlimited_context());
 

@@ -10,9 +10,9 @@
 // set reaches infinity, and changes only while one set alone holds it. A use count of 1 is read
 // relaxed, so an acquire fence comes before memory is reused that other threads may have read.
 //
-// Unions and intersections of many sets are computed in a balanced tree of neighbours (halve()), its
-// halves in parallel. All orders give the same set; the order decides how large intermediate sets
-// are.
+// Unions and intersections of many sets are computed in a balanced tree of neighbours (halve()),
+// its halves in parallel. All orders give the same set; the order decides how large intermediate
+// sets are.
 //
 // Tested by tests/space/nef3_test.cpp, tests/space/nef3_property_test.cpp and
 // tests/space/threads_test.cpp.

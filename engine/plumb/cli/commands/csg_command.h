@@ -21,8 +21,8 @@ namespace plumb::cli {
 /// The lines that explain how a model was evaluated: for each node the time without that of its
 /// children, the number of facets or edges, and what it is.
 ///
-/// Nodes that only pass on their child are not shown. If a node is equal to one that has been shown,
-/// its subtree is not shown again.
+/// Nodes that only pass on their child are not shown. If a node is equal to one that has been
+/// shown, its subtree is not shown again.
 class CsgTreeView {
  public:
   CsgTreeView(const CsgTree& tree, const CsgResult& result) : tree_(tree), result_(result) {}

@@ -1,10 +1,9 @@
-// The commands that make, move and measure models: `plumb solid make`, `hull`, `extrude`, `revolve`,
-// `transform`, `slice`, `project` and `components`.
+// The commands that make, move and measure models: `plumb solid make`, `hull`, `extrude`,
+// `revolve`, `transform`, `slice`, `project` and `components`.
 //
-// Results are sets of space or of the plane, so the commands share everything else with set_command.h.
-// A command whose operands and result are of different kinds has a kind of its own: the kind of the
-// result with the input of the operand.
-// Tested by tests/cli/model_command_test.cpp.
+// Results are sets of space or of the plane, so the commands share everything else with
+// set_command.h. A command whose operands and result are of different kinds has a kind of its own:
+// the kind of the result with the input of the operand. Tested by tests/cli/model_command_test.cpp.
 
 #include <array>
 #include <cstdint>

@@ -23,9 +23,10 @@ std::string read_input(const std::string& path, Context& context);
 /// been resolved. `folder` may be empty, which is the current folder. A file that does not exist
 /// lies where its name leads.
 bool lies_below(const std::string& folder, const std::string& file);
-/// Returns the path of a file that the file `input` names, relative to the folder of `input`. Throws
-/// Error{CannotOpen}, whose text names `input` and quotes nothing but the name, if the file lies
-/// outside of this folder and `named_files` does not allow that, or if it is not an ordinary file.
+/// Returns the path of a file that the file `input` names, relative to the folder of `input`.
+/// Throws Error{CannotOpen}, whose text names `input` and quotes nothing but the name, if the file
+/// lies outside of this folder and `named_files` does not allow that, or if it is not an ordinary
+/// file.
 std::string named_file(const std::string& input, const std::string& name, NamedFiles named_files);
 
 /// Returns what `path` is called in messages: itself, or "stdin" for "-".

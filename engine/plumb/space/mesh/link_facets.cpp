@@ -105,9 +105,9 @@ class Doubles {
  public:
   Doubles(const MeshFacets& facets, const MeshLinks& links) : facets_(facets), links_(links) {}
 
-  /// Returns for each facet the first one with the same boundary, or itself; an empty list if no two
-  /// facets have the same boundary. Cost: O(n log n) for n corners, however many facets share an
-  /// edge.
+  /// Returns for each facet the first one with the same boundary, or itself; an empty list if no
+  /// two facets have the same boundary. Cost: O(n log n) for n corners, however many facets share
+  /// an edge.
   std::vector<std::uint32_t> find() {
     std::vector<std::uint32_t> beginning;  // The facets whose cycles begin with an edge.
     for (std::size_t e = 0; e < links_.edge_count(); ++e) {
