@@ -138,6 +138,9 @@ TEST(Extrusion, RefusesWhatItCannotDo) {
   EXPECT_THROW(static_cast<void>(linear_extrusion(!square, {})), Error);
   EXPECT_THROW(static_cast<void>(rotational_extrusion(box(-1, 0, 1, 1), 360, 8)), Error);
   EXPECT_THROW(static_cast<void>(rotational_extrusion(square, 360, 2)), Error);
+  EXPECT_THROW(static_cast<void>(rotational_extrusion(square, 270, 1)), Error);
+  EXPECT_THROW(static_cast<void>(rotational_extrusion(square, -180, 1)), Error);
+  EXPECT_THROW(static_cast<void>(rotational_extrusion(square, 90, 0)), Error);
   EXPECT_TRUE(linear_extrusion(Nef2::point({1, 1}), {}).is_empty());
   EXPECT_TRUE(rotational_extrusion(square, 0, 8).is_empty());
 }

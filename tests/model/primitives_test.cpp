@@ -105,6 +105,9 @@ TEST(Primitives, RefusesWrongSizes) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(static_cast<void>(box_mesh({1, 0, 1}, Placement::Corner)), Error);
   EXPECT_THROW(static_cast<void>(box_mesh({1, nan, 1}, Placement::Corner)), Error);
+  EXPECT_THROW(static_cast<void>(box_mesh({0x1p-1074, 1, 1}, Placement::Centred)), Error);
+  EXPECT_THROW(static_cast<void>(torus_mesh(2, 1, 1U << 20U, 1U << 20U)), Error);
+  EXPECT_THROW(static_cast<void>(sphere_mesh(1, 1U << 21U)), Error);
   EXPECT_THROW(static_cast<void>(sphere_mesh(-1, 8)), Error);
   EXPECT_THROW(static_cast<void>(sphere_mesh(1, 2)), Error);
   EXPECT_THROW(static_cast<void>(cylinder_mesh(1, 0, 0, 8, Placement::Corner)), Error);

@@ -75,11 +75,12 @@ OutlineMesh outline_mesh(const Nef2& outline, Context& context) {
 /// Collects the layers of a solid and the faces between them.
 class Sweep {
  public:
-  explicit Sweep(const OutlineMesh& outline) : outline_(outline) {}
+  Sweep(const OutlineMesh& outline, Context& context) : outline_(outline), memory_(context) {}
 
   /// Adds a layer: a function from the number of a corner to a point.
   template <class Place>
   void add_layer(const Place& place) {
+    expect_layer();
     for (std::uint32_t v = 0; v < outline_.corners.size(); ++v) {
       const auto p = static_cast<std::uint32_t>(mesh_.points.size());
       const RationalPoint3 at = place(v);
@@ -90,6 +91,7 @@ class Sweep {
   /// Adds a layer of doubles.
   template <class Place>
   void add_rounded_layer(const Place& place) {
+    expect_layer();
     for (std::uint32_t v = 0; v < outline_.corners.size(); ++v) {
       mesh_.points.push_back(place(outline_.corners.approx(v)));
     }
@@ -128,6 +130,16 @@ class Sweep {
   }
 
  private:
+  static constexpr std::size_t kMostPoints = std::size_t{1} << 30;
+  static constexpr std::uint64_t kBytesPerPoint = 160;  // With the faces at a point.
+
+  /// Charges the memory of one more layer.
+  void expect_layer() {
+    if (mesh_.points.size() + outline_.corners.size() > kMostPoints) {
+      throw Error(ErrorCode::ResourceLimit, "an extrusion has more than 2^30 corners");
+    }
+    memory_.add(kBytesPerPoint * outline_.corners.size(), "an extrusion");
+  }
   std::uint32_t at(std::uint32_t layer, std::uint32_t corner) const {
     return layer * static_cast<std::uint32_t>(outline_.corners.size()) + corner;
   }
@@ -140,6 +152,7 @@ class Sweep {
 
   const OutlineMesh& outline_;
   PolygonMesh mesh_;
+  MemoryCharge memory_;
 };
 
 void require_extrusion(const LinearExtrusion& options) {
@@ -179,7 +192,7 @@ Nef3 linear_extrusion(const Nef2& outline, const LinearExtrusion& options, Conte
   if (flat.edges.empty()) return Nef3::empty();
   const double low = options.centred ? -options.height / 2 : 0;
   const bool is_straight = options.twist == 0 && options.scale == std::array<double, 2>{1, 1};
-  Sweep sweep(flat);
+  Sweep sweep(flat, context);
   if (is_straight) {
     for (const double z : {low, low + options.height}) {
       const Rational height = exact_rational(z);
@@ -218,15 +231,18 @@ Nef3 rotational_extrusion(const Nef2& outline, double angle, std::uint32_t steps
                           Context& context) {
   if (!is_finite(angle)) throw Error(ErrorCode::NotFinite, "the angle of a turn must be finite");
   const bool is_full = !(std::fabs(angle) < 360);
-  if (steps < (is_full ? 3U : 1U) || steps > kMostSlices) {
-    throw Error(ErrorCode::BadArgument, "a full turn needs from 3 to 1048576 steps");
+  const double turn = is_full ? 360 : std::fabs(angle);
+  if (steps < 1 || steps > kMostSlices) {
+    throw Error(ErrorCode::BadArgument, "a turn needs from 1 to 1048576 steps");
+  }
+  if (!(turn / steps < 180)) {
+    throw Error(ErrorCode::BadArgument, "a step of a turn must be less than 180 degrees");
   }
   const OutlineMesh flat = outline_mesh(outline, context);
   if (flat.edges.empty() || angle == 0) return Nef3::empty();
   const Sign side = side_of_axis(flat.corners);
   const bool turns_left = (is_full || angle > 0);
-  const double turn = is_full ? 360 : std::fabs(angle);
-  Sweep sweep(flat);
+  Sweep sweep(flat, context);
   const std::uint32_t layers = is_full ? steps : steps + 1;
   for (std::uint32_t i = 0; i < layers; ++i) {
     context.checkpoint("turn", i, layers);

@@ -40,7 +40,7 @@ struct LinearExtrusion {
 /// y) starts at (x, 0, y), or at (-x, 0, y) for a full turn. `angle` is in degrees; a negative one
 /// turns clockwise, and 360 or more is a full turn. The turn consists of `steps` equal steps.
 /// Requires that the outline does not have points on both sides of the line x = 0. Throws
-/// Error{BadArgument} if it has, or is unbounded, or steps < 3 for a full turn, or steps < 1.
+/// Error{BadArgument} if it has, or is unbounded, or if a step is 180 degrees or more.
 [[nodiscard]] Nef3 rotational_extrusion(const Nef2& outline, double angle, std::uint32_t steps,
                                         Context& context = unlimited_context());
 

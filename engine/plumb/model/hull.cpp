@@ -226,7 +226,7 @@ class HullBuilder {
   void start(const Simplex& simplex) {
     std::array<std::uint32_t, 4> v{simplex[0], simplex[1], simplex[2], simplex[3]};
     if (points_.side({v[0], v[1], v[2]}, v[3]) == Sign::Negative) std::swap(v[0], v[1]);
-    // Point 3 lies behind the face 0 1 2 now.
+    // Point 3 lies behind the face 0 1 2.
     add_face({v[0], v[1], v[2]}, {1, 2, 3});
     add_face({v[1], v[0], v[3]}, {0, 3, 2});
     add_face({v[2], v[1], v[3]}, {0, 1, 3});

@@ -38,39 +38,44 @@ class Components {
     for (std::uint32_t v = 0; v < c.vertex_count(); ++v) join_vertex(VertexId(v));
   }
 
-  /// Returns the marks of each component, in the order of their least cells.
-  std::vector<SpaceMarks> marks() {
-    const SpaceMarks none{std::vector<Mark>(c_.vertex_count()), std::vector<Mark>(c_.edge_count()),
-                          std::vector<Mark>(c_.facet_count()),
-                          std::vector<Mark>(c_.volume_count())};
-    std::vector<SpaceMarks> result;
-    std::vector<std::uint32_t> number(numbers_.size(), kNoComponent);
-    const auto marks_of = [&](std::uint32_t cell) -> SpaceMarks& {
-      std::uint32_t& n = number[classes_.root(cell)];
-      if (n == kNoComponent) {
-        n = static_cast<std::uint32_t>(result.size());
-        result.push_back(none);
-      }
-      return result[n];
-    };
-    for (std::uint32_t i = 0; i < c_.volume_count(); ++i) {
-      if (is_marked(VolumeId(i))) marks_of(numbers_.of(VolumeId(i))).volume[i] = 1;
-    }
-    for (std::uint32_t i = 0; i < c_.facet_count(); ++i) {
-      if (is_marked(FacetId(i))) marks_of(numbers_.of(FacetId(i))).facet[i] = 1;
-    }
-    for (std::uint32_t i = 0; i < c_.edge_count(); ++i) {
-      if (is_marked(EdgeId(i))) marks_of(numbers_.of(EdgeId(i))).edge[i] = 1;
-    }
-    for (std::uint32_t i = 0; i < c_.vertex_count(); ++i) {
-      if (is_marked(VertexId(i))) marks_of(numbers_.of(VertexId(i))).vertex[i] = 1;
-    }
-    return result;
+  /// Numbers the components in the order of their least cells, and returns their count.
+  std::uint32_t number_them() {
+    number_.assign(numbers_.size(), kNoComponent);
+    std::uint32_t count = 0;
+    for_each_marked([&](auto cell, std::vector<Mark> SpaceMarks::*) {
+      std::uint32_t& n = number_[classes_.root(numbers_.of(cell))];
+      if (n == kNoComponent) n = count++;
+    });
+    return count;
+  }
+  /// Returns the marks of the cells of one component.
+  SpaceMarks marks_of(std::uint32_t component) {
+    SpaceMarks marks{std::vector<Mark>(c_.vertex_count()), std::vector<Mark>(c_.edge_count()),
+                     std::vector<Mark>(c_.facet_count()), std::vector<Mark>(c_.volume_count())};
+    for_each_marked([&](auto cell, std::vector<Mark> SpaceMarks::*list) {
+      if (number_[classes_.root(numbers_.of(cell))] == component) (marks.*list)[cell.value()] = 1;
+    });
+    return marks;
   }
 
  private:
   static constexpr std::uint32_t kNoComponent = 0xffffffff;
 
+  /// Calls visit(cell, list of its marks) for all marked cells, volumes first.
+  template <class Visit>
+  void for_each_marked(const Visit& visit) const {
+    for_each_marked_of<VolumeId>(c_.volume_count(), &SpaceMarks::volume, visit);
+    for_each_marked_of<FacetId>(c_.facet_count(), &SpaceMarks::facet, visit);
+    for_each_marked_of<EdgeId>(c_.edge_count(), &SpaceMarks::edge, visit);
+    for_each_marked_of<VertexId>(c_.vertex_count(), &SpaceMarks::vertex, visit);
+  }
+  template <class Id, class Visit>
+  void for_each_marked_of(std::size_t count, std::vector<Mark> SpaceMarks::*list,
+                          const Visit& visit) const {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (is_marked(Id(i))) visit(Id(i), list);
+    }
+  }
   bool is_marked(VolumeId v) const { return c_.volume_mark[v] == 1; }
   bool is_marked(FacetId f) const { return c_.facet_mark[f] == 1; }
   bool is_marked(EdgeId e) const { return c_.edge_mark[e] == 1; }
@@ -116,6 +121,7 @@ class Components {
   const SpaceComplex& c_;
   CellNumbers numbers_;
   UnionFind classes_;
+  std::vector<std::uint32_t> number_;  ///< Of the component, for each root.
 };
 
 std::size_t count_of_surfaces(const SpaceComplex& c) {
@@ -132,11 +138,14 @@ std::size_t count_of_surfaces(const SpaceComplex& c) {
 
 std::vector<Nef3> components(const Nef3& set, Context& context) {
   std::vector<Nef3> parts;
-  const std::vector<SpaceMarks> marks = Components(set.complex()).marks();
-  if (marks.size() == 1) return {set};
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    context.checkpoint("components", i, marks.size());
-    parts.push_back(set.with_marks(marks[i], context));
+  MemoryCharge memory(context);
+  Components found(set.complex());
+  const std::uint32_t count = found.number_them();
+  if (count == 1) return {set};
+  for (std::uint32_t i = 0; i < count; ++i) {
+    context.checkpoint("components", i, count);
+    parts.push_back(set.with_marks(found.marks_of(i), context));
+    memory.add(parts.back().bytes(), "components");
   }
   return parts;
 }

@@ -58,6 +58,18 @@ std::vector<Point3> circle(double radius, std::uint32_t chords, double z) {
 
 void require_chords(std::uint32_t chords) {
   require_size(chords >= 3, "a circle needs at least 3 chords");
+  if (chords > kMostChords) {
+    throw Error(ErrorCode::ResourceLimit, "a circle has more than 1048576 chords");
+  }
+}
+
+/// Charges the points of a solid made of circles. Throws Error{ResourceLimit} if they are too many.
+void charge_circles(std::uint64_t circles, std::uint64_t chords, MemoryCharge& memory) {
+  constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 30, kBytesPerPoint = 120;
+  if (circles * chords > kMostPoints) {
+    throw Error(ErrorCode::ResourceLimit, "a solid has more than 2^30 corners");
+  }
+  memory.add(kBytesPerPoint * circles * chords, "a solid");
 }
 
 }  // namespace
@@ -92,7 +104,8 @@ std::uint32_t chords_of(double radius, const CircleDivision& division) {
 
 PolygonMesh box_mesh(const std::array<double, 3>& size, Placement placement) {
   require_finite_numbers({size[0], size[1], size[2]});
-  require_size(size[0] > 0 && size[1] > 0 && size[2] > 0, "a box needs positive lengths");
+  require_size(size[0] / 2 > 0 && size[1] / 2 > 0 && size[2] / 2 > 0,
+               "a box needs positive lengths");
   const double low = placement == Placement::Centred ? -0.5 : 0;
   PolygonMesh mesh;
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
@@ -112,8 +125,11 @@ PolygonMesh sphere_mesh(double radius, std::uint32_t chords, Context& context) {
   require_size(radius > 0, "a sphere needs a positive radius");
   require_chords(chords);
   const std::uint32_t rings = (chords + 1) / 2;
+  MemoryCharge memory(context);
+  charge_circles(rings, chords, memory);
   std::vector<Point3> points;
   for (std::uint32_t i = 0; i < rings; ++i) {
+    context.checkpoint("sphere", i, rings);
     const double polar = 180. * (i + 0.5) / rings;
     const std::vector<Point3> ring =
         circle(radius * sine_of_degrees(polar), chords, radius * cosine_of_degrees(polar));
@@ -153,14 +169,17 @@ PolygonMesh cylinder_mesh(double height, double bottom_radius, double top_radius
 }
 
 PolygonMesh torus_mesh(double radius, double tube_radius, std::uint32_t chords,
-                       std::uint32_t tube_chords) {
+                       std::uint32_t tube_chords, Context& context) {
   require_finite_numbers({radius, tube_radius});
   require_size(tube_radius > 0 && radius > tube_radius,
                "the tube of a torus needs a positive radius that is less than that of the torus");
   require_chords(chords);
   require_chords(tube_chords);
+  MemoryCharge memory(context);
+  charge_circles(chords, tube_chords, memory);
   PolygonMesh mesh;
   for (std::uint32_t i = 0; i < chords; ++i) {
+    context.checkpoint("torus", i, chords);
     const double around = 360. * i / chords;
     for (std::uint32_t j = 0; j < tube_chords; ++j) {
       const double angle = 360. * j / tube_chords;
@@ -183,7 +202,7 @@ PolygonMesh torus_mesh(double radius, double tube_radius, std::uint32_t chords,
 
 Nef2 rectangle(const std::array<double, 2>& size, Placement placement) {
   require_finite_numbers({size[0], size[1]});
-  require_size(size[0] > 0 && size[1] > 0, "a rectangle needs positive lengths");
+  require_size(size[0] / 2 > 0 && size[1] / 2 > 0, "a rectangle needs positive lengths");
   const double low = placement == Placement::Centred ? -0.5 : 0;
   const double x = size[0] * low, y = size[1] * low;
   const double to_x = size[0] * (low + 1), to_y = size[1] * (low + 1);

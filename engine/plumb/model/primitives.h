@@ -8,8 +8,9 @@
 // shallow dents.
 //
 // Cost: O(n log n) for n vertices of spheres and cones, O(n) for all others. Errors: every function
-// throws Error{NotFinite} if a number is not finite, and Error{BadArgument} if a number is out of
-// the range that is stated for it.
+// throws Error{NotFinite} if a number is not finite, Error{BadArgument} if a number is out of the
+// range that is stated for it, and Error{ResourceLimit} for more than 2^20 chords of a circle. Lengths
+// must not vanish when they are halved.
 #pragma once
 
 #include <array>
@@ -63,7 +64,8 @@ enum class Placement : std::uint8_t {
 /// Returns a torus around the z-axis. `radius` is the distance of the centre of the tube from the
 /// axis. Requires radius > tube_radius > 0, and at least 3 chords each.
 [[nodiscard]] PolygonMesh torus_mesh(double radius, double tube_radius, std::uint32_t chords,
-                                     std::uint32_t tube_chords);
+                                     std::uint32_t tube_chords,
+                                     Context& context = unlimited_context());
 
 /// Returns a closed rectangle. Requires lengths > 0.
 [[nodiscard]] Nef2 rectangle(const std::array<double, 2>& size, Placement placement);

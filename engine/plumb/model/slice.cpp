@@ -9,6 +9,7 @@
 #include "plumb/model/slice.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "plumb/plane/arrangement.h"

@@ -1,7 +1,7 @@
 #include "plumb/model/transform.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "plumb/model/primitives.h"
 #include "plumb/predicates/arithmetic/double_bits.h"

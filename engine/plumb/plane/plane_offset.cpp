@@ -48,7 +48,8 @@ Vector right_normal(const Vector& d, double distance) {
   const Rational y = absolute(d.y);
   const Rational& greater = std::max(x, y);
   const double ratio = nearest_double(std::min(x, y) / greater);
-  const Rational length = exact_rational(distance / std::sqrt(1 + ratio * ratio));
+  const Rational length =
+      exact_rational(distance) * exact_rational(1 / std::sqrt(1 + ratio * ratio));
   return {d.y / greater * length, -d.x / greater * length};
 }
 

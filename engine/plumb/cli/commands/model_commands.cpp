@@ -104,7 +104,8 @@ class MakeSolid : public SetOperation<MadeSolid> {
     const double radius = double_argument(radius_, "--radius", session);
     if (shape_ == "sphere") return sphere_mesh(radius, segments_, context);
     if (shape_ == "torus") {
-      return torus_mesh(radius, double_argument(tube_, "--tube", session), segments_, segments_);
+      return torus_mesh(radius, double_argument(tube_, "--tube", session), segments_, segments_,
+                        context);
     }
     const double height = double_argument(height_, "--height", session);
     const double top = shape_ == "cone" ? double_argument(top_, "--top", session) : radius;
