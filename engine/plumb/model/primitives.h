@@ -9,8 +9,8 @@
 //
 // Cost: O(n log n) for n vertices of spheres and cones, O(n) for all others. Errors: every function
 // throws Error{NotFinite} if a number is not finite, Error{BadArgument} if a number is out of the
-// range that is stated for it, and Error{ResourceLimit} for more than 2^20 chords of a circle. Lengths
-// must not vanish when they are halved.
+// range that is stated for it, and Error{ResourceLimit} for more than 2^20 chords of a circle.
+// Lengths must not vanish when they are halved.
 #pragma once
 
 #include <array>
