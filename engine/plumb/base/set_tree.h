@@ -35,10 +35,10 @@ struct SetTree {
   /// A node. The children of a union or an intersection have no order. A difference subtracts all
   /// other children from the first one. A complement has one child, and a symmetric difference two.
   struct Node {
-    SetOperator op = SetOperator::Operand;
-    std::uint32_t operand = 0;      ///< The number of the operand, if `op` is Operand.
-    std::uint32_t first_child = 0;  ///< Index into `children`.
-    std::uint32_t child_count = 0;  ///< The number of children; 0 for an operand.
+    SetOperator op = SetOperator::Operand;  ///< What the node is.
+    std::uint32_t operand = 0;              ///< The number of the operand, if `op` is Operand.
+    std::uint32_t first_child = 0;          ///< Index into `children`.
+    std::uint32_t child_count = 0;          ///< The number of children; 0 for an operand.
   };
   std::vector<Node> nodes;              ///< All nodes.
   std::vector<std::uint32_t> children;  ///< Indices of nodes.

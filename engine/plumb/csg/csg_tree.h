@@ -69,7 +69,7 @@ enum class CsgKind : std::uint8_t {
 struct CsgTree {
   /// A node.
   struct Node {
-    CsgKind kind = CsgKind::Root;
+    CsgKind kind = CsgKind::Root;    ///< What the node is.
     std::uint32_t end = 1;           ///< The node after the last node of the subtree.
     std::uint32_t first_number = 0;  ///< Index into `numbers`.
     std::uint32_t number_count = 0;  ///< How many numbers the node has.

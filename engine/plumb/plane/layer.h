@@ -113,6 +113,7 @@ enum class LayerRegionKind : std::uint8_t {
 
 /// A region of a report: a connected overlap of the same features, a gap or a hole.
 struct LayerRegion {
+  /// The owner of a region that belongs to no feature.
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
   LayerRegionKind kind;          ///< What the region is.
