@@ -88,7 +88,7 @@ struct PlaneFile {
 /// the function below under RingRule::Odd. Lines and points are united with the polygons.
 Nef2 to_set(const PlaneShapes& shapes, RingRule rule, Context& context = unlimited_context());
 
-/// Returns the set for which the shapes stand. First, each polygon whose rings meet at points other
+/// Returns the set that the shapes represent. First, each polygon whose rings meet at points other
 /// than common corners is resolved by a sweep of its own. Then one sweep handles all polygons
 /// together. A polygon needs no sweep of its own if its rings meet only at common corners, for
 /// example if a hole touches the outer ring at a corner. Cost: O((n + k) log n) for n corners and k

@@ -55,7 +55,7 @@ namespace plumb {
 /// O(log m) nodes. A set of one curve needs no node.
 class SegmentSets {
  public:
-  /// The id of a set. The invalid id is the empty set.
+  /// The id of a set. The invalid id stands for the empty set.
   using Set = StrongId<struct SegmentSetTag>;
   /// Memory of a node in bytes. A node has 12 bytes. The value is twice as large because the array
   /// of nodes grows by doubling.
