@@ -1,0 +1,55 @@
+// What a mesh carries besides its points and faces: numbers at corners, materials, groups and ids.
+//
+// All arrays are flat and belong to one mesh. Each array is either empty or complete: it has an
+// entry for each face, or `width` entries for each corner, in the order of the arrays of the mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// A channel: the same few numbers at each corner of each face, for instance texture coordinates. A
+/// point of a face has the values that follow from the values at the corners of its triangle by
+/// linear interpolation.
+struct MeshChannel {
+  /// The name of the channel. Readers and writers of files use these names where they fit:
+  /// "color" (3 or 4 numbers from 0 to 1), "normal" (3), "texcoord_0", "texcoord_1", ... (2).
+  std::string name;
+  std::uint32_t width = 1;  ///< How many numbers each corner has.
+  /// The numbers of corner c are values[c * width], ..., values[c * width + width - 1]. Corners are
+  /// numbered as in PolygonMesh::corners.
+  std::vector<double> values;
+};
+
+/// A material that faces refer to.
+struct MeshMaterial {
+  std::string name;                            ///< Its name in the file. Can be empty.
+  std::optional<std::array<double, 4>> color;  ///< Red, green, blue and opacity, from 0 to 1.
+  std::string texture;  ///< The name of its texture file as the input states it. Can be empty.
+};
+
+/// The attributes of a mesh. A default-constructed object means that there are none.
+struct MeshAttributes {
+  /// The index of a face without a material or without a group.
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  std::vector<MeshChannel> channels;         ///< Numbers at corners.
+  std::vector<MeshMaterial> materials;       ///< The materials that faces refer to.
+  std::vector<std::uint32_t> face_material;  ///< For each face, its material or kNone.
+  std::vector<std::string> groups;           ///< Names of the groups that faces refer to.
+  std::vector<std::uint32_t> face_group;     ///< For each face, its group or kNone.
+  std::vector<std::uint32_t> face_id;        ///< For each face, an id that the user chose.
+
+  /// Whether there are no attributes.
+  [[nodiscard]] bool empty() const {
+    return channels.empty() && face_material.empty() && face_group.empty() && face_id.empty();
+  }
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop
