@@ -274,11 +274,13 @@ void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<co
   draft.solid_count += static_cast<std::uint32_t>(complex.volume_count());
 }
 
-/// Replaces solids, with all that touch them, by the points of positive winding number.
-Draft mended(Draft draft, const std::vector<std::uint8_t>& is_broken, const ToMeshOptions& options,
-             Context& context) {
+/// Replaces damaged solids, with all that touch them, by the points of positive winding number.
+/// Solids may touch in points that are equal only after rounding, so equal points are welded before
+/// what touches is found.
+Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Context& context) {
   draft.mesh.exact.clear();
   weld_points(draft.mesh, 0, context);
+  const std::vector<std::uint8_t> is_broken = connected_with_damage(draft, damage);
   Draft kept;
   kept.solid_count = draft.solid_count;
   PolygonMesh broken;
@@ -356,7 +358,7 @@ class RoundingRepairer {
       is_new_ = false;
       return *move;
     }
-    draft = mended(std::move(draft), is_broken, options_, context_);
+    draft = mended(std::move(draft), damage, options_, context_);
     has_first_places_ = false;
     return round_mended(draft);
   }
