@@ -264,7 +264,7 @@ plumb_status layers() {
                        nullptr, report));
   TRY(plumb_layer_repair(layer, PLUMB_OWNER_LARGEST, -1, repaired.out(), found.out(), nullptr,
                          report));
-  TRY(plumb_layer_report_write(found, layer, "geojson", text.out(), nullptr, report));
+  TRY(plumb_layer_report_write(found, layer, "text", text.out(), nullptr, report));
   return PLUMB_OK;
 }
 
