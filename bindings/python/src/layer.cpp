@@ -1,12 +1,13 @@
 // plumb.Layer and plumb.LayerReport: features with polygons, and the repair of their overlaps and
 // gaps. Ids and properties are kept as JSON texts, and are parsed when they are asked for.
 // Tests: tests/test_layer.py.
+#include "plumb/plane/layer.h"
+
 #include <sstream>
 
 #include "binding.h"
 #include "plumb/io/layer_io.h"
 #include "plumb/io/text/files.h"
-#include "plumb/plane/layer.h"
 
 namespace plumb::python {
 namespace {
@@ -21,9 +22,9 @@ OwnerRule owner_rule(const std::string& name) {
   if (name == "largest") return OwnerRule::Largest;
   if (name == "smallest") return OwnerRule::Smallest;
   if (name == "first") return OwnerRule::First;
-  throw Error(ErrorCode::BadArgument,
-              "rule must be 'longest-border', 'largest', 'smallest' or 'first', not '" + name +
-                  "'");
+  throw Error(
+      ErrorCode::BadArgument,
+      "rule must be 'longest-border', 'largest', 'smallest' or 'first', not '" + name + "'");
 }
 
 const char* kind_name(LayerRegionKind kind) {
@@ -137,8 +138,7 @@ void def_reading(nb::class_<Layer>& c) {
 }  // namespace
 
 void bind_layer(nb::module_& m) {
-  nb::class_<LayerReport> report(m, "LayerReport",
-                                 "What Layer.repaired() has found and changed.");
+  nb::class_<LayerReport> report(m, "LayerReport", "What Layer.repaired() has found and changed.");
   report.def_prop_ro("regions", &regions_of,
                      "The overlaps, gaps and holes: a dict with kind ('overlap', 'gap', 'hole'), "
                      "area (an exact fraction), width, features (indices), and owner (an index, or "

@@ -82,15 +82,17 @@ Nef3 resized(Context& context, const Nef3& set, const Exact<3>& size,
 }
 
 void def_solid_makers(nb::class_<Nef3>& c) {
-  def_run_static(c, "sphere", &sphere,
-                 "Return a ball around the origin whose equator has `chords` corners. It is exactly "
-                 "convex.",
-                 "radius"_a, "chords"_a = 30U);
-  def_run_static(c, "cylinder", &cylinder,
-                 "Return a cylinder along the z-axis, or with another radius at the top a cone or a "
-                 "frustum. It begins at z = 0, or is `centred`.",
-                 "height"_a, "bottom_radius"_a, "top_radius"_a = nb::none(), "chords"_a = 30U,
-                 "centred"_a = false);
+  def_run_static(
+      c, "sphere", &sphere,
+      "Return a ball around the origin whose equator has `chords` corners. It is exactly "
+      "convex.",
+      "radius"_a, "chords"_a = 30U);
+  def_run_static(
+      c, "cylinder", &cylinder,
+      "Return a cylinder along the z-axis, or with another radius at the top a cone or a "
+      "frustum. It begins at z = 0, or is `centred`.",
+      "height"_a, "bottom_radius"_a, "top_radius"_a = nb::none(), "chords"_a = 30U,
+      "centred"_a = false);
   def_run_static(c, "torus", &torus,
                  "Return a torus around the z-axis. `radius` is the distance of the centre of the "
                  "tube from the axis.",
@@ -279,10 +281,9 @@ void def_csg(nb::module_& m) {
          std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
          nb::object progress) {
         const CsgReadOptions options{imports_of(imports), exact_decimals};
-        return model_of(
-            run(CallLimits{threads, timeout, memory_limit, std::move(progress)}, [&](Context& k) {
-              return evaluated(read_csg_file(path.string(), options, k), k);
-            }));
+        return model_of(run(
+            CallLimits{threads, timeout, memory_limit, std::move(progress)},
+            [&](Context& k) { return evaluated(read_csg_file(path.string(), options, k), k); }));
       },
       "path"_a, "imports"_a = "below", "exact_decimals"_a = false, nb::kw_only(), "threads"_a = 1U,
       "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
