@@ -1731,6 +1731,284 @@ static void test_scene(void) {
   FAILS(plumb_scene_new(kCube, 8, kTriangles, 12, NULL, &error), PLUMB_BAD_ARGUMENT);
 }
 
+/* ---- models --------------------------------------------------------------------------------- */
+
+static plumb_solid* box_of(double x, double y, double z) {
+  const double size[3] = {x, y, z};
+  plumb_solid* box = NULL;
+  OK(plumb_solid_box(size, false, &box, NULL, &error));
+  return box;
+}
+
+static void test_primitives(void) {
+  const double size[3] = {2, 2, 2}, flat[3] = {1, 0, 1}, nan_size[3] = {1, NAN, 1};
+  plumb_solid *a = box_of(1, 2, 3), *solid = NULL;
+  uint64_t handles = 7;
+  bool is_surface = false;
+  CHECK(has_volume(a, "6"));
+  OK(plumb_solid_genus(a, &is_surface, &handles, &error));
+  CHECK(is_surface && handles == 0);
+  plumb_solid_free(a);
+  OK(plumb_solid_box(size, true, &solid, NULL, &error));
+  CHECK(has_volume(solid, "8"));
+  plumb_solid_free(solid);
+  FAILS(plumb_solid_box(flat, false, &solid, NULL, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_solid_box(nan_size, false, &solid, NULL, &error), PLUMB_NOT_FINITE);
+  FAILS(plumb_solid_box(NULL, false, &solid, NULL, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_solid_cylinder(3, 2, 2, 4, true, &solid, NULL, &error)); /* Two triangles of area 4. */
+  CHECK(has_volume(solid, "24"));
+  plumb_solid_free(solid);
+  OK(plumb_solid_cylinder(3, 2, 0, 4, false, &solid, NULL, &error));
+  CHECK(has_volume(solid, "8"));
+  plumb_solid_free(solid);
+  OK(plumb_solid_sphere(1, 8, &solid, NULL, &error));
+  {
+    plumb_solid_info info = PLUMB_SOLID_INFO_INIT;
+    OK(plumb_solid_describe(solid, &info, &error));
+    CHECK(info.is_convex && info.vertices == 32);
+  }
+  plumb_solid_free(solid);
+  FAILS(plumb_solid_sphere(-1, 8, &solid, NULL, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_solid_torus(3, 1, 4, 4, &solid, NULL, &error));
+  OK(plumb_solid_genus(solid, &is_surface, &handles, &error));
+  CHECK(is_surface && handles == 1);
+  plumb_solid_free(solid);
+  OK(plumb_solid_whole(&solid, &error));
+  OK(plumb_solid_genus(solid, &is_surface, &handles, &error));
+  CHECK(!is_surface && handles == 0);
+  plumb_solid_free(solid);
+}
+
+static void test_hulls(void) {
+  plumb_solid *cube = cube_at(0, 0, 0), *far = cube_at(4, 0, 0), *hull = NULL;
+  const plumb_solid* both[2];
+  plumb_plane_set *square = square_at("0 0 1 0 1 1 0 1"), *other = square_at("0 4 1 4 1 5 0 5");
+  plumb_plane_set* flat = NULL;
+  const plumb_plane_set* squares[2];
+  plumb_numbers* n = numbers("0 0 0 1/3 0 0 0 1/3 0 0 0 1/3");
+  const double xy[8] = {0, 0, 1, 0, 1, 1, 0, 1};
+  both[0] = cube;
+  both[1] = far;
+  squares[0] = square;
+  squares[1] = other;
+  OK(plumb_solid_hull(kCube, 8, &hull, NULL, &error));
+  CHECK(same(hull, cube));
+  plumb_solid_free(hull);
+  OK(plumb_solid_hull_exact(n, &hull, NULL, &error));
+  CHECK(has_volume(hull, "1/162"));
+  plumb_solid_free(hull);
+  OK(plumb_solid_hull_of(both, 2, &hull, NULL, &error));
+  CHECK(has_volume(hull, "5"));
+  plumb_solid_free(hull);
+  plumb_numbers_free(n);
+  OK(plumb_plane_set_hull(xy, 4, &flat, NULL, &error));
+  CHECK(has_area(flat, "1"));
+  plumb_plane_set_free(flat);
+  n = numbers("0 0 1/2 0 0 1/2");
+  OK(plumb_plane_set_hull_exact(n, &flat, NULL, &error));
+  CHECK(has_area(flat, "1/8"));
+  plumb_plane_set_free(flat);
+  plumb_numbers_free(n);
+  OK(plumb_plane_set_hull_of(squares, 2, &flat, NULL, &error));
+  CHECK(has_area(flat, "5"));
+  plumb_plane_set_free(flat);
+  plumb_plane_set_free(square);
+  plumb_plane_set_free(other);
+  plumb_solid_free(cube);
+  plumb_solid_free(far);
+}
+
+static void test_extrusions(void) {
+  plumb_plane_set *square = square_at("1 0 3 0 3 2 1 2"), *shadow = NULL, *disk = NULL;
+  plumb_plane_set_list* slices = NULL;
+  plumb_extrusion tall = PLUMB_EXTRUSION_INIT;
+  plumb_solid* solid = NULL;
+  plumb_numbers *heights = numbers("0 1/3 9"), *box = NULL;
+  bool is_equal = false;
+  tall.height = 5;
+  OK(plumb_plane_set_extrude(square, &tall, &solid, NULL, &error));
+  CHECK(has_volume(solid, "20"));
+  OK(plumb_solid_slices(solid, heights, &slices, NULL, &error));
+  CHECK(plumb_plane_set_list_count(slices) == 3);
+  OK(plumb_plane_set_equals(plumb_plane_set_list_at(slices, 1), square, &is_equal, &error));
+  CHECK(is_equal && plumb_plane_set_is_empty(plumb_plane_set_list_at(slices, 2)));
+  OK(plumb_solid_shadow(solid, &shadow, NULL, &error));
+  OK(plumb_plane_set_equals(shadow, square, &is_equal, &error));
+  CHECK(is_equal);
+  OK(plumb_solid_bounding_box(solid, &box, &error));
+  CHECK(plumb_numbers_count(box) == 6 && plumb_numbers_nearest(box, 5) == 5);
+  plumb_numbers_free(box);
+  plumb_plane_set_free(shadow);
+  plumb_plane_set_list_free(slices);
+  plumb_numbers_free(heights);
+  plumb_solid_free(solid);
+  tall.height = -1;
+  FAILS(plumb_plane_set_extrude(square, &tall, &solid, NULL, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_plane_set_revolve(square, 360, 4, &solid, NULL, &error)); /* 2 (2 * 9 - 2 * 1). */
+  CHECK(has_volume(solid, "32"));
+  plumb_solid_free(solid);
+  OK(plumb_plane_set_disk(2, 4, &disk, NULL, &error));
+  CHECK(has_area(disk, "8"));
+  FAILS(plumb_plane_set_revolve(disk, 360, 4, &solid, NULL, &error), PLUMB_BAD_ARGUMENT);
+  plumb_plane_set_free(disk);
+  plumb_plane_set_free(square);
+  OK(plumb_solid_empty(&solid, &error));
+  OK(plumb_solid_bounding_box(solid, &box, &error));
+  CHECK(plumb_numbers_count(box) == 0);
+  plumb_numbers_free(box);
+  plumb_solid_free(solid);
+}
+
+static void test_parts_and_maps(void) {
+  plumb_solid *a = cube_at(0, 0, 0), *b = cube_at(3, 0, 0), *both = NULL, *moved = NULL;
+  plumb_solid_list* parts = NULL;
+  plumb_numbers *map = NULL, *n = NULL;
+  const double axis[3] = {0, 0, 1}, skew[3] = {1, 2, 3}, nowhere[3] = {0, 0, 0};
+  const bool automatic[3] = {false, true, true};
+  OK(plumb_solid_union(a, b, &both, NULL, &error));
+  OK(plumb_solid_components(both, &parts, NULL, &error));
+  CHECK(plumb_solid_list_count(parts) == 2 && same(plumb_solid_list_at(parts, 0), a));
+  plumb_solid_list_free(parts);
+  OK(plumb_numbers_rotation(axis, 90, &map, &error));
+  CHECK(plumb_numbers_count(map) == 12 && !strcmp(plumb_numbers_exact(map, 1), "-1"));
+  plumb_numbers_free(map);
+  OK(plumb_numbers_rotation(skew, 40, &map, &error));
+  OK(plumb_solid_transform(a, map, &moved, NULL, &error));
+  CHECK(has_volume(moved, "1"));
+  plumb_solid_free(moved);
+  plumb_numbers_free(map);
+  FAILS(plumb_numbers_rotation(nowhere, 40, &map, &error), PLUMB_BAD_ARGUMENT);
+  n = numbers("2 1/3 1");
+  OK(plumb_numbers_scaling(n, &map, &error));
+  OK(plumb_solid_transform(a, map, &moved, NULL, &error));
+  CHECK(has_volume(moved, "2/3"));
+  plumb_solid_free(moved);
+  plumb_numbers_free(map);
+  OK(plumb_numbers_reflection(n, &map, &error));
+  plumb_numbers_free(map);
+  plumb_numbers_free(n);
+  n = numbers("8 0 0");
+  OK(plumb_numbers_resizing(both, n, automatic, &map, &error));
+  OK(plumb_solid_transform(both, map, &moved, NULL, &error));
+  CHECK(has_volume(moved, "16"));
+  plumb_solid_free(moved);
+  plumb_numbers_free(map);
+  OK(plumb_numbers_resizing(both, n, NULL, &map, &error));
+  CHECK(!strcmp(plumb_numbers_exact(map, 5), "1"));
+  plumb_numbers_free(map);
+  plumb_numbers_free(n);
+  plumb_solid_free(a);
+  plumb_solid_free(b);
+  plumb_solid_free(both);
+}
+
+static void test_offsets(void) {
+  plumb_plane_set *square = square_at("0 0 2 0 2 2 0 2"), *grown = NULL, *sum = NULL;
+  plumb_offset_options options = PLUMB_OFFSET_OPTIONS_INIT;
+  options.join = PLUMB_JOIN_MITRE;
+  OK(plumb_plane_set_offset(square, 1, &options, &grown, NULL, &error));
+  CHECK(has_area(grown, "16"));
+  OK(plumb_plane_set_minkowski_sum(square, grown, &sum, NULL, &error));
+  CHECK(has_area(sum, "36"));
+  plumb_plane_set_free(sum);
+  plumb_plane_set_free(grown);
+  options.join = 9;
+  FAILS(plumb_plane_set_offset(square, 1, &options, &grown, NULL, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_plane_set_offset(square, NAN, NULL, &grown, NULL, &error), PLUMB_NOT_FINITE);
+  plumb_plane_set_free(square);
+}
+
+static void test_csg(void) {
+  const char text[] = "difference() { cube(size = 2); cube(size = 1); }";
+  const char flat[] = "square(size = 3);";
+  const char bad[] = "cube(size = 1);\nfrob();";
+  const char import[] = "import(file = \"none.off\");";
+  plumb_solid* solid = NULL;
+  plumb_plane_set* set = NULL;
+  plumb_notes* notes = NULL;
+  OK(plumb_csg_read(text, sizeof text - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, &notes, NULL,
+                    &error));
+  CHECK(set == NULL && has_volume(solid, "7") && notes != NULL);
+  plumb_notes_free(notes);
+  plumb_solid_free(solid);
+  OK(plumb_csg_read(flat, sizeof flat - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL, NULL,
+                    &error));
+  CHECK(solid == NULL && has_area(set, "9"));
+  plumb_plane_set_free(set);
+  OK(plumb_csg_read("", 0, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL, NULL, &error));
+  CHECK(solid == NULL && set == NULL);
+  FAILS_WITH(plumb_csg_read(bad, sizeof bad - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL, NULL,
+                            &error),
+             PLUMB_UNKNOWN_FORMAT, ":2:1: ");
+  FAILS(plumb_csg_read(import, sizeof import - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL,
+                       NULL, &error),
+        PLUMB_CANNOT_OPEN);
+  FAILS(plumb_csg_read(text, sizeof text - 1, NULL, 8, &solid, &set, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_csg_read_file(path_of("none.csg"), NULL, PLUMB_IMPORTS_BELOW, &solid, &set, NULL,
+                            NULL, &error),
+        PLUMB_CANNOT_OPEN);
+}
+
+/* ---- layers --------------------------------------------------------------------------------- */
+
+static const char kLayer[] =
+    "{\"type\":\"FeatureCollection\",\"features\":["
+    "{\"type\":\"Feature\",\"id\":\"a\",\"properties\":{\"n\":1},\"geometry\":"
+    "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}},"
+    "{\"type\":\"Feature\",\"properties\":null,\"geometry\":"
+    "{\"type\":\"Polygon\",\"coordinates\":[[[3,0],[8,0],[8,4],[3,4],[3,0]]]}}]}";
+
+static void test_layer(void) {
+  plumb_layer *layer = NULL, *repaired = NULL;
+  plumb_layer_report* report = NULL;
+  plumb_notes* notes = NULL;
+  plumb_bytes* text = NULL;
+  plumb_numbers* area = NULL;
+  size_t count = 0;
+  OK(plumb_layer_read(kLayer, sizeof kLayer - 1, NULL, NULL, &layer, &notes, NULL, &error));
+  plumb_notes_free(notes);
+  CHECK(plumb_layer_feature_count(layer) == 2);
+  OK(plumb_layer_id(layer, 0, &text, &error));
+  CHECK(!strcmp(plumb_bytes_data(text), "\"a\""));
+  plumb_bytes_free(text);
+  OK(plumb_layer_properties(layer, 0, &text, &error));
+  CHECK(!strcmp(plumb_bytes_data(text), "{\"n\":1}"));
+  plumb_bytes_free(text);
+  FAILS(plumb_layer_id(layer, 2, &text, &error), PLUMB_BAD_INDEX);
+  OK(plumb_layer_repair(layer, PLUMB_OWNER_SMALLEST, -1, &repaired, &report, NULL, &error));
+  CHECK(plumb_layer_report_has_defects(report) && plumb_layer_report_count(report) == 1);
+  CHECK(plumb_layer_report_kind(report, 0) == PLUMB_LAYER_OVERLAP);
+  CHECK(plumb_layer_report_kind(report, 1) == -1);
+  CHECK(plumb_layer_report_owner(report, 0) == 0);
+  CHECK(plumb_layer_report_width(report, 0) == 0.8); /* 2 * 4 / 10. */
+  CHECK(plumb_layer_report_features(report, 0, &count) != NULL && count == 2);
+  OK(plumb_layer_report_area(report, 0, &area, &error));
+  CHECK(!strcmp(plumb_numbers_exact(area, 0), "4"));
+  plumb_numbers_free(area);
+  FAILS(plumb_layer_report_area(report, 1, &area, &error), PLUMB_BAD_INDEX);
+  OK(plumb_layer_report_write(report, layer, "json", &text, NULL, &error));
+  CHECK(plumb_bytes_data(text)[0] == '{');
+  plumb_bytes_free(text);
+  FAILS(plumb_layer_report_write(report, layer, "pdf", &text, NULL, &error), PLUMB_UNKNOWN_FORMAT);
+  OK(plumb_layer_write_file(repaired, path_of("layer.geojson"), NULL, &error));
+  plumb_layer_free(layer);
+  plumb_layer_report_free(report);
+  OK(plumb_layer_read_file(path_of("layer.geojson"), NULL, &layer, NULL, NULL, &error));
+  plumb_layer_free(repaired);
+  OK(plumb_layer_repair(layer, PLUMB_OWNER_FIRST, 0, &repaired, &report, NULL, &error));
+  CHECK(!plumb_layer_report_has_defects(report));
+  OK(plumb_layer_write(repaired, &text, NULL, &error));
+  CHECK(strstr(plumb_bytes_data(text), "FeatureCollection") != NULL);
+  plumb_bytes_free(text);
+  plumb_layer_report_free(report);
+  plumb_layer_free(repaired);
+  FAILS(plumb_layer_repair(layer, 9, -1, &repaired, NULL, NULL, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_layer_repair(layer, 0, NAN, &repaired, NULL, NULL, &error), PLUMB_NOT_FINITE);
+  plumb_layer_free(layer);
+  FAILS_WITH(plumb_layer_read("{", 1, NULL, NULL, &layer, NULL, NULL, &error), PLUMB_SYNTAX, ":1:");
+}
+
 int main(int count, char** arguments) {
   if (count > 1) folder = arguments[1];
   test_versions();
@@ -1758,6 +2036,13 @@ int main(int count, char** arguments) {
   test_overlay();
   test_surface();
   test_scene();
+  test_primitives();
+  test_hulls();
+  test_extrusions();
+  test_parts_and_maps();
+  test_offsets();
+  test_csg();
+  test_layer();
   printf("%d failed\n", failures);
   return failures == 0 ? 0 : 1;
 }

@@ -100,6 +100,9 @@ using Overlay = Owned<plumb_overlay, plumb_overlay_free>;
 using Scene = Owned<plumb_scene, plumb_scene_free>;
 using Surface = Owned<plumb_surface, plumb_surface_free>;
 using Region = Owned<plumb_region, plumb_region_free>;
+using Layer = Owned<plumb_layer, plumb_layer_free>;
+using LayerReport = Owned<plumb_layer_report, plumb_layer_report_free>;
+using PlaneSets = Owned<plumb_plane_set_list, plumb_plane_set_list_free>;
 using Error = Owned<plumb_error, plumb_error_free>;
 
 // Calls the interface, checks that a failure has an error object, and stops the scenario at it.
@@ -227,6 +230,44 @@ plumb_status surfaces() {
   return PLUMB_OK;
 }
 
+plumb_status models() {
+  Solid solid, hull;
+  Solids parts;
+  PlaneSet flat, grown;
+  PlaneSets slices;
+  Numbers heights;
+  Notes notes;
+  constexpr char kModel[] =
+      "difference() { cube(size = 2); group() { cylinder(h = 5, r1 = 1, r2 = 1, $fn = 3); } }";
+  const double height = 0.5;
+  TRY(plumb_csg_read(kModel, sizeof kModel - 1, nullptr, PLUMB_IMPORTS_NONE, solid.out(),
+                     flat.out(), notes.out(), nullptr, report));
+  TRY(plumb_solid_components(solid, parts.out(), nullptr, report));
+  TRY(plumb_numbers_from_doubles(&height, 1, heights.out(), report));
+  TRY(plumb_solid_slices(solid, heights, slices.out(), nullptr, report));
+  TRY(plumb_plane_set_offset(plumb_plane_set_list_at(slices, 0), 0.25, nullptr, grown.out(),
+                             nullptr, report));
+  TRY(plumb_solid_hull(kCube, 8, hull.out(), nullptr, report));
+  return PLUMB_OK;
+}
+
+plumb_status layers() {
+  constexpr char kFeatures[] =
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","id":1,"properties":{},)"
+      R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[2,0],[0,2],[0,0]]]}},)"
+      R"({"type":"Feature","id":2,"properties":{},)"
+      R"("geometry":{"type":"Polygon","coordinates":[[[1,0],[3,0],[1,2],[1,0]]]}}]})";
+  Layer layer, repaired;
+  LayerReport found;
+  Bytes text;
+  TRY(plumb_layer_read(kFeatures, sizeof kFeatures - 1, nullptr, nullptr, layer.out(), nullptr,
+                       nullptr, report));
+  TRY(plumb_layer_repair(layer, PLUMB_OWNER_LARGEST, -1, repaired.out(), found.out(), nullptr,
+                         report));
+  TRY(plumb_layer_report_write(found, layer, "text", text.out(), nullptr, report));
+  return PLUMB_OK;
+}
+
 /// Refuses each request of a scenario once. Returns whether all is well.
 bool survives(const char* name, plumb_status (*scenario)()) {
   constexpr std::uint64_t kMost = 100000;
@@ -285,6 +326,8 @@ int main() {
   is_well &= survives("sphere_sets", sphere_sets);
   is_well &= survives("maps", maps);
   is_well &= survives("surfaces", surfaces);
+  is_well &= survives("models", models);
+  is_well &= survives("layers", layers);
   is_well &= reports_bugs();
   return is_well ? 0 : 1;
 }

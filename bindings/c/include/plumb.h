@@ -1401,6 +1401,226 @@ PLUMB_API plumb_status plumb_surface_draw(const plumb_surface* surface, const pl
  * warnings in it say what is wrong, notes what is unusual. */
 PLUMB_API plumb_status plumb_self_test(bool* is_ok, plumb_notes** notes, plumb_error** error);
 
+/* ---- models --------------------------------------------------------------------------------- */
+
+/** Makes the closed box with these side lengths, from the origin or around it. */
+PLUMB_API plumb_status plumb_solid_box(const double size[3], bool is_centred, plumb_solid** out,
+                                       const plumb_context* context, plumb_error** error);
+/** Makes a ball around the origin whose equator has `chords` corners. It is convex exactly. */
+PLUMB_API plumb_status plumb_solid_sphere(double radius, uint32_t chords, plumb_solid** out,
+                                          const plumb_context* context, plumb_error** error);
+/** Makes a cylinder along the z-axis, or a cone or a frustum if the radii differ. */
+PLUMB_API plumb_status plumb_solid_cylinder(double height, double bottom_radius, double top_radius,
+                                            uint32_t chords, bool is_centred, plumb_solid** out,
+                                            const plumb_context* context, plumb_error** error);
+/** Makes a torus around the z-axis; `radius` is that of the centre of the tube. */
+PLUMB_API plumb_status plumb_solid_torus(double radius, double tube_radius, uint32_t chords,
+                                         uint32_t tube_chords, plumb_solid** out,
+                                         const plumb_context* context, plumb_error** error);
+/** Makes the convex hull of points, exactly. `xyz` has 3 * count doubles. */
+PLUMB_API plumb_status plumb_solid_hull(const double* xyz, size_t count, plumb_solid** out,
+                                        const plumb_context* context, plumb_error** error);
+/** Makes the convex hull of points of three exact numbers each. */
+PLUMB_API plumb_status plumb_solid_hull_exact(const plumb_numbers* points, plumb_solid** out,
+                                              const plumb_context* context, plumb_error** error);
+/** Makes the convex hull of the closures of bounded solids together. */
+PLUMB_API plumb_status plumb_solid_hull_of(const plumb_solid* const* solids, size_t count,
+                                           plumb_solid** out, const plumb_context* context,
+                                           plumb_error** error);
+/** Makes the closed regular polygon in a circle around the origin. */
+PLUMB_API plumb_status plumb_plane_set_disk(double radius, uint32_t chords, plumb_plane_set** out,
+                                            const plumb_context* context, plumb_error** error);
+/** Makes the convex hull of points of the plane. `xy` has 2 * count doubles. */
+PLUMB_API plumb_status plumb_plane_set_hull(const double* xy, size_t count, plumb_plane_set** out,
+                                            const plumb_context* context, plumb_error** error);
+/** Makes the convex hull of points of two exact numbers each. */
+PLUMB_API plumb_status plumb_plane_set_hull_exact(const plumb_numbers* points,
+                                                  plumb_plane_set** out,
+                                                  const plumb_context* context,
+                                                  plumb_error** error);
+/** Makes the convex hull of the closures of bounded sets together. */
+PLUMB_API plumb_status plumb_plane_set_hull_of(const plumb_plane_set* const* sets, size_t count,
+                                               plumb_plane_set** out, const plumb_context* context,
+                                               plumb_error** error);
+
+/** How plumb_plane_set_extrude() sweeps. */
+typedef struct plumb_extrusion {
+  size_t struct_size; /**< sizeof(plumb_extrusion). */
+  double height;      /**< The height; positive. */
+  bool is_centred;    /**< Whether z runs from -height / 2 instead of 0. */
+  double twist;       /**< The angle in degrees by which the top is turned clockwise. */
+  uint32_t layers;    /**< Steps of equal height; at least 1. */
+  double scale[2];    /**< Factors of x and y at the top. */
+} plumb_extrusion;
+#define PLUMB_EXTRUSION_INIT                                  \
+  {                                                           \
+    sizeof(plumb_extrusion), 1.0, false, 0.0, 1, { 1.0, 1.0 } \
+  }
+/** Makes the closed solid between an outline at the bottom and its image at the top. */
+PLUMB_API plumb_status plumb_plane_set_extrude(const plumb_plane_set* outline,
+                                               const plumb_extrusion* options, plumb_solid** out,
+                                               const plumb_context* context, plumb_error** error);
+/** Makes the closed solid that an outline sweeps when it turns around the z-axis by an angle in
+ * degrees, in equal steps. Its y-axis becomes the z-axis. */
+PLUMB_API plumb_status plumb_plane_set_revolve(const plumb_plane_set* outline, double angle,
+                                               uint32_t steps, plumb_solid** out,
+                                               const plumb_context* context, plumb_error** error);
+/** Makes, for each of the heights, the set of the points (x, y) for which (x, y, height) belongs to
+ * the solid. */
+PLUMB_API plumb_status plumb_solid_slices(const plumb_solid* solid, const plumb_numbers* heights,
+                                          plumb_plane_set_list** out, const plumb_context* context,
+                                          plumb_error** error);
+/** Makes the closure of the projection of the solid along the z-axis. */
+PLUMB_API plumb_status plumb_solid_shadow(const plumb_solid* solid, plumb_plane_set** out,
+                                          const plumb_context* context, plumb_error** error);
+/** Makes the connected parts of the solid. */
+PLUMB_API plumb_status plumb_solid_components(const plumb_solid* solid, plumb_solid_list** out,
+                                              const plumb_context* context, plumb_error** error);
+/** Sets *genus to the number of handles of the boundary. Sets *is_surface to false if the boundary
+ * is no closed surface; then *genus is 0. */
+PLUMB_API plumb_status plumb_solid_genus(const plumb_solid* solid, bool* is_surface,
+                                         uint64_t* genus, plumb_error** error);
+/** Returns six numbers: the least coordinates, then the greatest ones; none if the solid is
+ * empty. */
+PLUMB_API plumb_status plumb_solid_bounding_box(const plumb_solid* solid, plumb_numbers** out,
+                                                plumb_error** error);
+
+/** Returns the rotation about an axis through the origin, 12 numbers for plumb_solid_transform().
+ * It is exactly orthogonal, and exact for multiples of 90 degrees about a coordinate axis. */
+PLUMB_API plumb_status plumb_numbers_rotation(const double axis[3], double degrees,
+                                              plumb_numbers** out, plumb_error** error);
+/** Returns the scaling along the axes by three factors, 12 numbers. */
+PLUMB_API plumb_status plumb_numbers_scaling(const plumb_numbers* factors, plumb_numbers** out,
+                                             plumb_error** error);
+/** Returns the reflection at the plane through the origin with a normal, 12 numbers. */
+PLUMB_API plumb_status plumb_numbers_reflection(const plumb_numbers* normal, plumb_numbers** out,
+                                                plumb_error** error);
+/** Returns the scaling that gives the bounding box of a solid three sizes, 12 numbers. An axis with
+ * the size 0 keeps its size, or gets the greatest factor of the others if `is_automatic` says so;
+ * `is_automatic` may be null. */
+PLUMB_API plumb_status plumb_numbers_resizing(const plumb_solid* solid, const plumb_numbers* size,
+                                              const bool is_automatic[3], plumb_numbers** out,
+                                              plumb_error** error);
+
+/** The shape of an offset at a convex corner. */
+enum plumb_join {
+  PLUMB_JOIN_ROUND = 0,  /**< A polygon in the arc around the corner. */
+  PLUMB_JOIN_MITRE = 1,  /**< The moved edges, prolonged; square beyond the mitre limit. */
+  PLUMB_JOIN_SQUARE = 2, /**< Cut off at the distance from the corner. */
+  PLUMB_JOIN_BEVEL = 3   /**< A segment between the ends of the moved edges. */
+};
+/** How plumb_plane_set_offset() treats corners. */
+typedef struct plumb_offset_options {
+  size_t struct_size;       /**< sizeof(plumb_offset_options). */
+  int join;                 /**< A constant of plumb_join. */
+  double mitre_limit;       /**< The greatest length of a mitre in distances; at least 1. */
+  double chord_error;       /**< Of arcs; 0 stands for a thousandth of the distance. */
+  uint32_t circle_segments; /**< Chords of a full circle; 0: chord_error decides. */
+} plumb_offset_options;
+#define PLUMB_OFFSET_OPTIONS_INIT \
+  { sizeof(plumb_offset_options), 0, 2.0, 0.0, 0 }
+/** Makes the closure of the set, grown by a distance or shrunk by a negative one. */
+PLUMB_API plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double distance,
+                                              const plumb_offset_options* options,
+                                              plumb_plane_set** out, const plumb_context* context,
+                                              plumb_error** error);
+/** Makes { a + b : a in A, b in B }. */
+PLUMB_API plumb_status plumb_plane_set_minkowski_sum(const plumb_plane_set* a,
+                                                     const plumb_plane_set* b,
+                                                     plumb_plane_set** out,
+                                                     const plumb_context* context,
+                                                     plumb_error** error);
+
+/** Where the files that a model of OpenSCAD imports may lie. */
+enum plumb_imports {
+  PLUMB_IMPORTS_BELOW = 0,    /**< In the folder of the model, or below it. */
+  PLUMB_IMPORTS_NONE = 1,     /**< Nowhere: imports are refused. */
+  PLUMB_IMPORTS_ANYWHERE = 2 /**< Anywhere. */
+};
+/** Evaluates a flattened model of OpenSCAD (.csg) in memory. *solid becomes its set of space, or
+ * *set its set of the plane, and the other becomes null; both do if the model has no geometry. */
+PLUMB_API plumb_status plumb_csg_read(const char* bytes, size_t size,
+                                      const plumb_read_options* options, int imports,
+                                      plumb_solid** solid, plumb_plane_set** set,
+                                      plumb_notes** notes, const plumb_context* context,
+                                      plumb_error** error);
+/** Does the same for a file. */
+PLUMB_API plumb_status plumb_csg_read_file(const char* path, const plumb_read_options* options,
+                                           int imports, plumb_solid** solid, plumb_plane_set** set,
+                                           plumb_notes** notes, const plumb_context* context,
+                                           plumb_error** error);
+
+/* ---- layers --------------------------------------------------------------------------------- */
+
+/** Features with ids, properties and polygons, such as countries. */
+typedef struct plumb_layer plumb_layer;
+/** Reads GeoJSON or TopoJSON. `object` names an object of TopoJSON; null: the first one. */
+PLUMB_API plumb_status plumb_layer_read(const char* bytes, size_t size,
+                                        const plumb_read_options* options, const char* object,
+                                        plumb_layer** out, plumb_notes** notes,
+                                        const plumb_context* context, plumb_error** error);
+/** Reads a file; "-" is standard input. */
+PLUMB_API plumb_status plumb_layer_read_file(const char* path, const char* object,
+                                             plumb_layer** out, plumb_notes** notes,
+                                             const plumb_context* context, plumb_error** error);
+/** Writes GeoJSON. */
+PLUMB_API plumb_status plumb_layer_write(const plumb_layer* layer, plumb_bytes** out,
+                                         const plumb_context* context, plumb_error** error);
+/** Writes a file, which is complete or absent. */
+PLUMB_API plumb_status plumb_layer_write_file(const plumb_layer* layer, const char* path,
+                                              const plumb_context* context, plumb_error** error);
+PLUMB_API size_t plumb_layer_feature_count(const plumb_layer* layer); /**< Returns the features. */
+/** Makes the id of a feature, as a JSON text; empty if it has none. */
+PLUMB_API plumb_status plumb_layer_id(const plumb_layer* layer, size_t feature, plumb_bytes** out,
+                                      plumb_error** error);
+/** Makes the properties of a feature, as a JSON text; empty if it has none. */
+PLUMB_API plumb_status plumb_layer_properties(const plumb_layer* layer, size_t feature,
+                                              plumb_bytes** out, plumb_error** error);
+PLUMB_API void plumb_layer_free(plumb_layer* layer); /**< Releases a layer. */
+
+/** Which feature gets an overlap or a gap. */
+enum plumb_owner {
+  PLUMB_OWNER_LONGEST_BORDER = 0, /**< The one with the longest common border with the region. */
+  PLUMB_OWNER_LARGEST = 1,        /**< The one with the largest area. */
+  PLUMB_OWNER_SMALLEST = 2,       /**< The one with the smallest area. */
+  PLUMB_OWNER_FIRST = 3           /**< The one that comes first. */
+};
+/** The kinds of regions in a plumb_layer_report. */
+enum plumb_layer_region_kind {
+  PLUMB_LAYER_OVERLAP = 0, /**< Several features cover it. */
+  PLUMB_LAYER_GAP = 1,     /**< No feature covers it, and it is narrow. */
+  PLUMB_LAYER_HOLE = 2     /**< No feature covers it, and it is wide: no defect. */
+};
+/** What a repair has found. */
+typedef struct plumb_layer_report plumb_layer_report;
+/** Makes the layer without overlaps and gaps. `owner` is a constant of plumb_owner. An enclosed
+ * region that no feature covers is a gap if it is narrower than `gaps_below`; a negative number
+ * stands for 1/10000 of the diagonal of the layer. `report` may be null. */
+PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
+                                          plumb_layer** out, plumb_layer_report** report,
+                                          const plumb_context* context, plumb_error** error);
+PLUMB_API size_t plumb_layer_report_count(const plumb_layer_report* report); /**< Its regions. */
+/** Whether there were overlaps or gaps. */
+PLUMB_API bool plumb_layer_report_has_defects(const plumb_layer_report* report);
+/** Returns the kind of region i, a constant of plumb_layer_region_kind; -1 if there is none. */
+PLUMB_API int plumb_layer_report_kind(const plumb_layer_report* report, size_t i);
+/** Returns the exact area of region i, one number. */
+PLUMB_API plumb_status plumb_layer_report_area(const plumb_layer_report* report, size_t i,
+                                               plumb_numbers** out, plumb_error** error);
+/** Returns twice the area divided by the perimeter of region i. */
+PLUMB_API double plumb_layer_report_width(const plumb_layer_report* report, size_t i);
+/** Returns the features of region i, and their number through `count`. */
+PLUMB_API const uint32_t* plumb_layer_report_features(const plumb_layer_report* report, size_t i,
+                                                      size_t* count);
+/** Returns the feature that got region i; 0xffffffff if none did. */
+PLUMB_API uint32_t plumb_layer_report_owner(const plumb_layer_report* report, size_t i);
+/** Writes the report as "text", "json" or "geojson". `layer` is the layer before the repair. */
+PLUMB_API plumb_status plumb_layer_report_write(const plumb_layer_report* report,
+                                                const plumb_layer* layer, const char* format,
+                                                plumb_bytes** out, const plumb_context* context,
+                                                plumb_error** error);
+PLUMB_API void plumb_layer_report_free(plumb_layer_report* report); /**< Releases a report. */
+
 #ifdef __cplusplus
 }
 #endif

@@ -8,7 +8,9 @@ PlaneSet                  Nef2                                   a set of the pl
 SphereSet                 NefSphere                              a set of directions
 Map, MapReport            Map, MapReport (check_map)             a planar map and its check
 overlay, MapOverlay       overlay_maps, MapOverlay               two maps on each other
+Layer, LayerReport        Layer, LayerReport (repair_layer)      features, and their repair
 Surface, SurfaceDivision  SurfaceMesh, SurfaceDivision           polygons on a surface
+read_csg, parse_csg       read_csg, evaluate                     models of OpenSCAD
 Error, ErrorCode          Error, ErrorCode                       what goes wrong
 ========================  =====================================  ============================
 
@@ -20,6 +22,8 @@ from plumb._core import (
     Cell,
     Flaw,
     Geodesic,
+    Layer,
+    LayerReport,
     Map,
     MapDefect,
     MapOverlay,
@@ -34,6 +38,8 @@ from plumb._core import (
     SurfaceRegion,
     keep_freed_memory,
     overlay,
+    parse_csg,
+    read_csg,
 )
 from plumb._errors import BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh
 
@@ -51,6 +57,8 @@ __all__ = [
     "FileWarning",
     "Flaw",
     "Geodesic",
+    "Layer",
+    "LayerReport",
     "Map",
     "MapDefect",
     "MapOverlay",
@@ -67,4 +75,6 @@ __all__ = [
     "__version__",
     "keep_freed_memory",
     "overlay",
+    "parse_csg",
+    "read_csg",
 ]

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import json
 import warnings
 from collections.abc import Iterable
 from typing import Any
 
 import shapely as _shapely
 
-from plumb import FileWarning, PlaneSet
+from plumb import FileWarning, Layer, LayerReport, PlaneSet
 
-__all__ = ["from_geoseries", "from_shapely", "overlay", "to_geoseries", "to_shapely"]
+__all__ = [
+    "from_geoseries",
+    "from_shapely",
+    "overlay",
+    "repair_coverage",
+    "to_geoseries",
+    "to_shapely",
+]
 
 
 def from_shapely(geometry: Any) -> PlaneSet:
@@ -70,3 +78,22 @@ def overlay(first: Any, second: Any) -> Any:
     right = right.rename(columns={name: f"{name}_2" for name in right if name in left.columns})
     table = pandas.concat([left.reset_index(drop=True), right.reset_index(drop=True)], axis=1)
     return geopandas.GeoDataFrame(table, geometry=to_geoseries(cells), crs=first.crs)
+
+
+def repair_coverage(frame: Any, **options: Any) -> tuple[Any, LayerReport]:
+    """Return a GeoDataFrame without overlaps and gaps, and what was changed.
+
+    Options are those of Layer.repaired(). Rows and attributes stay as they are; a row whose area
+    other rows take has the geometry None.
+    """
+    features = [
+        {"type": "Feature", "geometry": _shapely.geometry.mapping(geometry)}
+        for geometry in frame.geometry
+    ]
+    text = json.dumps({"type": "FeatureCollection", "features": features})
+    layer, report = Layer.parse(text).repaired(**options)
+    shapes = [
+        feature["geometry"] and _shapely.geometry.shape(feature["geometry"])
+        for feature in json.loads(layer.to_geojson())["features"]
+    ]
+    return frame.set_geometry(shapes, crs=frame.crs), report

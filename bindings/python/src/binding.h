@@ -44,6 +44,11 @@
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rational.h"
 
+namespace plumb {
+class Nef2;
+class Nef3;
+}  // namespace plumb
+
 namespace plumb::python {
 
 namespace nb = nanobind;
@@ -234,6 +239,11 @@ void bind_plane(nb::module_& m);
 void bind_sphere(nb::module_& m);
 void bind_map(nb::module_& m);
 void bind_surface(nb::module_& m);
+void bind_models(nb::module_& m);
+void bind_layer(nb::module_& m);
+/// Add the methods of model.cpp to the classes.
+void def_models(nb::class_<Nef3>& c);
+void def_models(nb::class_<Nef2>& c);
 
 }  // namespace plumb::python
 

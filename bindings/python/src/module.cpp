@@ -48,6 +48,8 @@ NB_MODULE(_core, m) {
   bind_sphere(m);
   bind_map(m);
   bind_surface(m);
+  bind_models(m);
+  bind_layer(m);
 }
 
 }  // namespace plumb::python

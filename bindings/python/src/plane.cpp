@@ -311,6 +311,7 @@ void bind_plane(nb::module_& m) {
   def_bytes(c, &canonical_bytes, &from_bytes);
   def_plane_makers(c);
   def_plane_operations(c);
+  def_models(c);
   def_plane_files(c);
   def_page(c);
 }

@@ -410,6 +410,7 @@ void bind_solid(nb::module_& m) {
   def_makers(c);
   def_reading(c);
   def_operations(c);
+  def_models(c);
   def_files(c);
   def_page(c);
 }

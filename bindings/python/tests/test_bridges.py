@@ -81,6 +81,20 @@ def test_geopandas_keeps_attributes():
     assert rows == [("a", 1, "a", 1, 2.0), ("b", 2, "a", 1, 2.0), ("b", 2, "b", 2, 2.0)]
 
 
+def test_geopandas_repairs_a_coverage():
+    geopandas = pytest.importorskip("geopandas")
+    shapely = pytest.importorskip("shapely")
+    import plumb.shapely
+
+    cells = [shapely.box(0, 0, 4, 4), shapely.box(3, 0, 8, 4)]
+    frame = geopandas.GeoDataFrame({"name": ["a", "b"]}, geometry=cells, index=[5, 3], crs=3857)
+    repaired, report = plumb.shapely.repair_coverage(frame, rule="first")
+    assert [region["kind"] for region in report.regions] == ["overlap"]
+    assert list(repaired.index) == [5, 3] and list(repaired.name) == ["a", "b"]
+    assert repaired.crs == 3857 and list(repaired.area) == [16.0, 16.0]
+    assert shapely.coverage_is_valid(repaired.geometry.values)
+
+
 @given(a=lists_of_boxes(3), b=lists_of_boxes(3))
 @settings(max_examples=20)
 def test_manifold_agrees_on_integers(a, b):

@@ -1,0 +1,211 @@
+// Layers of features, and the repair of their overlaps and gaps.
+// Tested by tests/c/interface_test.c and tests/c/refused_memory_test.cpp.
+#include "plumb/plane/layer.h"
+
+#include <cmath>
+
+#include "files.h"
+#include "handles.h"
+#include "plumb/io/layer_io.h"
+
+struct plumb_layer {
+  plumb::Layer layer;
+};
+
+struct plumb_layer_report {
+  plumb::LayerReport report;
+};
+
+namespace plumb::c {
+namespace {
+
+LayerReadOptions layer_options(const char* object, std::string name) {
+  return {std::move(name), text_or_empty(object)};
+}
+
+Layer layer_of(LayerFile file, plumb_notes& notes) {
+  add_notes(notes, file.notes);
+  return std::move(file.layer);
+}
+
+OwnerRule rule_of_owner(int owner) {
+  if (owner < PLUMB_OWNER_LONGEST_BORDER || owner > PLUMB_OWNER_FIRST) {
+    fail_argument("owner is no constant of plumb_owner");
+  }
+  return static_cast<OwnerRule>(owner);
+}
+
+const Layer& layer_with(const plumb_layer* layer, std::size_t feature) {
+  const Layer& found = need(layer, "layer").layer;
+  if (feature >= found.feature_count()) {
+    throw Error(ErrorCode::BadIndex, "the layer has no such feature");
+  }
+  return found;
+}
+
+const LayerRegion* region_of(const plumb_layer_report* report, std::size_t i) {
+  if (report == nullptr || i >= report->report.regions.size()) return nullptr;
+  return &report->report.regions[i];
+}
+
+}  // namespace
+}  // namespace plumb::c
+
+using namespace plumb;
+using namespace plumb::c;
+
+// --- files --------------------------------------------------------------------------------------
+
+plumb_status plumb_layer_read(const char* bytes, std::size_t size,
+                              const plumb_read_options* options, const char* object,
+                              plumb_layer** out, plumb_notes** notes, const plumb_context* context,
+                              plumb_error** error) {
+  return make_with_notes(out, notes, error, [&](plumb_notes& told) {
+    Call call(context);
+    const LayerReadOptions asked = layer_options(object, name_of(options));
+    return layer_of(plumb::read_layer(bytes_of(bytes, size), asked, call), told);
+  });
+}
+
+plumb_status plumb_layer_read_file(const char* path, const char* object, plumb_layer** out,
+                                   plumb_notes** notes, const plumb_context* context,
+                                   plumb_error** error) {
+  return make_with_notes(out, notes, error, [&](plumb_notes& told) {
+    Call call(context);
+    const std::string name = text(path, "path");
+    return layer_of(plumb::read_layer_file(name, layer_options(object, name), call), told);
+  });
+}
+
+plumb_status plumb_layer_write(const plumb_layer* layer, plumb_bytes** out,
+                               const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    Context& own = call;
+    const Layer& written_layer = need(layer, "layer").layer;
+    return written([&](std::ostream& stream) { write_layer_geojson(stream, written_layer, own); });
+  });
+}
+
+plumb_status plumb_layer_write_file(const plumb_layer* layer, const char* path,
+                                    const plumb_context* context, plumb_error** error) {
+  return guarded(error, [&] {
+    Call call(context);
+    Context& own = call;
+    const Layer& written_layer = need(layer, "layer").layer;
+    write_file(text(path, "path"),
+               [&](std::ostream& stream) { write_layer_geojson(stream, written_layer, own); });
+  });
+}
+
+// --- features -----------------------------------------------------------------------------------
+
+std::size_t plumb_layer_feature_count(const plumb_layer* layer) {
+  return layer == nullptr ? 0 : layer->layer.feature_count();
+}
+
+plumb_status plumb_layer_id(const plumb_layer* layer, std::size_t feature, plumb_bytes** out,
+                            plumb_error** error) {
+  return make(out, error, [&] { return std::string(layer_with(layer, feature).id(feature)); });
+}
+
+plumb_status plumb_layer_properties(const plumb_layer* layer, std::size_t feature,
+                                    plumb_bytes** out, plumb_error** error) {
+  return make(out, error,
+              [&] { return std::string(layer_with(layer, feature).properties(feature)); });
+}
+
+void plumb_layer_free(plumb_layer* layer) { delete layer; }
+
+// --- repair -------------------------------------------------------------------------------------
+
+plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
+                                plumb_layer** out, plumb_layer_report** report,
+                                const plumb_context* context, plumb_error** error) {
+  if (out != nullptr) *out = nullptr;
+  if (report != nullptr) *report = nullptr;
+  return guarded(error, [&] {
+    need(out, "out");
+    Call call(context);
+    LayerRepairOptions options{rule_of_owner(owner), std::nullopt};
+    if (!std::isfinite(gaps_below)) {
+      throw Error(ErrorCode::NotFinite, "gaps_below is not finite");
+    }
+    if (gaps_below >= 0) options.gaps_below = gaps_below;
+    RepairedLayer repaired = repair_layer(need(layer, "layer").layer, options, call);
+    auto made = std::make_unique<plumb_layer>(plumb_layer{std::move(repaired.layer)});
+    if (report != nullptr) *report = new plumb_layer_report{std::move(repaired.report)};
+    *out = made.release();
+  });
+}
+
+std::size_t plumb_layer_report_count(const plumb_layer_report* report) {
+  return report == nullptr ? 0 : report->report.regions.size();
+}
+
+bool plumb_layer_report_has_defects(const plumb_layer_report* report) {
+  return report != nullptr && report->report.has_defects();
+}
+
+int plumb_layer_report_kind(const plumb_layer_report* report, std::size_t i) {
+  const LayerRegion* const region = region_of(report, i);
+  return region == nullptr ? -1 : static_cast<int>(region->kind);
+}
+
+plumb_status plumb_layer_report_area(const plumb_layer_report* report, std::size_t i,
+                                     plumb_numbers** out, plumb_error** error) {
+  return make(out, error, [&] {
+    need(report, "report");
+    const LayerRegion* const region = region_of(report, i);
+    if (region == nullptr) throw Error(ErrorCode::BadIndex, "the report has no such region");
+    return numbers_of(std::vector<Rational>{region->area});
+  });
+}
+
+double plumb_layer_report_width(const plumb_layer_report* report, std::size_t i) {
+  const LayerRegion* const region = region_of(report, i);
+  return region == nullptr ? 0 : region->width;
+}
+
+const std::uint32_t* plumb_layer_report_features(const plumb_layer_report* report, std::size_t i,
+                                                 std::size_t* count) {
+  const LayerRegion* const region = region_of(report, i);
+  if (count != nullptr) *count = 0;
+  if (region == nullptr) return nullptr;
+  const std::span<const std::uint32_t> features = report->report.features_of(*region);
+  if (count != nullptr) *count = features.size();
+  return features.data();
+}
+
+std::uint32_t plumb_layer_report_owner(const plumb_layer_report* report, std::size_t i) {
+  const LayerRegion* const region = region_of(report, i);
+  return region == nullptr ? LayerRegion::kNobody : region->owner;
+}
+
+plumb_status plumb_layer_report_write(const plumb_layer_report* report, const plumb_layer* layer,
+                                      const char* format, plumb_bytes** out,
+                                      const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    Context& own = call;
+    const Layer& before = need(layer, "layer").layer;
+    const LayerReport& found = need(report, "report").report;
+    const std::string name = text(format, "format");
+    for (const std::uint32_t f : found.features) {
+      if (f >= before.feature_count()) fail_argument("the report is of another layer");
+    }
+    return written([&](std::ostream& stream) {
+      if (name == "text") {
+        write_layer_report_text(stream, before, found);
+      } else if (name == "json") {
+        write_layer_report_json(stream, before, found);
+      } else if (name == "geojson") {
+        write_layer_report_geojson(stream, before, found, own);
+      } else {
+        fail_format(name, "text, json, geojson");
+      }
+    });
+  });
+}
+
+void plumb_layer_report_free(plumb_layer_report* report) { delete report; }

@@ -1,0 +1,184 @@
+// plumb.Layer and plumb.LayerReport: features with polygons, and the repair of their overlaps and
+// gaps. Ids and properties are kept as JSON texts, and are parsed when they are asked for.
+// Tests: tests/test_layer.py.
+#include "plumb/plane/layer.h"
+
+#include <sstream>
+
+#include "binding.h"
+#include "plumb/io/layer_io.h"
+#include "plumb/io/text/files.h"
+
+namespace plumb::python {
+namespace {
+
+struct Repair {
+  Layer layer;
+  LayerReport report;
+};
+
+OwnerRule owner_rule(const std::string& name) {
+  if (name == "longest-border") return OwnerRule::LongestBorder;
+  if (name == "largest") return OwnerRule::Largest;
+  if (name == "smallest") return OwnerRule::Smallest;
+  if (name == "first") return OwnerRule::First;
+  throw Error(
+      ErrorCode::BadArgument,
+      "rule must be 'longest-border', 'largest', 'smallest' or 'first', not '" + name + "'");
+}
+
+const char* kind_name(LayerRegionKind kind) {
+  switch (kind) {
+    case LayerRegionKind::Overlap:
+      return "overlap";
+    case LayerRegionKind::Gap:
+      return "gap";
+    default:
+      return "hole";
+  }
+}
+
+nb::object parsed(std::string_view json) {
+  if (json.empty()) return nb::none();
+  return nb::module_::import_("json").attr("loads")(nb::str(json.data(), json.size()));
+}
+
+using Values = nb::typed<nb::list, nb::object>;
+
+Values ids_of(const Layer& layer) {
+  Values values;
+  for (std::size_t f = 0; f < layer.feature_count(); ++f) values.append(parsed(layer.id(f)));
+  return values;
+}
+
+Values properties_of(const Layer& layer) {
+  Values values;
+  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
+    values.append(parsed(layer.properties(f)));
+  }
+  return values;
+}
+
+std::string geojson_of(Context& context, const Layer& layer) {
+  std::ostringstream out;
+  write_layer_geojson(out, layer, context);
+  return std::move(out).str();
+}
+
+std::monostate write_layer(Context& context, const Layer& layer, const Path& path) {
+  OutputFile file(path.string());
+  write_layer_geojson(file.stream(), layer, context);
+  file.finish();
+  file.commit();
+  return {};
+}
+
+Layer layer_of(LayerFile file) {
+  note(file.notes);
+  return std::move(file.layer);
+}
+
+Repair repaired(Context& context, const Layer& layer, const std::string& rule,
+                const std::optional<double>& gaps_below) {
+  RepairedLayer result = repair_layer(layer, {owner_rule(rule), gaps_below}, context);
+  return {std::move(result.layer), std::move(result.report)};
+}
+
+using RegionOut = nb::typed<nb::dict, nb::str, nb::object>;
+
+nb::typed<nb::list, RegionOut> regions_of(const LayerReport& report) {
+  nb::typed<nb::list, RegionOut> regions;
+  for (const LayerRegion& region : report.regions) {
+    RegionOut out;
+    nb::list features;
+    for (const std::uint32_t f : report.features_of(region)) features.append(f);
+    out["kind"] = kind_name(region.kind);
+    out["area"] = region.area;
+    out["width"] = region.width;
+    out["features"] = features;
+    out["owner"] =
+        region.owner == LayerRegion::kNobody ? nb::none() : nb::object(nb::int_(region.owner));
+    regions.append(out);
+  }
+  return regions;
+}
+
+void def_reading(nb::class_<Layer>& c) {
+  c.def_static(
+      "read",
+      [](const Path& path, const std::optional<std::string>& object, unsigned threads,
+         std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
+         nb::object progress) {
+        LayerReadOptions options;
+        options.object = object.value_or("");
+        return layer_of(
+            run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
+                [&](Context& k) { return read_layer_file(path.string(), options, k); }));
+      },
+      "path"_a, "object"_a = nb::none(), nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(),
+      "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
+      with_limits("Read the features of a GeoJSON or TopoJSON file. `object` names an object of "
+                  "TopoJSON; by default the first one."));
+  c.def_static(
+      "parse",
+      [](const std::string& text, const std::optional<std::string>& object, unsigned threads,
+         std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
+         nb::object progress) {
+        LayerReadOptions options;
+        options.name = "text";
+        options.object = object.value_or("");
+        return layer_of(run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
+                            [&](Context& k) { return read_layer(text, options, k); }));
+      },
+      "text"_a, "object"_a = nb::none(), nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(),
+      "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
+      with_limits("Do the same for a text."));
+}
+
+}  // namespace
+
+void bind_layer(nb::module_& m) {
+  nb::class_<LayerReport> report(m, "LayerReport", "What Layer.repaired() has found and changed.");
+  report.def_prop_ro("regions", &regions_of,
+                     "The overlaps, gaps and holes: a dict with kind ('overlap', 'gap', 'hole'), "
+                     "area (an exact fraction), width, features (indices), and owner (an index, or "
+                     "None).");
+  report.def_prop_ro("has_defects", &LayerReport::has_defects,
+                     "Whether the layer had overlaps or gaps.");
+  report.def_ro("gaps_below", &LayerReport::gaps_below, "The bound for the widths of gaps.");
+  report.def_ro("emptied", &LayerReport::emptied,
+                "Features that had an area before and have none now.");
+  report.def_prop_ro(
+      "largest_move", [](const LayerReport& r) { return r.rounding.largest_move; },
+      "An upper bound for the distance by which rounding has moved a border.");
+
+  nb::class_<Layer> c(m, "Layer", "Features with ids, properties and polygons, such as countries.");
+  def_reading(c);
+  c.def("__len__", &Layer::feature_count, "Return the number of features.");
+  c.def("__repr__", [](const Layer& layer) {
+    return "<plumb.Layer: " + std::to_string(layer.feature_count()) + " features, " +
+           std::to_string(layer.polygon_count()) + " polygons>";
+  });
+  c.def("ids", &ids_of, "Return the id of each feature, or None.");
+  c.def("properties", &properties_of, "Return the properties of each feature, or None.");
+  def_run(c, "to_geojson", &geojson_of,
+          "Return a FeatureCollection as text, one feature in each line.");
+  def_run(c, "write", &write_layer, "Write a GeoJSON file, which is complete or absent.", "path"_a);
+  c.def(
+      "repaired",
+      [](const Layer& layer, const std::string& rule, const std::optional<double>& gaps_below,
+         unsigned threads, std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
+         nb::object progress) {
+        Repair result = run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
+                            [&](Context& k) { return repaired(k, layer, rule, gaps_below); });
+        return std::pair(std::move(result.layer), std::move(result.report));
+      },
+      "rule"_a = "longest-border", "gaps_below"_a = nb::none(), nb::kw_only(), "threads"_a = 1U,
+      "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
+      with_limits("Return the layer without overlaps and gaps, and a LayerReport. An overlap or a "
+                  "gap goes to the feature that `rule` chooses: 'longest-border', 'largest', "
+                  "'smallest' or 'first'. A region that no feature covers is a gap if it is "
+                  "narrower than `gaps_below`."));
+}
+
+}  // namespace plumb::python

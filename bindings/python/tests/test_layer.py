@@ -1,0 +1,67 @@
+"""Layers of features: reading, repair, ids and properties."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import plumb
+
+
+def collection(*rings: list[tuple[float, float]]) -> str:
+    features: list[dict[str, Any]] = []
+    for i, ring in enumerate(rings):
+        polygon = {"type": "Polygon", "coordinates": [[*ring, ring[0]]]}
+        features.append(
+            {"type": "Feature", "id": i + 7, "properties": {"name": f"f{i}"}, "geometry": polygon}
+        )
+    return json.dumps({"type": "FeatureCollection", "features": features})
+
+
+OVERLAPPING = collection(
+    [(0, 0), (4, 0), (4, 4), (0, 4)],
+    [(3, 0), (8, 0), (8, 4), (3, 4)],
+)
+
+
+def test_an_overlap_goes_to_one_feature(tmp_path: Path) -> None:
+    layer = plumb.Layer.parse(OVERLAPPING)
+    assert len(layer) == 2
+    repaired, report = layer.repaired(rule="first")
+    assert report.has_defects and report.emptied == []
+    (region,) = report.regions
+    assert region["kind"] == "overlap" and region["features"] == [0, 1] and region["owner"] == 0
+    assert region["area"] == Fraction(4)
+    assert repaired.ids() == [7, 8]
+    assert repaired.properties() == [{"name": "f0"}, {"name": "f1"}]
+    path = tmp_path / "layer.geojson"
+    repaired.write(path)
+    assert path.read_text() == repaired.to_geojson()
+    again, second = plumb.Layer.read(path).repaired()
+    assert not second.has_defects and again.to_geojson() == repaired.to_geojson()
+
+
+def test_rules_and_gaps() -> None:
+    layer = plumb.Layer.parse(OVERLAPPING)
+    for rule, owner in [("largest", 1), ("smallest", 0)]:
+        assert layer.repaired(rule=rule)[1].regions[0]["owner"] == owner
+    with pytest.raises(plumb.Error, match="rule must be"):
+        layer.repaired(rule="newest")
+    frame = collection(
+        [(0, 0), (9, 0), (9, 1), (0, 1)],
+        [(0, 1), (1, 1), (1, 8), (9, 8), (9, 9), (0, 9)],
+        [(8, 1), (9, 1), (9, 8), (8, 8)],
+    )
+    wide = plumb.Layer.parse(frame)
+    assert [r["kind"] for r in wide.repaired()[1].regions] == ["hole"]
+    assert [r["kind"] for r in wide.repaired(gaps_below=100)[1].regions] == ["gap"]
+
+
+def test_errors_have_places() -> None:
+    with pytest.raises(plumb.Error) as caught:
+        plumb.Layer.parse('{"type": "FeatureCollection",\n "features": [}')
+    assert caught.value.line == 2
