@@ -61,7 +61,8 @@ TEST(PlaneProgram, examples_of_the_help_work) {
   for (const std::string name :
        {"plane union", "plane intersection", "plane difference", "plane symmetric-difference",
         "plane complement", "plane interior", "plane closure", "plane boundary", "plane regularize",
-        "plane minkowski", "plane offset", "plane info", "plane locate", "audit"}) {
+        "plane minkowski", "plane offset", "plane triangulate", "plane voronoi", "plane arrange",
+        "plane info", "plane locate", "audit"}) {
     Words words;
     std::istringstream help(name + " --help");
     for (std::string word; help >> word;) words.push_back(word);
@@ -469,6 +470,39 @@ TEST(AuditProgram, judges_what_is_in_a_file) {
   EXPECT_TRUE(contains(map.out, "not a planar subdivision")) << map.out;
   write_file(bad, "plumb-nef2 1\n0 0 0\n");
   expect_refusal(run({"audit", bad}), bad + ":2:", "number of edges");
+}
+
+TEST(PlaneProgram, triangulates) {
+  const ScratchDirectory scratch;
+  const std::string off = (scratch / "out.off").string();
+  const RunResult result = run({"plane", "triangulate", kStar, "-o", off, "--json"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  const Json counts = Json::parse(result.out);
+  EXPECT_TRUE(read_file(off).starts_with("OFF\n" + counts["points"].dump() + " " +
+                                         counts["triangles"].dump() + " 0\n"));
+  const std::string layer = (scratch / "out.geojson").string();
+  EXPECT_EQ(run({"plane", "triangulate", kStar, "-o", layer}).code, 0);
+  EXPECT_NEAR(info(layer)["area"]["double"].get<double>(),
+              info(kStar)["area"]["double"].get<double>(), 1e-9);
+  expect_refusal(run({"plane", "triangulate", kCorner}), kCorner, "unbounded");
+}
+
+/// The cells fill the box, and the faces fill what the edges bound.
+TEST(PlaneProgram, makes_cells_and_faces) {
+  const ScratchDirectory scratch;
+  const std::string cells = (scratch / "cells.geojson").string();
+  const RunResult result =
+      run({"plane", "voronoi", kStar, "--box", "-20,-20,20,20", "-o", cells, "--json"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["cells"], info(kStar)["vertices"]);
+  EXPECT_EQ(info(cells)["area"]["exact"], "1600");
+  expect_refusal(run({"plane", "voronoi", kStar, "--box", "1,2"}), "plumb", "--box");
+  expect_refusal(run({"plane", "voronoi", kStar, "--box", "1,2,1,3"}), "plumb", "--box");
+  const std::string faces = (scratch / "faces.geojson").string();
+  EXPECT_EQ(run({"plane", "arrange", kStar, kFrame, "-o", faces}).code, 0);
+  const Json layer = Json::parse(read_file(faces));
+  EXPECT_GT(layer["features"].size(), 10U);
+  EXPECT_EQ(layer["features"][0]["properties"]["in"], Json::array({kStar}));
 }
 
 }  // namespace

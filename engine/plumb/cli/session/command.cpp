@@ -116,6 +116,9 @@ std::unique_ptr<CommandBody> make_plane_regularize();
 std::unique_ptr<CommandBody> make_plane_minkowski();
 std::unique_ptr<CommandBody> make_plane_offset();
 std::unique_ptr<CommandBody> make_plane_csg();
+std::unique_ptr<CommandBody> make_plane_triangulate();
+std::unique_ptr<CommandBody> make_plane_voronoi();
+std::unique_ptr<CommandBody> make_plane_arrange();
 std::unique_ptr<CommandBody> make_plane_info();
 std::unique_ptr<CommandBody> make_plane_locate();
 std::unique_ptr<CommandBody> make_solid_union();
@@ -205,6 +208,16 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
               make_plane_offset},
       Command{"plane csg", "MODEL", "A flat model of OpenSCAD (.csg)",
               "./plumb plane csg corpus/csg/gasket.csg -o out.svg", "plane-set", make_plane_csg},
+      Command{"plane triangulate", "A", "Triangles that cover A (constrained Delaunay)",
+              "./plumb plane triangulate corpus/plane/star.wkt -o out.off", "plane-triangulate",
+              make_plane_triangulate},
+      Command{"plane voronoi", "A", "The cells of the vertices of A",
+              "./plumb plane voronoi corpus/plane/star.wkt -o out.geojson", "plane-voronoi",
+              make_plane_voronoi},
+      Command{"plane arrange", "A...", "The faces that all edges bound, as polygons",
+              "./plumb plane arrange corpus/plane/star.wkt corpus/plane/frame.geojson -o "
+              "out.geojson",
+              "plane-arrange", make_plane_arrange},
       Command{"plane info", "A", "Counts, exact area; bounded? empty?",
               "./plumb plane info corpus/plane/star.wkt --json", "plane-set", make_plane_info},
       Command{"plane locate", "A X Y", "Where does the point lie; is it in A?",
