@@ -1918,6 +1918,24 @@ static void test_offsets(void) {
   plumb_plane_set_free(square);
 }
 
+static void test_triangles(void) {
+  const double xy[10] = {0, 0, 1, 0, 1, 1, 0, 1, .5, .5};
+  const double bad[2] = {0, INFINITY};
+  plumb_plane_set *square = square_at("0 0 2 0 2 2 0 2"), *whole = NULL;
+  plumb_mesh* mesh = NULL;
+  OK(plumb_plane_set_triangulate(square, &mesh, NULL, &error));
+  CHECK(plumb_mesh_point_count(mesh) == 4 && plumb_mesh_face_count(mesh) == 2);
+  plumb_mesh_free(mesh);
+  plumb_plane_set_free(square);
+  OK(plumb_plane_set_whole(&whole, &error));
+  FAILS(plumb_plane_set_triangulate(whole, &mesh, NULL, &error), PLUMB_BAD_ARGUMENT);
+  plumb_plane_set_free(whole);
+  OK(plumb_mesh_delaunay(xy, 5, &mesh, NULL, &error));
+  CHECK(plumb_mesh_face_count(mesh) == 4);
+  plumb_mesh_free(mesh);
+  FAILS(plumb_mesh_delaunay(bad, 1, &mesh, NULL, &error), PLUMB_NOT_FINITE);
+}
+
 static void test_csg(void) {
   const char text[] = "difference() { cube(size = 2); cube(size = 1); }";
   const char flat[] = "square(size = 3);";
@@ -1958,6 +1976,24 @@ static const char kLayer[] =
     "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}},"
     "{\"type\":\"Feature\",\"properties\":null,\"geometry\":"
     "{\"type\":\"Polygon\",\"coordinates\":[[[3,0],[8,0],[8,4],[3,4],[3,0]]]}}]}";
+
+static void test_cells(void) {
+  const double sites[4] = {0, 0, 4, 0}, box[4] = {-1, -1, 5, 1}, flat[4] = {0, 0, 0, 1};
+  plumb_plane_set *square = square_at("0 0 2 0 2 2 0 2"), *lines = NULL, *faces = NULL;
+  plumb_layer* layer = NULL;
+  OK(plumb_layer_voronoi(sites, 2, box, &layer, NULL, &error));
+  CHECK(plumb_layer_feature_count(layer) == 2);
+  plumb_layer_free(layer);
+  FAILS(plumb_layer_voronoi(sites, 2, flat, &layer, NULL, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_plane_set_boundary(square, &lines, NULL, &error));
+  OK(plumb_plane_set_complement(lines, &faces, NULL, &error));
+  OK(plumb_layer_of_faces(faces, &layer, NULL, &error));
+  CHECK(plumb_layer_feature_count(layer) == 1);
+  plumb_layer_free(layer);
+  plumb_plane_set_free(square);
+  plumb_plane_set_free(lines);
+  plumb_plane_set_free(faces);
+}
 
 static void test_layer(void) {
   plumb_layer *layer = NULL, *repaired = NULL;
@@ -2041,7 +2077,9 @@ int main(int count, char** arguments) {
   test_extrusions();
   test_parts_and_maps();
   test_offsets();
+  test_triangles();
   test_csg();
+  test_cells();
   test_layer();
   printf("%d failed\n", failures);
   return failures == 0 ? 0 : 1;

@@ -1531,10 +1531,20 @@ PLUMB_API plumb_status plumb_plane_set_minkowski_sum(const plumb_plane_set* a,
                                                      const plumb_context* context,
                                                      plumb_error** error);
 
+/** Makes triangles that cover a bounded set after its coordinates were rounded to doubles: a
+ * constrained Delaunay triangulation, as a mesh whose points have z = 0. */
+PLUMB_API plumb_status plumb_plane_set_triangulate(const plumb_plane_set* set, plumb_mesh** out,
+                                                   const plumb_context* context,
+                                                   plumb_error** error);
+/** Makes the Delaunay triangulation of points. `xy` has 2 * count doubles. The points of the mesh
+ * are the points given, with z = 0. */
+PLUMB_API plumb_status plumb_mesh_delaunay(const double* xy, size_t count, plumb_mesh** out,
+                                           const plumb_context* context, plumb_error** error);
+
 /** Where the files that a model of OpenSCAD imports may lie. */
 enum plumb_imports {
-  PLUMB_IMPORTS_BELOW = 0,    /**< In the folder of the model, or below it. */
-  PLUMB_IMPORTS_NONE = 1,     /**< Nowhere: imports are refused. */
+  PLUMB_IMPORTS_BELOW = 0,   /**< In the folder of the model, or below it. */
+  PLUMB_IMPORTS_NONE = 1,    /**< Nowhere: imports are refused. */
   PLUMB_IMPORTS_ANYWHERE = 2 /**< Anywhere. */
 };
 /** Evaluates a flattened model of OpenSCAD (.csg) in memory. *solid becomes its set of space, or
@@ -1563,6 +1573,14 @@ PLUMB_API plumb_status plumb_layer_read(const char* bytes, size_t size,
 PLUMB_API plumb_status plumb_layer_read_file(const char* path, const char* object,
                                              plumb_layer** out, plumb_notes** notes,
                                              const plumb_context* context, plumb_error** error);
+/** Makes the Voronoi cells of sites in a box. `xy` has 2 * count doubles, and `box` has the four
+ * numbers x, y of its lower left and upper right corners. Feature i is the cell of site i. */
+PLUMB_API plumb_status plumb_layer_voronoi(const double* xy, size_t count, const double box[4],
+                                           plumb_layer** out, const plumb_context* context,
+                                           plumb_error** error);
+/** Makes a feature of each bounded face of a set, rounded to doubles. */
+PLUMB_API plumb_status plumb_layer_of_faces(const plumb_plane_set* set, plumb_layer** out,
+                                            const plumb_context* context, plumb_error** error);
 /** Writes GeoJSON. */
 PLUMB_API plumb_status plumb_layer_write(const plumb_layer* layer, plumb_bytes** out,
                                          const plumb_context* context, plumb_error** error);

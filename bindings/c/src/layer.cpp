@@ -1,11 +1,14 @@
 // Layers of features, and the repair of their overlaps and gaps.
 // Tested by tests/c/interface_test.c and tests/c/refused_memory_test.cpp.
 #include "plumb/plane/layer.h"
+#include "plumb/plane/plane_arrays.h"
+#include "plumb/plane/plane_faces.h"
 
 #include <cmath>
 
 #include "files.h"
 #include "handles.h"
+#include "plumb/convex/voronoi.h"
 #include "plumb/io/layer_io.h"
 
 struct plumb_layer {
@@ -43,6 +46,11 @@ const Layer& layer_with(const plumb_layer* layer, std::size_t feature) {
   return found;
 }
 
+/// Returns the layer with coordinates that are doubles, so that features still share borders.
+plumb_layer rounded(const Layer& layer, Context& context) {
+  return {repair_layer(layer, {OwnerRule::First, 0.0}, context).layer};
+}
+
 const LayerRegion* region_of(const plumb_layer_report* report, std::size_t i) {
   if (report == nullptr || i >= report->report.regions.size()) return nullptr;
   return &report->report.regions[i];
@@ -53,6 +61,28 @@ const LayerRegion* region_of(const plumb_layer_report* report, std::size_t i) {
 
 using namespace plumb;
 using namespace plumb::c;
+
+// --- made of points and sets --------------------------------------------------------------------
+
+plumb_status plumb_layer_voronoi(const double* xy, std::size_t count, const double* box,
+                                 plumb_layer** out, const plumb_context* context,
+                                 plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    const std::span<const double> corners = finite(box, 4, "box", 1);
+    const PointTable2 sites = points_of(finite(xy, count, "xy", 2));
+    return rounded(voronoi_cells(sites, {corners[0], corners[1]}, {corners[2], corners[3]}, call),
+                   call);
+  });
+}
+
+plumb_status plumb_layer_of_faces(const plumb_plane_set* set, plumb_layer** out,
+                                  const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    return rounded(layer_of_faces(need(set, "set").set, call), call);
+  });
+}
 
 // --- files --------------------------------------------------------------------------------------
 

@@ -5,6 +5,7 @@
 #include "files.h"
 #include "handles.h"
 #include "plumb/convex/plane_minkowski.h"
+#include "plumb/convex/triangulation.h"
 #include "plumb/csg/evaluate.h"
 #include "plumb/io/csg_reader.h"
 #include "plumb/model/extrude.h"
@@ -13,7 +14,9 @@
 #include "plumb/model/primitives.h"
 #include "plumb/model/slice.h"
 #include "plumb/model/transform.h"
+#include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_offset.h"
+#include "plumb/plane/plane_rounding.h"
 #include "sets.h"
 
 namespace plumb::c {
@@ -93,6 +96,16 @@ plumb_status evaluate_model(plumb_solid** solid, plumb_plane_set** set, plumb_no
     }
     if (notes != nullptr) *notes = told.release();
   });
+}
+
+plumb_mesh flat_mesh(const PlaneTriangulation& triangulation) {
+  plumb_mesh result;
+  for (std::uint32_t i = 0; i < triangulation.points.size(); ++i) {
+    const Point2 p = triangulation.points.approx(i);
+    result.mesh.points.push_back({p.x, p.y, 0});
+  }
+  for (const auto& triangle : triangulation.triangles) result.mesh.add_face(triangle);
+  return result;
 }
 
 template <class List, class Set>
@@ -343,6 +356,24 @@ plumb_status plumb_plane_set_minkowski_sum(const plumb_plane_set* a, const plumb
   return make(out, error, [&] {
     Call call(context);
     return minkowski_sum(need(a, "a").set, need(b, "b").set, call);
+  });
+}
+
+// --- triangles ----------------------------------------------------------------------------------
+
+plumb_status plumb_plane_set_triangulate(const plumb_plane_set* set, plumb_mesh** out,
+                                         const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    return flat_mesh(delaunay(round_to_doubles(need(set, "set").set, call).set, call));
+  });
+}
+
+plumb_status plumb_mesh_delaunay(const double* xy, std::size_t count, plumb_mesh** out,
+                                 const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    return flat_mesh(delaunay(points_of(finite(xy, count, "xy", 2)), call));
   });
 }
 

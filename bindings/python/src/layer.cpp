@@ -6,8 +6,11 @@
 #include <sstream>
 
 #include "binding.h"
+#include "plumb/convex/voronoi.h"
 #include "plumb/io/layer_io.h"
 #include "plumb/io/text/files.h"
+#include "plumb/plane/plane_arrays.h"
+#include "plumb/plane/plane_faces.h"
 
 namespace plumb::python {
 namespace {
@@ -135,6 +138,33 @@ void def_reading(nb::class_<Layer>& c) {
       with_limits("Do the same for a text."));
 }
 
+/// Returns the layer with coordinates that are doubles, so that features still share borders.
+Layer rounded(Context& context, const Layer& layer) {
+  return repair_layer(layer, {OwnerRule::First, 0.0}, context).layer;
+}
+
+Layer voronoi(Context& context, const Coordinates2& sites, const Exact<2>& low,
+              const Exact<2>& high) {
+  const RationalPoint2 from{low.value[0], low.value[1]};
+  const RationalPoint2 to{high.value[0], high.value[1]};
+  return rounded(context, voronoi_cells(points_of(sites.span()), from, to, context));
+}
+
+Layer faces(Context& context, const Nef2& set) {
+  return rounded(context, layer_of_faces(set, context));
+}
+
+void def_making(nb::class_<Layer>& c) {
+  def_run_static(c, "voronoi", &voronoi,
+                 "Return the Voronoi cells of sites, float64 (n, 2), inside the box between two "
+                 "corners. Feature i is the cell of site i.",
+                 "sites"_a, "low"_a, "high"_a);
+  def_run_static(c, "of_faces", &faces,
+                 "Return a feature for each bounded face of a set. The faces that lines bound are "
+                 "those of the complement of the lines.",
+                 "set"_a);
+}
+
 }  // namespace
 
 void bind_layer(nb::module_& m) {
@@ -154,6 +184,7 @@ void bind_layer(nb::module_& m) {
 
   nb::class_<Layer> c(m, "Layer", "Features with ids, properties and polygons, such as countries.");
   def_reading(c);
+  def_making(c);
   c.def("__len__", &Layer::feature_count, "Return the number of features.");
   c.def("__repr__", [](const Layer& layer) {
     return "<plumb.Layer: " + std::to_string(layer.feature_count()) + " features, " +

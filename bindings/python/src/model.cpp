@@ -6,6 +6,7 @@
 
 #include "plane_traits.h"
 #include "plumb/convex/plane_minkowski.h"
+#include "plumb/convex/triangulation.h"
 #include "plumb/csg/evaluate.h"
 #include "plumb/io/csg_reader.h"
 #include "plumb/model/extrude.h"
@@ -14,7 +15,9 @@
 #include "plumb/model/primitives.h"
 #include "plumb/model/slice.h"
 #include "plumb/model/transform.h"
+#include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_offset.h"
+#include "plumb/plane/plane_rounding.h"
 
 namespace plumb::python {
 namespace {
@@ -199,7 +202,32 @@ Nef3 extruded(Context& context, const Nef2& outline, double height, bool centred
   return linear_extrusion(outline, options, context);
 }
 
+using FlatMesh = std::pair<ArrayOut<double, 2>, ArrayOut<std::uint32_t, 3>>;
+
+FlatMesh arrays_of(const PlaneTriangulation& triangulation) {
+  FlatMesh result;
+  result.first.values = coordinates_of(triangulation.points);
+  for (const auto& triangle : triangulation.triangles) {
+    result.second.values.insert(result.second.values.end(), triangle.begin(), triangle.end());
+  }
+  return result;
+}
+
+FlatMesh triangulated(Context& context, const Nef2& set) {
+  return arrays_of(delaunay(round_to_doubles(set, context).set, context));
+}
+
 void def_plane_models(nb::class_<Nef2>& c) {
+  def_run(c, "triangulated", &triangulated,
+          "Return triangles that cover the set after its coordinates were rounded to doubles: "
+          "points float64 (n, 2), triangles uint32 (m, 3). They are a constrained Delaunay "
+          "triangulation: edges of the set are sides, and no points are added.");
+  def_run_static(
+      c, "delaunay",
+      +[](Context& k, const Coordinates2& points) {
+        return arrays_of(delaunay(points_of(points.span()), k)).second;
+      },
+      "Return the Delaunay triangulation of points, float64 (n, 2): uint32 (m, 3).", "points"_a);
   def_run_static(
       c, "disk",
       +[](Context& k, double radius, std::uint32_t chords) { return disk(radius, chords, k); },

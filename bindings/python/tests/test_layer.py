@@ -65,3 +65,14 @@ def test_errors_have_places() -> None:
     with pytest.raises(plumb.Error) as caught:
         plumb.Layer.parse('{"type": "FeatureCollection",\n "features": [}')
     assert caught.value.line == 2
+
+
+def test_voronoi_cells_and_faces() -> None:
+    sites = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (4.0, 4.0)]
+    cells = plumb.Layer.voronoi(sites, (-1, -1), (5, 5))
+    features = json.loads(cells.to_geojson())["features"]
+    assert len(features) == 4
+    assert [-1, -1] in features[0]["geometry"]["coordinates"][0]
+    box = plumb.PlaneSet.box((0, 0), (4, 4)).boundary()
+    lines = box | plumb.PlaneSet.polyline([(0, 0), (4, 4)])
+    assert len(plumb.Layer.of_faces(~lines)) == 2

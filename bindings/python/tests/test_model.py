@@ -120,3 +120,14 @@ def test_models_of_openscad(tmp_path: Path) -> None:
     path.write_text('import(file = "model.off");')
     with pytest.raises(plumb.Error):
         plumb.read_csg(path)
+
+
+def test_triangulations() -> None:
+    ring = plumb.PlaneSet.box((0, 0), (3, 3)) - plumb.PlaneSet.box((1, 1), (2, 2))
+    points, triangles = ring.triangulated()
+    assert points.shape == (8, 2) and triangles.shape == (8, 3)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    areas = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+    assert (areas > 0).all() and areas.sum() / 2 == 8
+    square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.5]])
+    assert len(plumb.PlaneSet.delaunay(square)) == 4
