@@ -1,10 +1,12 @@
 #include "plumb/cli/session/process.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #ifdef _WIN32
 #include <windows.h>
 // Needs the header above it.
+#include <io.h>
 #include <psapi.h>
 #else
 #include <sys/resource.h>
@@ -42,6 +44,11 @@ void handle(int signal, void (*handler)(int)) {
 
 void ignore_failed_writes() {}
 
+void use_bytes_in_standard_streams() {
+  ::_setmode(STDIN_FILENO, O_BINARY);
+  ::_setmode(STDOUT_FILENO, O_BINARY);
+}
+
 std::uint64_t memory_now() {
   PROCESS_MEMORY_COUNTERS counters{};
   const bool is_known =
@@ -75,6 +82,8 @@ void ignore_failed_writes() {
   handle(SIGPIPE, SIG_IGN);
   handle(SIGXFSZ, SIG_IGN);
 }
+
+void use_bytes_in_standard_streams() {}
 
 std::uint64_t memory_now() {
   std::uint64_t pages = 0;

@@ -21,6 +21,9 @@ std::uint64_t memory_now();
 /// Makes allocations fail beyond this many bytes, unless a lower limit holds.
 void limit_memory(std::uint64_t bytes);
 
+/// Makes standard input and output carry bytes as they are. Windows would change ends of lines.
+void use_bytes_in_standard_streams();
+
 /// Whether a descriptor is a regular file.
 bool is_regular_file(int descriptor);
 

@@ -21,7 +21,6 @@
 #include "plumb/base/keep_freed_memory.h"
 #include "plumb/cli/session/process.h"
 #include "plumb/io/text/files.h"
-#include "plumb/io/text/system_files.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
@@ -65,7 +64,7 @@ std::stop_token prepare_process() {
   process::handle(SIGTERM, on_stop_signal);
   process::handle(SIGABRT, on_abort);
   process::ignore_failed_writes();
-  system_files::use_bytes_in_standard_streams();
+  process::use_bytes_in_standard_streams();
   ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
   keep_freed_memory();
   use_huge_pages();

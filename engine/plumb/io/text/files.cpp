@@ -9,6 +9,9 @@
 // Tested by tests/io/files_test.cpp.
 #include "plumb/io/text/files.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -290,9 +293,7 @@ void OutputFile::open_temporary() {
     fail();
   }
   temporary_names.add(temporary_.c_str());
-  struct stat status {};
-  const bool exists = ::stat(target_.c_str(), &status) == 0;
-  system_files::give_permissions(descriptor_, exists ? &status : nullptr);
+  system_files::give_permissions(descriptor_, target_);
 }
 
 void OutputFile::fail() const {

@@ -1,5 +1,8 @@
 #include "plumb/io/text/system_files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #ifdef _WIN32
 #include <io.h>
 #include <windows.h>
@@ -30,7 +33,7 @@ int open_device(const std::string& path) {
 
 int create_temporary(std::string& name) { return ::mkstemp(name.data()); }
 
-void give_permissions(int /*descriptor*/, const struct stat* /*model*/) {}
+void give_permissions(int /*descriptor*/, const std::string& /*model*/) {}
 
 bool synchronize(int descriptor) { return ::_commit(descriptor) == 0; }
 
@@ -47,10 +50,6 @@ std::string resolve_links(const std::string& path) {
   if (!std::filesystem::is_symlink(path, error)) return path;
   const std::filesystem::path real = std::filesystem::canonical(path, error);
   return error ? path : real.string();
-}
-
-void use_bytes_in_standard_streams() {
-  for (std::FILE* const stream : {stdin, stdout}) ::_setmode(::_fileno(stream), O_BINARY);
 }
 
 #else
@@ -86,8 +85,10 @@ mode_t new_file_mode() {
 
 }  // namespace
 
-void give_permissions(int descriptor, const struct stat* model) {
-  ::fchmod(descriptor, model != nullptr ? model->st_mode & 07777U : new_file_mode());
+void give_permissions(int descriptor, const std::string& model) {
+  struct stat status {};
+  const bool exists = ::stat(model.c_str(), &status) == 0;
+  ::fchmod(descriptor, exists ? status.st_mode & 07777U : new_file_mode());
 }
 
 bool synchronize(int descriptor) { return ::fsync(descriptor) == 0; }
@@ -101,8 +102,6 @@ std::string resolve_links(const std::string& path) {
                                                          &std::free);
   return real ? std::string(real.get()) : path;
 }
-
-void use_bytes_in_standard_streams() {}
 
 #endif
 

@@ -4,14 +4,8 @@
 // reported as there: by a negative number or false, and by errno.
 #pragma once
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <sys/types.h>
-#include <unistd.h>
-
 #include <string>
 
-#pragma GCC visibility push(default)
 namespace plumb::system_files {
 
 /// Opens a file to read its bytes. A named pipe is opened without waiting for a program that
@@ -30,9 +24,9 @@ int open_device(const std::string& path);
 /// Returns the descriptor.
 int create_temporary(std::string& name);
 
-/// Gives an open file the permissions of `model`, or, if that is null, those of any file that the
-/// process creates. Windows derives permissions from the folder, so nothing is done there.
-void give_permissions(int descriptor, const struct stat* model);
+/// Gives an open file the permissions of the file `model`, or, if there is none, those of any file
+/// that the process creates. Windows derives permissions from the folder, so nothing is done there.
+void give_permissions(int descriptor, const std::string& model);
 
 /// Waits until the bytes of an open file are on the device. Returns whether that succeeded.
 bool synchronize(int descriptor);
@@ -44,9 +38,4 @@ bool replace_file(const std::string& from, const std::string& to);
 /// Returns where `path` leads if it is a link, else `path`.
 std::string resolve_links(const std::string& path);
 
-/// Makes the standard streams carry bytes as they are: on Windows, they would be changed at ends of
-/// lines.
-void use_bytes_in_standard_streams();
-
 }  // namespace plumb::system_files
-#pragma GCC visibility pop
