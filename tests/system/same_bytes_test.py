@@ -28,7 +28,7 @@ def run(program, words, folder):
     done = subprocess.run([program, *arguments], stdin=subprocess.DEVNULL, capture_output=True, check=False)
     if done.returncode not in (0, 1):
         raise SystemExit(f"{' '.join(words)}: exit {done.returncode}\n{done.stderr.decode(errors='replace')}")
-    written = done.stdout if out is None else out.read_bytes()
+    written = done.stdout if out is None else out.read_bytes() if out.exists() else b""
     if not written:
         raise SystemExit(f"{' '.join(words)}: nothing was written\n{done.stderr.decode(errors='replace')}")
     return hashlib.sha256(written).hexdigest()[:DIGITS]
