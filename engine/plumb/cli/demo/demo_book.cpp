@@ -222,8 +222,8 @@ DemoBook::DemoBook(fs::path directory, Session& session)
   if (error) throw Error(ErrorCode::CannotWrite, error.message(), {directory_.string()});
 }
 
-/// The file is in $PLUMB_ROOT if that is set, else in the sources that this program was built from if
-/// they exist, else where `cmake --install` and the packages put it.
+/// The file is in $PLUMB_ROOT if that is set, else in the sources that this program was built from
+/// if they exist, else where `cmake --install` and the packages put it.
 std::string DemoBook::bundled(const std::string& file) {
   const char* const root = std::getenv("PLUMB_ROOT");
   if (root != nullptr && *root != '\0') return (fs::path(root) / "corpus" / file).string();

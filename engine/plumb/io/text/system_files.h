@@ -16,8 +16,8 @@ int open_input(const std::string& path);
 /// Windows, it returns true at once, so that it is the read itself that waits.
 bool wait_for_input(int descriptor, int milliseconds);
 
-/// Opens a device or a pipe to write to it. errno is ENXIO if no program reads a named pipe. Returns
-/// the descriptor.
+/// Opens a device or a pipe to write to it. errno is ENXIO if no program reads a named pipe.
+/// Returns the descriptor.
 int open_device(const std::string& path);
 
 /// Creates a file of its own. The last six characters of `name` are "XXXXXX", and are replaced.
