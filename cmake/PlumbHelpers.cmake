@@ -36,6 +36,10 @@ function(plumb_compile_options target)
       $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>
       $<$<BOOL:${PLUMB_WERROR}>:-Werror>)
   endif()
+  if(WIN32)
+    # Files of more than 2^31 bytes; no macros min and max.
+    target_compile_definitions(${target} PRIVATE _FILE_OFFSET_BITS=64 NOMINMAX WIN32_LEAN_AND_MEAN)
+  endif()
   plumb_sanitize(${target})
 endfunction()
 
@@ -126,8 +130,11 @@ function(plumb_compile_together target)
 endfunction()
 
 # plumb_exports(TARGET): a shared library shows what has default visibility, and of that only what is plumb's
-# (plumb.exports).
+# (plumb.exports). Scripts of versions are for ELF; elsewhere, visibility alone decides.
 function(plumb_exports target)
+  if(WIN32 OR APPLE)
+    return()
+  endif()
   set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
   target_link_options(${target} PRIVATE LINKER:--version-script=${PROJECT_SOURCE_DIR}/cmake/plumb.exports)
 endfunction()

@@ -1,4 +1,5 @@
-# install: libraries, headers, CMake config + version file, plumb.pc, the program.
+# install: libraries, headers, CMake config + version file, plumb.pc (component development); the program with its manual page,
+# completion and the data of its demo (component program); see also PlumbPackage.cmake.
 include(CMakePackageConfigHelpers)
 
 set(plumb_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/plumb)
@@ -9,15 +10,21 @@ if(PLUMB_BUILD_IO)
 endif()
 if(TARGET plumb_c)
   list(APPEND plumb_libraries plumb_c)
-  install(FILES bindings/c/include/plumb.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(FILES bindings/c/include/plumb.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 endif()
-install(TARGETS ${plumb_libraries} EXPORT plumbTargets)
+install(TARGETS ${plumb_libraries} EXPORT plumbTargets
+  ARCHIVE COMPONENT development LIBRARY COMPONENT development RUNTIME COMPONENT development)
 if(PLUMB_BUILD_PROGRAM AND TARGET plumb_program)
-  install(TARGETS plumb_program)
+  install(TARGETS plumb_program COMPONENT program)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/corpus)
+    install(DIRECTORY corpus/maps corpus/polyhedra corpus/scenes corpus/solids
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/plumb/corpus COMPONENT program)
+  endif()
   if(TARGET plumb_manual)
-    install(FILES ${PROJECT_BINARY_DIR}/engine/plumb/cli/plumb.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${PROJECT_BINARY_DIR}/engine/plumb/cli/plumb.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+      COMPONENT program)
     install(FILES ${PROJECT_BINARY_DIR}/engine/plumb/cli/plumb.bash
-      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME plumb)
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME plumb COMPONENT program)
   endif()
 endif()
 foreach(header ${plumb_public_headers} ${plumb_support_headers})
@@ -26,19 +33,19 @@ foreach(header ${plumb_public_headers} ${plumb_support_headers})
   endif()
   cmake_path(GET header PARENT_PATH folder)
   plumb_header_path(${header} file)
-  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} COMPONENT development)
 endforeach()
-install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
 # Who links plumb::io links the libraries that decompress glTF, too.
 get_property(plumb_codecs GLOBAL PROPERTY PLUMB_CODECS)
-install(EXPORT plumbTargets NAMESPACE plumb:: DESTINATION ${plumb_config_dir})
+install(EXPORT plumbTargets NAMESPACE plumb:: DESTINATION ${plumb_config_dir} COMPONENT development)
 configure_package_config_file(cmake/plumbConfig.cmake.in ${PROJECT_BINARY_DIR}/plumbConfig.cmake
   INSTALL_DESTINATION ${plumb_config_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)  # below 1.0 a minor version may break
 install(FILES ${PROJECT_BINARY_DIR}/plumbConfig.cmake ${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
-  cmake/FindPlumbGMP.cmake DESTINATION ${plumb_config_dir})
+  cmake/FindPlumbGMP.cmake DESTINATION ${plumb_config_dir} COMPONENT development)
 
 # Component testing: generators, a twin and what makes fuzz targets of them (docs/fuzzing.md).
 if(TARGET plumb_testing_maps)
@@ -57,7 +64,7 @@ if(BUILD_SHARED_LIBS)
 endif()
 file(RELATIVE_PATH plumb_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/plumb.pc.in ${PROJECT_BINARY_DIR}/plumb.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/plumb.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/plumb.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 if(TARGET plumb_c)
   if(BUILD_SHARED_LIBS)
     set(plumb_c_pc_requires "")
@@ -68,5 +75,5 @@ if(TARGET plumb_c)
     set(plumb_c_pc_libs " -lplumb_picture -lplumb_io -lplumb -lplumb_predicates${plumb_pc_codecs} -lstdc++ -lm ${CMAKE_THREAD_LIBS_INIT}")
   endif()
   configure_file(cmake/plumb-c.pc.in ${PROJECT_BINARY_DIR}/plumb-c.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/plumb-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${PROJECT_BINARY_DIR}/plumb-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endif()

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "expect_refusals.h"
+#include "little_endian.h"
 #include "mesh_checks.h"
 #include "plumb/io/mesh/gltf.h"
 #include "plumb/io/mesh_io.h"
@@ -24,7 +24,9 @@ using testing::is_same;
 template <class Number>
 std::string bytes_of(const std::vector<Number>& numbers) {
   std::string bytes(numbers.size() * sizeof(Number), '\0');
-  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    testing::place(bytes, i * sizeof(Number), numbers[i]);
+  }
   return bytes;
 }
 

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "gltf_documents.h"
+#include "little_endian.h"
 #include "plumb/io/mesh/gltf_extensions.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh_io.h"
@@ -117,7 +117,7 @@ TEST(GltfReader, equal_points_are_one_and_flat_triangles_go) {
   d.json["scenes"][0]["nodes"] = {0, 1};
   EXPECT_EQ(read(glb(d)).mesh.points.size(), 4U);
   const std::uint16_t twice = 2;
-  std::memcpy(d.buffer.data() + 48, &twice, 2);
+  testing::place(d.buffer, 48, twice);
   const MeshFile file = read(glb(d));
   EXPECT_EQ(file.mesh.face_count(), 6U);
   EXPECT_EQ(file.notes, std::vector<std::string>{"2 triangles with two equal corners left out"});
@@ -244,7 +244,7 @@ TEST(GltfReader, says_what_it_passes_over) {
   primitives.push_back(Json::parse(R"({"attributes": {"POSITION": 2}})"));
   primitives.push_back(Json::parse(R"({"attributes": {"POSITION": 2}, "mode": 5})"));
   const std::uint16_t twice = 2;
-  std::memcpy(d.buffer.data() + 48, &twice, 2);
+  testing::place(d.buffer, 48, twice);
   const MeshFile file = read(glb(d));
   EXPECT_EQ(file.mesh.face_count(), 3U);
   EXPECT_EQ(file.notes, (std::vector<std::string>{"passed over: skins, morph targets",
@@ -470,7 +470,7 @@ TEST(GltfReader, refuses_hostile_bytes) {
   }
   const auto with = [&](std::size_t at, std::uint32_t value) {
     std::string bytes = good;
-    std::memcpy(bytes.data() + at, &value, 4);
+    testing::place(bytes, at, value);
     return bytes;
   };
   expect_refused(with(4, 1), "at byte 4: not version 2");
@@ -481,13 +481,13 @@ TEST(GltfReader, refuses_hostile_bytes) {
   expect_refused(with(20, 7), "at byte 20: not JSON");
   Document d = tetrahedron_document();
   const std::uint16_t far = 4;
-  std::memcpy(d.buffer.data() + 48, &far, 2);
+  testing::place(d.buffer, 48, far);
   expect_refused(glb(d), "no vertex 4");
   d = tetrahedron_document();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const std::size_t at : {12U, 16U, 20U}) {
     d = tetrahedron_document();
-    std::memcpy(d.buffer.data() + at, &nan, 4);
+    testing::place(d.buffer, at, nan);
     expect_refused(glb(d), "vertex 1 has a coordinate that is not finite");
   }
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -15,6 +14,7 @@
 #include "expect_refusals.h"
 #include "generate/crowded_points.h"
 #include "hostile_meshes.h"
+#include "little_endian.h"
 #include "mesh_checks.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh/stl.h"
@@ -47,7 +47,7 @@ std::string binary_of(const PolygonMesh& mesh) {
 /// The number at byte `at` replaced.
 template <class Number>
 std::string with_number(std::string bytes, std::size_t at, Number value) {
-  std::memcpy(bytes.data() + at, &value, sizeof(value));
+  testing::place(bytes, at, value);
   return bytes;
 }
 

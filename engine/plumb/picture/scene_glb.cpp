@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -19,12 +18,12 @@
 #include <unordered_map>
 #include <utility>
 
+#include "plumb/io/text/byte_order.h"
+
 namespace plumb {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
 
 constexpr int kFloat = 5126, kUnsigned = 5125;      // Values of componentType.
 constexpr int kVertices = 34962, kIndices = 34963;  // Values of target.
@@ -32,9 +31,8 @@ constexpr int kTriangles = 4, kLines = 1;           // Values of mode.
 
 template <class Number>
 void append(std::string& bytes, Number value) {
-  char raw[sizeof(Number)];
-  std::memcpy(raw, &value, sizeof(Number));
-  bytes.append(raw, sizeof(Number));
+  const auto raw = to_bytes(value, std::endian::little);
+  bytes.append(raw.data(), raw.size());
 }
 
 /// Returns a channel of sRGB in linear light, as glTF requires.

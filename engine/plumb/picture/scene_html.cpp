@@ -10,11 +10,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <type_traits>
 
+#include "plumb/io/text/byte_order.h"
 #include "plumb/picture/render.h"
 #include "plumb/picture/scene/scene_page.h"
 #include "plumb/picture/svg/svg_text.h"
@@ -24,16 +24,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-static_assert(std::endian::native == std::endian::little, "typed arrays are read as they lie");
-
-/// The numbers of a list, as the typed array of the page reads them.
+/// The numbers of a list, as the typed array of the page reads them: little-endian, as the
+/// processors are on which browsers run.
 class Numbers {
  public:
   template <class Number>
   void add(Number value) {
-    char bytes[sizeof(Number)];
-    std::memcpy(bytes, &value, sizeof(Number));
-    bytes_.append(bytes, sizeof(Number));
+    const auto raw = to_bytes(value, std::endian::little);
+    bytes_.append(raw.data(), raw.size());
   }
   void add(const Point3& p) {
     for (const double x : {p.x, p.y, p.z}) add(static_cast<float>(x));

@@ -222,11 +222,15 @@ DemoBook::DemoBook(fs::path directory, Session& session)
   if (error) throw Error(ErrorCode::CannotWrite, error.message(), {directory_.string()});
 }
 
-/// Returns the folder $PLUMB_ROOT, else the one this program was built from.
+/// The file is in $PLUMB_ROOT if that is set, else in the sources that this program was built from
+/// if they exist, else where `cmake --install` and the packages put it.
 std::string DemoBook::bundled(const std::string& file) {
   const char* const root = std::getenv("PLUMB_ROOT");
-  const bool is_set = root != nullptr && *root != '\0';
-  return (fs::path(is_set ? root : PLUMB_SOURCE_DIR) / "corpus" / file).string();
+  if (root != nullptr && *root != '\0') return (fs::path(root) / "corpus" / file).string();
+  const fs::path in_sources = fs::path(PLUMB_SOURCE_DIR) / "corpus" / file;
+  std::error_code error;
+  if (fs::exists(in_sources, error)) return in_sources.string();
+  return (fs::path(PLUMB_INSTALLED_DATA) / "corpus" / file).string();
 }
 
 void DemoBook::chapter(std::string title, std::string claim) {

@@ -8,15 +8,14 @@
 // Tested by tests/cli/program_test.cpp.
 #include "plumb/cli/session/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <optional>
 #include <system_error>
 #include <utility>
+
+#include "plumb/cli/session/process.h"
 
 namespace plumb::cli {
 
@@ -240,28 +239,11 @@ namespace {
 constexpr std::string_view kFull = "########################";
 constexpr std::string_view kEmpty = "........................";
 
-/// Threads started while it exists get no signals, so that these interrupt what the first thread
-/// waits for.
-class BlockedSignals {
- public:
-  BlockedSignals() {
-    sigset_t all;
-    ::sigfillset(&all);
-    ::pthread_sigmask(SIG_BLOCK, &all, &before_);
-  }
-  ~BlockedSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  BlockedSignals(const BlockedSignals&) = delete;
-  BlockedSignals& operator=(const BlockedSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
-
 }  // namespace
 
 ProgressBar::ProgressBar(bool shown) : shown_(shown), terminal_(::isatty(STDERR_FILENO) == 1) {
   if (!shown_ || !terminal_) return;
-  const BlockedSignals blocked;
+  const process::BlockedSignals blocked;
   try {
     drawer_ = std::jthread([this](const std::stop_token& stop) { draw_until(stop); });
   } catch (const std::system_error&) {  // No thread is available, so there is no bar.

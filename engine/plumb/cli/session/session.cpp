@@ -9,9 +9,6 @@
 #include "plumb/cli/session/session.h"
 
 #include <gmp.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -22,6 +19,7 @@
 #include <utility>
 
 #include "plumb/base/keep_freed_memory.h"
+#include "plumb/cli/session/process.h"
 #include "plumb/io/text/files.h"
 #include "plumb/predicates/error.h"
 
@@ -45,13 +43,6 @@ extern "C" void on_stop_signal(int) {
 
 extern "C" void on_abort(int) { leave(ExitCode::Internal); }
 
-/// Without SA_RESTART a read that waits for input ends, and notices the stop.
-void handle(int signal, void (*handler)(int)) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  ::sigaction(signal, &action, nullptr);
-}
-
 void* require(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
@@ -63,27 +54,17 @@ void* gmp_reallocate(void* memory, std::size_t, std::size_t size) {
 }
 void gmp_free(void* memory, std::size_t) { std::free(memory); }
 
-std::uint64_t address_space_now() {
-  std::uint64_t pages = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    unsigned long long read = 0;
-    if (std::fscanf(file, "%llu", &read) == 1) pages = read;
-    std::fclose(file);
-  }
-  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-}
-
 }  // namespace
 
 bool is_stop_requested() { return stop_source().stop_requested(); }
 
 std::stop_token prepare_process() {
   stop_source();  // Made before a signal can ask for it.
-  handle(SIGINT, on_stop_signal);
-  handle(SIGTERM, on_stop_signal);
-  handle(SIGPIPE, SIG_IGN);
-  handle(SIGXFSZ, SIG_IGN);
-  handle(SIGABRT, on_abort);
+  process::handle(SIGINT, on_stop_signal);
+  process::handle(SIGTERM, on_stop_signal);
+  process::handle(SIGABRT, on_abort);
+  process::ignore_failed_writes();
+  process::use_bytes_in_standard_streams();
   ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
   keep_freed_memory();
   use_huge_pages();
@@ -92,12 +73,7 @@ std::stop_token prepare_process() {
 
 void limit_address_space(std::uint64_t bytes) {
   constexpr std::uint64_t kSlack = std::uint64_t{64} << 20U;
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_AS, &limit) != 0) return;
-  const rlim_t wanted = address_space_now() + bytes + kSlack;
-  if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur <= wanted) return;
-  limit.rlim_cur = wanted;
-  ::setrlimit(RLIMIT_AS, &limit);
+  process::limit_memory(process::memory_now() + bytes + kSlack);
 }
 
 namespace {
@@ -119,11 +95,6 @@ std::string require_positive(const std::string& text) {
   double value = 0;
   const bool is_positive = CLI::detail::lexical_cast(text, value) && value > 0;
   return is_positive ? std::string() : "a positive number is needed, not " + text;
-}
-
-bool is_regular_file(int descriptor) {
-  struct stat status {};
-  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 void require_no_stop() {
@@ -212,7 +183,7 @@ void Session::deliver() {
   begin("write");
   outputs_.deliver([this] {
     // Both may be seen on the same terminal.
-    if (!is_regular_file(STDOUT_FILENO)) progress_.clear();
+    if (!process::is_regular_file(STDOUT_FILENO)) progress_.clear();
   });
 }
 

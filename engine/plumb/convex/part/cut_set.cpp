@@ -258,10 +258,10 @@ class DividingPlane {
   PlaneId best_of(const std::vector<PlaneId>& planes) const {
     constexpr std::size_t kMost = 64;
     PlaneId best;
-    long best_score = 0;
+    std::int64_t best_score = 0;
     const std::size_t step = 1 + planes.size() / kMost;
     for (std::size_t i = 0; i < planes.size(); i += step) {
-      long score = 0;
+      std::int64_t score = 0;
       for (const EdgeId e : edges_) {
         const Sign a = side_of_end(2 * e.value(), planes[i]),
                    b = side_of_end(2 * e.value() + 1, planes[i]);

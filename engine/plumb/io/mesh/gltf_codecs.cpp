@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <stdexcept>
 
@@ -30,6 +31,11 @@
 
 namespace plumb {
 namespace {
+
+#if defined(PLUMB_WITH_DRACO) || defined(PLUMB_WITH_MESHOPT)
+static_assert(std::endian::native == std::endian::little,
+              "the decoders write numbers as the processor has them");
+#endif
 
 constexpr const char* kDecompress = "decompress it: gltf-transform cp IN.glb OUT.glb";
 

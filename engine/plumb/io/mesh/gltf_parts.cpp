@@ -166,8 +166,6 @@ std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
-
 constexpr std::uint64_t kMostVertices = 0xffff'0000;
 
 }  // namespace

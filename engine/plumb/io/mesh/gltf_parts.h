@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -20,6 +20,7 @@
 #include "plumb/base/context.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh_io.h"
+#include "plumb/io/text/byte_order.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/input_predicates.h"
 
@@ -151,9 +152,8 @@ struct GltfElements {
 
   template <class Number>
   Number at(std::size_t i, std::size_t part = 0) const {
-    Number value;
-    std::memcpy(&value, bytes.data() + i * stride + part * sizeof(Number), sizeof(Number));
-    return value;
+    const char* const first = bytes.data() + i * stride + part * sizeof(Number);
+    return from_bytes<Number>(first, std::endian::little);
   }
   std::uint32_t index(std::size_t i) const {
     if (component == GltfComponent::kByte) return at<std::uint8_t>(i);

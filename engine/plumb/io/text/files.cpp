@@ -9,8 +9,6 @@
 // Tested by tests/io/files_test.cpp.
 #include "plumb/io/text/files.h"
 
-#include <fcntl.h>
-#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,18 +18,26 @@
 #include <cerrno>
 #include <climits>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <utility>
 
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/system_files.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
+
+#ifdef _WIN32
+using IoSize = unsigned int;
+#else
+using IoSize = std::size_t;
+#endif
+// More bytes than that are read and written in parts.
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 30;
 
 [[noreturn]] void fail(const std::string& path) {
   throw Error(ErrorCode::CannotOpen, std::strerror(errno), {input_name(path)});
@@ -53,8 +59,7 @@ class InputFile {
       : fd_(STDIN_FILENO), path_(path), context_(context) {
     if (path == "-") return;
     // Without waiting for a program that writes to a named pipe: wait() does that.
-    const int flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK;
-    fd_ = uninterrupted(context_, [&] { return ::open(path.c_str(), flags); });
+    fd_ = uninterrupted(context_, [&] { return system_files::open_input(path); });
     if (fd_ < 0) fail(path_);
   }
   ~InputFile() {
@@ -74,17 +79,17 @@ class InputFile {
   /// meanwhile. (A signal that arrives just before a read would not interrupt it.)
   void wait() const {
     constexpr int kSliceMilliseconds = 50;
-    pollfd request{fd_, POLLIN, 0};
     do {
       context_.checkpoint("load", 0, 1);
-    } while (::poll(&request, 1, kSliceMilliseconds) <= 0);
+    } while (!system_files::wait_for_input(fd_, kSliceMilliseconds));
   }
 
   /// Reads some bytes; returns 0 at the end.
   std::size_t read(char* to, std::size_t most) const {
     for (;;) {
       wait();
-      const ssize_t got = uninterrupted(context_, [&] { return ::read(fd_, to, most); });
+      const auto part = static_cast<IoSize>(std::min(most, kMostAtOnce));
+      const auto got = uninterrupted(context_, [&] { return ::read(fd_, to, part); });
       if (got >= 0) return static_cast<std::size_t>(got);
       if (errno != EAGAIN) fail(path_);
     }
@@ -184,20 +189,6 @@ class TemporaryNames {
 
 TemporaryNames temporary_names;
 
-/// Returns where `path` leads if it is a link, else itself.
-std::string resolve_links(const std::string& path) {
-  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
-                                                         &std::free);
-  return real ? std::string(real.get()) : path;
-}
-
-/// Returns the permissions that a file created by this process gets.
-mode_t new_file_mode() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
-}
-
 }  // namespace
 
 DescriptorBuffer::DescriptorBuffer(int descriptor, std::string name)
@@ -209,7 +200,8 @@ DescriptorBuffer::DescriptorBuffer(int descriptor, std::string name)
 
 void DescriptorBuffer::write_all(const char* text, std::size_t size) {
   while (size > 0) {
-    const ssize_t wrote = ::write(descriptor_, text, size);
+    const auto part = static_cast<IoSize>(std::min(size, kMostAtOnce));
+    const auto wrote = ::write(descriptor_, text, part);
     if (wrote < 0 && errno == EINTR) continue;
     if (wrote < 0) fail_write(name_);
     text += wrote;
@@ -255,7 +247,8 @@ DescriptorStream::DescriptorStream(int descriptor, std::string name)
   exceptions(std::ios::badbit);  // Rethrows what the buffer threw.
 }
 
-OutputFile::OutputFile(const std::string& path) : path_(path), target_(resolve_links(path)) {
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), target_(system_files::resolve_links(path)) {
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
@@ -281,11 +274,11 @@ OutputFile::~OutputFile() {
 
 /// Opens a device or a pipe. A named pipe that no program reads is refused, not waited for.
 void OutputFile::open_directly() {
-  descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  descriptor_ = system_files::open_device(target_);
   if (descriptor_ < 0 && errno == ENXIO) {
     throw Error(ErrorCode::CannotWrite, "no program reads this pipe", {path_});
   }
-  if (descriptor_ < 0 || ::fcntl(descriptor_, F_SETFL, O_WRONLY) != 0) fail();
+  if (descriptor_ < 0) fail();
 }
 
 void OutputFile::open_temporary() {
@@ -294,15 +287,13 @@ void OutputFile::open_temporary() {
   name += target.filename().string();
   name += ".XXXXXX";
   temporary_ = (target.parent_path() / name).string();
-  descriptor_ = ::mkostemp(temporary_.data(), O_CLOEXEC);
+  descriptor_ = system_files::create_temporary(temporary_);
   if (descriptor_ < 0) {
     temporary_.clear();
     fail();
   }
   temporary_names.add(temporary_.c_str());
-  struct stat status {};
-  const bool exists = ::stat(target_.c_str(), &status) == 0;
-  ::fchmod(descriptor_, exists ? status.st_mode & 07777U : new_file_mode());
+  system_files::give_permissions(descriptor_, target_);
 }
 
 void OutputFile::fail() const {
@@ -317,14 +308,14 @@ void OutputFile::close() {
 void OutputFile::finish() {
   stream_->flush();
   // Pipes and devices cannot be synchronised; that is no error.
-  if (!is_direct_ && ::fsync(descriptor_) != 0) fail();
+  if (!is_direct_ && !system_files::synchronize(descriptor_)) fail();
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0) fail();
 }
 
 void OutputFile::commit() {
   if (is_direct_) return;
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
+  if (!system_files::replace_file(temporary_, target_)) fail();
   temporary_names.remove(temporary_.c_str());
   temporary_.clear();
 }

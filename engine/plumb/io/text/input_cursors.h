@@ -12,11 +12,11 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "plumb/io/text/byte_order.h"
 #include "plumb/predicates/error.h"
 
 #pragma GCC visibility push(default)
@@ -155,17 +155,14 @@ class BinaryInput {
   /// Starts at byte `start` of the file with the contents `bytes`. Requires that `bytes` outlives
   /// this object. `name` is the name of the file in messages.
   BinaryInput(std::string_view bytes, std::size_t start, std::endian order, std::string name)
-      : bytes_(bytes),
-        at_(start),
-        is_swapped_(order != std::endian::native),
-        name_(std::move(name)) {}
+      : bytes_(bytes), at_(start), order_(order), name_(std::move(name)) {}
 
   std::size_t position() const { return at_; }
   std::size_t bytes_read() const { return at_; }
   std::size_t bytes_left() const { return bytes_.size() - at_; }
 
   /// Changes the byte order of the numbers that follow.
-  void set_order(std::endian order) { is_swapped_ = order != std::endian::native; }
+  void set_order(std::endian order) { order_ = order; }
 
   /// Skips bytes. Requires that `bytes` is at most bytes_left().
   void skip(std::size_t bytes) { at_ += bytes; }
@@ -174,15 +171,9 @@ class BinaryInput {
   /// bytes_left().
   template <class Number>
   Number take() {
-    char raw[sizeof(Number)];
-    std::memcpy(raw, bytes_.data() + at_, sizeof(Number));
-    if (is_swapped_) {
-      for (std::size_t i = 0; i < sizeof(Number) / 2; ++i) {
-        std::swap(raw[i], raw[sizeof(Number) - 1 - i]);
-      }
-    }
+    const auto number = from_bytes<Number>(bytes_.data() + at_, order_);
     at_ += sizeof(Number);
-    return std::bit_cast<Number>(raw);
+    return number;
   }
 
   /// Throws Error{code} with the text "FILE: at byte N: message". N is counted from 0.
@@ -196,7 +187,7 @@ class BinaryInput {
  private:
   std::string_view bytes_;
   std::size_t at_;
-  bool is_swapped_;
+  std::endian order_;
   std::string name_;
 };
 

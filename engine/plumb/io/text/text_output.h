@@ -4,15 +4,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "plumb/base/context.h"
 #include "plumb/base/internal/message_text.h"
+#include "plumb/io/text/byte_order.h"
 #include "plumb/predicates/point_table2.h"
 #include "plumb/predicates/rational.h"
 
@@ -69,14 +68,8 @@ void write_point(TextOutput& out, const PointTable2& points, std::uint32_t i);
 /// Writes a number of fixed size as little-endian bytes.
 template <class Number>
 void put_little_endian(TextOutput& out, Number value) {
-  char raw[sizeof(Number)];
-  std::memcpy(raw, &value, sizeof(Number));
-  if constexpr (std::endian::native == std::endian::big) {
-    for (std::size_t i = 0; i < sizeof(Number) / 2; ++i) {
-      std::swap(raw[i], raw[sizeof(Number) - 1 - i]);
-    }
-  }
-  out << std::string_view(raw, sizeof(Number));
+  const auto bytes = to_bytes(value, std::endian::little);
+  out << std::string_view(bytes.data(), bytes.size());
 }
 
 }  // namespace plumb

@@ -5,8 +5,14 @@
 namespace plumb {
 
 Residue Residue::of(const Integer& value) {
-  static_assert(sizeof(unsigned long) == sizeof(std::uint64_t));
-  return raw(mpz_fdiv_ui(value.mpz(), kModulus));
+  if constexpr (sizeof(unsigned long) == sizeof(std::uint64_t)) {
+    return raw(mpz_fdiv_ui(value.mpz(), static_cast<unsigned long>(kModulus)));
+  }
+  // On Windows, and where words have 32 bits, GMP's functions for built-in integers take less.
+  const Integer modulus(kModulus);
+  Integer remainder;
+  mpz_fdiv_r(remainder.mpz(), value.mpz(), modulus.mpz());
+  return raw(static_cast<std::uint64_t>(remainder));
 }
 
 namespace {

@@ -54,7 +54,11 @@ Triple Scratch2::point(Point2 p) {
   const int shift = std::max({0, -x.exponent, -y.exponent});
   const auto scale = [shift](mpz_ptr out, const Decomposed& d) {
     const int bits = d.exponent + shift;
-    mpz_set_si(out, d.mantissa);
+    if constexpr (sizeof(long) == sizeof(std::int64_t)) {
+      mpz_set_si(out, static_cast<long>(d.mantissa));
+    } else {
+      mpz_set_d(out, static_cast<double>(d.mantissa));  // Exact: 53 bits.
+    }
     mpz_mul_2exp(out, out, static_cast<mp_bitcnt_t>(bits));
   };
   Slot& s = next();

@@ -133,7 +133,7 @@ double lowered(const Scaled& s, int lower) {
 
 /// Sets the offset and its error. An offset above 2^900 becomes 0 with an infinite error, one below
 /// 2^-900 becomes 0 with the least error.
-void set_offset(const Scaled& s, long exponent, PlaneRow& row) {
+void set_offset(const Scaled& s, std::int64_t exponent, PlaneRow& row) {
   if (exponent > 900) {
     row.d = 0;
     row.offset_error = std::numeric_limits<float>::infinity();
@@ -158,7 +158,7 @@ PlaneRow exact_row(const Plane& plane) {
   if (d.mantissa == 0) {
     row.offset_error = FLT_MIN;
   } else {
-    set_offset(d, static_cast<long>(d.exponent) - top + plane.scale, row);
+    set_offset(d, std::int64_t{d.exponent} - top + plane.scale, row);
   }
   return row;
 }

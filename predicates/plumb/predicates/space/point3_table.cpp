@@ -157,7 +157,7 @@ PointBox box_of(const exact3::Homogeneous<X, W>& p) {
   PointBox box{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Scaled x = scaled(p.x[i]);
-    const long exponent = static_cast<long>(x.exponent) - w.exponent + p.scale;
+    const std::int64_t exponent = std::int64_t{x.exponent} - w.exponent + p.scale;
     if (x.mantissa == 0 || exponent < -900) continue;
     if (exponent > 900) return kEverywhere;
     box.mid[i] = x.mantissa / w.mantissa * power_of_two(static_cast<int>(exponent));
