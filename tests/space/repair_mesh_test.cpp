@@ -24,7 +24,7 @@ using Faces = std::vector<std::uint32_t>;
 
 const PolygonMesh kCube = box_mesh({0, 0, 0}, {2, 2, 2});
 const RepairOptions kSafe{
-    .weld = 0, .doubled = DoubledFaces::DropIfBetter, .reorient = true, .fill_holes = 0};
+    .weld = 0, .doubled = DoubledFaces::DropIfBetter, .reorient = true, .fill_holes = 0, .fill_holes_below = 0};
 
 RepairReport mended(PolygonMesh& mesh, const RepairOptions& options) {
   const RepairReport report = repair_mesh(mesh, options);
@@ -145,6 +145,11 @@ TEST(RepairMesh, HolesAreFilledUpToASize) {
   EXPECT_EQ(report.filled, (Faces{3, 3}));
   EXPECT_EQ(report.holes.size(), 1U);
   EXPECT_EQ(report.holes[0].size(), 4U);
+  // By the diagonals of their boxes: the triangles are small, the square is 2 wide.
+  PolygonMesh wide = open;
+  EXPECT_EQ(mended(wide, {.fill_holes_below = 1}).filled, (Faces{3, 3}));
+  wide = open;
+  EXPECT_EQ(mended(wide, {.fill_holes_below = 2.9}).filled, (Faces{3, 3, 4}));
   report = mended(open, {.fill_holes = 4});
   EXPECT_EQ(report.filled, (Faces{3, 3, 4}));
   EXPECT_EQ(report.added, 3U);

@@ -253,9 +253,11 @@ typedef struct plumb_repair_options {
   int doubled;         /**< A constant of plumb_doubled. */
   bool reorient;       /**< Whether faces that disagree with their neighbours are turned. */
   uint32_t fill_holes; /**< Holes with at most so many edges are filled. */
+  /** Holes are also filled if the box of their vertices has a diagonal of at most this length. */
+  double fill_holes_below;
 } plumb_repair_options;
 #define PLUMB_REPAIR_OPTIONS_INIT \
-  { sizeof(plumb_repair_options), 0.0, 0, false, 0 }
+  { sizeof(plumb_repair_options), 0.0, 0, false, 0, 0.0 }
 
 /** How a mesh becomes a solid. */
 typedef struct plumb_solid_options {

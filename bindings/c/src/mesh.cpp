@@ -238,7 +238,7 @@ plumb_status plumb_mesh_find_repair(const plumb_mesh* mesh, plumb_repair_options
     if (remedy) {
       fill(options,
            {0, remedy->weld, static_cast<int>(remedy->doubled), remedy->reorient,
-            remedy->fill_holes},
+            remedy->fill_holes, remedy->fill_holes_below},
            "options");
     }
     *found = remedy.has_value();

@@ -128,7 +128,11 @@ RepairOptions repair_options(const plumb_repair_options* options) {
   if (asked.doubled < PLUMB_DOUBLED_KEEP || asked.doubled > PLUMB_DOUBLED_DROP) {
     fail_argument("doubled is no constant of plumb_doubled");
   }
-  return {asked.weld, static_cast<DoubledFaces>(asked.doubled), asked.reorient, asked.fill_holes};
+  if (!std::isfinite(asked.fill_holes_below)) {
+    throw Error(ErrorCode::NotFinite, "fill_holes_below is not finite");
+  }
+  return {asked.weld, static_cast<DoubledFaces>(asked.doubled), asked.reorient, asked.fill_holes,
+          asked.fill_holes_below};
 }
 
 std::optional<WindingRule> rule_of(int rule) {

@@ -150,7 +150,7 @@ ArrayOut<bool, 1> contains_points(Context& context, const Nef3& set, const Coord
 
 SolidReadOptions read_options(const std::optional<std::string>& rule, bool surface,
                               bool exact_decimals, const std::optional<double>& weld, bool reorient,
-                              std::uint32_t fill_holes) {
+                              std::uint32_t fill_holes, double fill_holes_below) {
   SolidReadOptions options;
   options.rule = winding_rule(rule);
   options.surface = surface;
@@ -158,6 +158,7 @@ SolidReadOptions read_options(const std::optional<std::string>& rule, bool surfa
   options.repair.weld = weld.value_or(0);
   options.repair.reorient = reorient;
   options.repair.fill_holes = fill_holes;
+  options.repair.fill_holes_below = fill_holes_below;
   return options;
 }
 
@@ -362,10 +363,11 @@ void def_files(nb::class_<Nef3>& c) {
       "read",
       [](const Path& path, const std::optional<std::string>& rule, bool surface,
          bool exact_decimals, const std::optional<double>& weld, bool reorient,
-         std::uint32_t fill_holes, unsigned threads, std::optional<double> timeout,
-         std::optional<std::uint64_t> memory_limit, nb::object progress) {
-        const SolidReadOptions options =
-            read_options(rule, surface, exact_decimals, weld, reorient, fill_holes);
+         std::uint32_t fill_holes, double fill_holes_below, unsigned threads,
+         std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
+         nb::object progress) {
+        const SolidReadOptions options = read_options(rule, surface, exact_decimals, weld, reorient,
+                                                      fill_holes, fill_holes_below);
         SolidRead read =
             run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
                 [&](Context& k) { return read_solid_file(path.string(), options, k); });
@@ -373,12 +375,12 @@ void def_files(nb::class_<Nef3>& c) {
         return std::move(read.set);
       },
       "path"_a, "rule"_a = nb::none(), "surface"_a = false, "exact_decimals"_a = false,
-      "weld"_a = nb::none(), "reorient"_a = false, "fill_holes"_a = 0U, nb::kw_only(),
-      "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
+      "weld"_a = nb::none(), "reorient"_a = false, "fill_holes"_a = 0U, "fill_holes_below"_a = 0.0,
+      nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
       "progress"_a = nb::none(),
-      with_limits(
-          "Read a solid from OFF, OBJ, STL, PLY, glTF or .nef. weld, reorient and fill_holes "
-          "mend a mesh first. Geometry that the set does not hold is a FileWarning."));
+      with_limits("Read a solid from OFF, OBJ, STL, PLY, glTF or .nef. weld, reorient, fill_holes "
+                  "(edges) and fill_holes_below (diameter) mend a mesh first. Geometry that the "
+                  "set does not hold is a FileWarning."));
   c.def(
       "write",
       [](const Nef3& set, const Path& path, const std::optional<std::string>& format,

@@ -13,6 +13,7 @@
 #include "plumb/space/repair_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <span>
 
@@ -213,7 +214,7 @@ class MeshRepair {
     for (const std::uint32_t f : found.one_sided) report_.one_sided.push_back(origin_[f]);
     if (found.flipped.empty()) {
       report_.holes = std::move(found.holes);
-    } else if (options_.reorient || options_.fill_holes > 0) {
+    } else if (options_.reorient || options_.fills_holes()) {
       reverse_faces(mesh_, found.flipped);
       for (const std::uint32_t f : found.flipped) report_.flipped.push_back(origin_[f]);
       report_.holes = std::move(found.holes);
@@ -225,7 +226,7 @@ class MeshRepair {
 
   // What a one-sided component lacks is no hole.
   void fill() {
-    if (options_.fill_holes == 0 || report_.holes.empty() || !report_.one_sided.empty()) return;
+    if (!options_.fills_holes() || report_.holes.empty() || !report_.one_sided.empty()) return;
     SpaceTables tables;
     const MeshVertices vertices = merge_equal_points(mesh_, tables);
     std::vector<SpacePoint> place;
@@ -236,7 +237,7 @@ class MeshRepair {
     for (std::size_t i = 0; i < report_.holes.size(); ++i) {
       if (i % 64 == 0) context_.checkpoint("filling holes", i, report_.holes.size());
       std::vector<std::uint32_t>& chain = report_.holes[i];
-      if (chain.size() > options_.fill_holes) {
+      if (!is_to_be_filled(chain)) {
         left.push_back(std::move(chain));
       } else {
         report_.filled.push_back(static_cast<std::uint32_t>(chain.size()));
@@ -245,6 +246,18 @@ class MeshRepair {
     }
     report_.holes = std::move(left);
     while (origin_.size() < mesh_.face_count()) origin_.push_back(next_face_++);
+  }
+
+  bool is_to_be_filled(const std::vector<std::uint32_t>& hole) const {
+    if (hole.size() <= options_.fill_holes) return true;
+    Point3 low = mesh_.points[hole.front()], high = low;
+    for (const std::uint32_t v : hole) {
+      const Point3& p = mesh_.points[v];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    const double diagonal = std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+    return diagonal <= options_.fill_holes_below;
   }
 
   // ---------------------------------------------------------------- inside and outside

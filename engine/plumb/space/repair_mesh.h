@@ -51,11 +51,16 @@ struct RepairOptions {
   /// Holes with at most so many edges are filled. If this is not 0, faces that disagree with their
   /// neighbours are turned, too, since the holes are known only then.
   std::uint32_t fill_holes = 0;
+  /// Holes are also filled if the bounding box of their vertices has a diagonal of at most this
+  /// length, however many edges they have. Faces are turned as for fill_holes.
+  double fill_holes_below = 0;
 
   /// Whether anything is asked for.
   bool asks() const {
-    return weld > 0 || doubled != DoubledFaces::Keep || reorient || fill_holes > 0;
+    return weld > 0 || doubled != DoubledFaces::Keep || reorient || fills_holes();
   }
+  /// Whether holes of some size are filled.
+  bool fills_holes() const { return fill_holes > 0 || fill_holes_below > 0; }
   friend bool operator==(const RepairOptions&, const RepairOptions&) = default;
 };
 

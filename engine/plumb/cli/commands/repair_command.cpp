@@ -105,7 +105,11 @@ class SolidRepair : public CommandBody {
   RepairOptions asked() const {
     const RepairOptions options = flags_.options();
     if (options.asks()) return options;
-    return {.weld = 0, .doubled = DoubledFaces::DropIfBetter, .reorient = true, .fill_holes = 0};
+    return {.weld = 0,
+            .doubled = DoubledFaces::DropIfBetter,
+            .reorient = true,
+            .fill_holes = 0,
+            .fill_holes_below = 0};
   }
 
   /// Does what can fail before anything is written: cuts faces for formats of triangles, and makes

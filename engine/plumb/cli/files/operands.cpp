@@ -197,13 +197,17 @@ void RepairFlags::declare(CLI::App& app) {
   app.add_flag("--one-side", one_side_, "Keep one of faces with the same corners");
   app.add_flag("--reorient", reorients_, "Turn faces that disagree with their neighbours");
   app.add_option("--fill-holes", fill_holes_, "Fill holes of at most N edges")->type_name("N");
+  app.add_option("--fill-holes-below", fill_holes_below_, "Fill holes at most D in diameter")
+      ->type_name("D")
+      ->check(flaw_of_distance);
 }
 
 RepairOptions RepairFlags::options() const {
   return {.weld = weld_,
           .doubled = one_side_ ? DoubledFaces::Drop : DoubledFaces::Keep,
           .reorient = reorients_,
-          .fill_holes = fill_holes_};
+          .fill_holes = fill_holes_,
+          .fill_holes_below = fill_holes_below_};
 }
 
 std::string words_of(const RepairOptions& repair) {
@@ -215,6 +219,9 @@ std::string words_of(const RepairOptions& repair) {
   if (repair.doubled == DoubledFaces::Drop) add("--one-side");
   if (repair.reorient) add("--reorient");
   if (repair.fill_holes > 0) add("--fill-holes " + std::to_string(repair.fill_holes));
+  if (repair.fill_holes_below > 0) {
+    add("--fill-holes-below " + format_double(repair.fill_holes_below));
+  }
   return words;
 }
 

@@ -96,6 +96,7 @@ class RepairFlags {
   bool one_side_ = false;
   bool reorients_ = false;
   std::uint32_t fill_holes_ = 0;
+  double fill_holes_below_ = 0;
 };
 
 /// Returns the options that ask for a repair, such as "--weld 1e-06 --reorient".
