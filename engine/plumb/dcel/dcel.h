@@ -390,7 +390,7 @@ class Dcel {
   ///                     loop
   ///   vertex            the half-edge of a vertex leaves the vertex, and the loop of an isolated
   ///                     vertex begins with this vertex
-  ///   pinches           the rings around vertices agree with has_pinches()
+  ///   pinches           has_pinches() is true exactly if some vertex has several rings
   ///   face              the loops of a face form one ring, and each of them refers to the face
   std::optional<DcelFlaw> audit() const;
 

@@ -1,6 +1,6 @@
-// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex, and the
-// points that cannot be seen from the edges alone. exploded_scene() shows several sets in one scene
-// and moves the sets apart.
+// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex. It shows
+// a vertex as a dot where the edges do not show whether the vertex belongs to the set.
+// exploded_scene() shows several sets in one scene and moves the sets apart.
 //
 // Main flow of scene_of(set):
 //  1. window  makes the window, a box (SpaceWindow). The box contains all vertices. The box also
