@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -94,6 +95,38 @@ TEST_F(CsgProgram, refuses_with_the_place_and_writes_nothing) {
   const RunResult beyond = run({"solid", "csg", huge, "-o", out});
   EXPECT_EQ(beyond.code, 2) << beyond.err;
   EXPECT_FALSE(fs::exists(out));
+}
+
+/// Sets PATH for the programs that a test runs.
+class SearchPath {
+ public:
+  explicit SearchPath(const std::string& path) : before_(std::getenv("PATH")) {
+    setenv("PATH", path.c_str(), 1);
+  }
+  ~SearchPath() { setenv("PATH", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+/// A script stands for openscad: it writes its model as it is, or fails.
+TEST_F(CsgProgram, reads_programs_through_openscad) {
+  const std::string model = holding("cube(size = [1, 2, 3]);", "model.scad");
+  {
+    const SearchPath nothing(file("none"));
+    expect_refusal(run({"solid", "csg", model}), model, "needs the program openscad");
+  }
+  const std::string script = holding(
+      "#!/bin/sh\n[ \"$1 $2 $3\" = \"-o - --export-format=csg\" ] || exit 3\n"
+      "grep -q sphere \"$4\" && exit 1\nexec cat \"$4\"\n",
+      "openscad");
+  fs::permissions(script, fs::perms::owner_all);
+  const SearchPath found(file("") + ":/usr/bin:/bin");
+  EXPECT_EQ(exact_volume({"solid", "csg", model, "--json"}), "6");
+  const std::string bad = holding("sphere(", "bad.scad");
+  expect_refusal(run({"solid", "csg", bad}), bad, "openscad cannot read this model");
+  const std::string refused = holding("cube();\nfrob();", "refused.scad");
+  expect_refusal(run({"solid", "csg", refused}), refused + " (as .csg):2:1", "frob");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plumb/cli/commands/set_command.h"
+#include "plumb/cli/files/openscad.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/csg/evaluate.h"
 #include "plumb/io/csg_reader.h"
@@ -109,7 +110,8 @@ class CsgOperation : public SetOperation<Kind> {
   static constexpr bool kIsSolid = std::is_same_v<Set, Nef3>;
 
   void declare_operands(CLI::App& app) override {
-    app.add_option("MODEL", model_, "A flat model of OpenSCAD: .csg; - is standard input")
+    app.add_option("MODEL", model_,
+                   "A model of OpenSCAD: .csg; .scad if openscad is installed; - is standard input")
         ->required()
         ->type_name("");
     app.add_flag("--anywhere", anywhere_, "Import files from anywhere, not only below MODEL");
@@ -136,15 +138,16 @@ class CsgOperation : public SetOperation<Kind> {
   }
 
   CsgRead read(Session& session) const {
-    if (model_.ends_with(".scad")) {
-      throw Error(ErrorCode::UnknownFormat,
-                  "a program, where a flat model is needed: write one with openscad -o model.csg",
-                  {model_});
-    }
     CsgReadOptions options;
     options.imports = anywhere_ ? CsgImports::Anywhere : CsgImports::BelowModel;
     options.exact_decimals = session.options().exact_decimals;
-    return read_csg_file(model_, options, session.context());
+    Context& context = session.context();
+    if (!model_.ends_with(".scad")) return read_csg_file(model_, options, context);
+    // The places in messages are those of the flat model.
+    const std::string text = flat_model_of(model_, context);
+    CsgRead model = read_csg(model_ + " (as .csg)", text, options, context);
+    context.release_memory(text.size());
+    return model;
   }
 
   void require_dimension(const CsgResult& result) const {

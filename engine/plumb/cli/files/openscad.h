@@ -1,0 +1,16 @@
+// Models of OpenSCAD's own language (.scad), by the program openscad, which writes them as flat
+// models (.csg).
+#pragma once
+
+#include <string>
+
+#include "plumb/base/context.h"
+
+namespace plumb::cli {
+
+/// Runs `openscad -o - --export-format csg PATH`, and returns what it writes. Messages of openscad
+/// go to standard error if it fails. Throws Error{UnknownFormat} if openscad is not installed,
+/// Error{Syntax} if it fails, and what the context throws; openscad is ended then.
+std::string flat_model_of(const std::string& path, Context& context);
+
+}  // namespace plumb::cli
