@@ -73,20 +73,21 @@ class LayerRepair {
         owner_(complex_.face_count(), kNobody),
         region_(complex_.face_count(), kNobody) {}
 
-  RepairedLayer run() {
-    find_regions();
-    measure_regions();
-    measure_features();
-    find_gaps();
-    own_overlaps();
-    own_gaps();
+  RepairedLayer repair() {
+    find();
     const RoundedLabels owned = rounded_labels(complex_, owner_, context_);
     Layer result = layer_of_labels(owned.labelled, layer_.feature_count(), &layer_, context_);
-    const RoundedLabels shapes = rounded_labels(complex_, region_, context_);
-    report_.shapes = layer_of_labels(shapes.labelled, report_.regions.size(), nullptr, context_);
     report_.rounding = owned.rounding;
+    make_shapes();
     find_emptied(result);
     return {std::move(result), std::move(report_)};
+  }
+
+  LayerReport check() {
+    find();
+    make_shapes();
+    for (LayerRegion& region : report_.regions) region.owner = kNobody;
+    return std::move(report_);
   }
 
  private:
@@ -95,6 +96,8 @@ class LayerRepair {
   bool is_uncovered(const LayerRegion& region) const {
     return region.kind != LayerRegionKind::Overlap;
   }
+  void find();
+  void make_shapes();
   void find_regions();
   void measure_regions();
   void measure_features();
@@ -118,6 +121,21 @@ class LayerRepair {
   std::vector<std::uint8_t> is_alone_;  // For each feature, whether it alone covers some face.
   LayerReport report_;
 };
+
+/// Finds all regions, and selects their owners.
+void LayerRepair::find() {
+  find_regions();
+  measure_regions();
+  measure_features();
+  find_gaps();
+  own_overlaps();
+  own_gaps();
+}
+
+void LayerRepair::make_shapes() {
+  const RoundedLabels shapes = rounded_labels(complex_, region_, context_);
+  report_.shapes = layer_of_labels(shapes.labelled, report_.regions.size(), nullptr, context_);
+}
 
 /// Numbers the regions of faces that not exactly one feature covers. Face 0 belongs to none.
 void LayerRepair::find_regions() {
@@ -319,9 +337,13 @@ bool LayerReport::has_defects() const {
   });
 }
 
+LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options, Context& context) {
+  return LayerRepair(layer, options, context).check();
+}
+
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options,
                            Context& context) {
-  return LayerRepair(layer, options, context).run();
+  return LayerRepair(layer, options, context).repair();
 }
 
 }  // namespace plumb

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "plumb/base/internal/union_find.h"
+
 namespace plumb {
 namespace {
 
@@ -113,6 +115,43 @@ void CoveredCells::name_features(const Layer& layer) {
     const auto end = lists_.begin() + static_cast<std::ptrdiff_t>(last_[f]);
     last_[f] = first_[f] + static_cast<std::size_t>(std::unique(begin, end) - begin);
   }
+}
+
+std::vector<std::uint32_t> first_features(const CoveredCells& cells) {
+  std::vector<std::uint32_t> first(cells.complex().face_count(), LayerRegion::kNobody);
+  for (std::size_t f = 0; f < first.size(); ++f) {
+    const FeatureList features = cells.features(FaceId(f));
+    if (!features.empty()) first[f] = features.front();
+  }
+  return first;
+}
+
+std::size_t count_overlaps(const CoveredCells& cells, FeatureRange range,
+                           std::span<const std::uint32_t> class_of) {
+  const auto features = [&](FaceId f) {
+    const FeatureList all = cells.features(f);
+    const auto begin = std::lower_bound(all.begin(), all.end(), range.begin);
+    return FeatureList(begin, std::lower_bound(begin, all.end(), range.end));
+  };
+  const PlaneComplex& complex = cells.complex();
+  UnionFind regions(complex.face_count());
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    const HalfedgeId h = first_half(EdgeId(e));
+    const FaceId f = complex.dcel.face(h), g = complex.dcel.face(twin(h));
+    const FeatureList a = features(f), b = features(g);
+    if (std::equal(a.begin(), a.end(), b.begin(), b.end())) regions.unite(f.value(), g.value());
+  }
+  std::size_t count = 0;
+  for (std::uint32_t f = 0; f < complex.face_count(); ++f) {
+    const FeatureList covering = features(FaceId(f));
+    const bool is_overlap =
+        class_of.empty() ? covering.size() > 1
+                         : std::any_of(covering.begin(), covering.end(), [&](std::uint32_t i) {
+                             return class_of[i] != class_of[covering.front()];
+                           });
+    if (is_overlap && regions.root(f) == f) ++count;
+  }
+  return count;
 }
 
 }  // namespace plumb

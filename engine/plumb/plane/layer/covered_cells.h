@@ -51,4 +51,19 @@ class CoveredCells {
   std::vector<SegmentId> origins_;
 };
 
+/// Returns for each face the first feature that covers it, or LayerRegion::kNobody.
+std::vector<std::uint32_t> first_features(const CoveredCells& cells);
+
+/// The features begin, ..., end - 1.
+struct FeatureRange {
+  std::uint32_t begin;
+  std::uint32_t end;
+};
+
+/// Returns the number of connected regions of faces that the same features of the range cover, at
+/// least two of them with different classes. `class_of` has an entry for each feature; if it is
+/// empty, every feature is a class of its own.
+std::size_t count_overlaps(const CoveredCells& cells, FeatureRange range,
+                           std::span<const std::uint32_t> class_of);
+
 }  // namespace plumb

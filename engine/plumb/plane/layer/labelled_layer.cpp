@@ -19,12 +19,6 @@
 namespace plumb {
 namespace {
 
-/// The labels at both sides of a curve that is kept.
-struct SideLabels {
-  std::uint32_t left;
-  std::uint32_t right;
-};
-
 /// The edges between faces with different labels, as curves.
 class LabelBorders {
  public:
@@ -121,10 +115,9 @@ void append_polygon(Layer& layer, const PlaneComplex& complex, FaceId f) {
 
 }  // namespace
 
-LabelledComplex without_inner_edges(const PlaneComplex& complex,
-                                    const std::vector<std::uint32_t>& label, Context& context) {
-  const LabelBorders borders(complex, label);
-  Arrangement kept = arrange(complex.points, borders.curves(), {}, context);
+LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const SweepCurve> curves,
+                                     std::span<const SideLabels> sides, Context& context) {
+  Arrangement kept = arrange(points, curves, {}, context);
   LabelledComplex result{std::move(kept.complex), {}};
   result.label.assign(result.complex.face_count(), kNoLabel);
   std::vector<SegmentId> origins;
@@ -132,11 +125,17 @@ LabelledComplex without_inner_edges(const PlaneComplex& complex,
     origins.clear();
     kept.origin_sets.append(kept.origins[e], origins);
     const HalfedgeId h = first_half(EdgeId(e));
-    const SideLabels sides = borders.sides()[origins.front().value()];
-    result.label[result.complex.dcel.face(h).value()] = sides.left;
-    result.label[result.complex.dcel.face(twin(h)).value()] = sides.right;
+    const SideLabels side = sides[origins.front().value()];
+    result.label[result.complex.dcel.face(h).value()] = side.left;
+    result.label[result.complex.dcel.face(twin(h)).value()] = side.right;
   }
   return result;
+}
+
+LabelledComplex without_inner_edges(const PlaneComplex& complex,
+                                    const std::vector<std::uint32_t>& label, Context& context) {
+  const LabelBorders borders(complex, label);
+  return labelled_arrangement(complex.points, borders.curves(), borders.sides(), context);
 }
 
 RoundedLabels rounded_labels(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,

@@ -9,12 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/plane/layer.h"
 #include "plumb/plane/plane_complex.h"
 #include "plumb/plane/plane_rounding.h"
+#include "plumb/plane/sweep/sweep.h"
 
 namespace plumb {
 
@@ -26,6 +28,17 @@ struct LabelledComplex {
   PlaneComplex complex;              ///< The subdivision.
   std::vector<std::uint32_t> label;  ///< For each face, its label, or kNoLabel.
 };
+
+/// The labels at both sides of a curve, seen from its lesser end.
+struct SideLabels {
+  std::uint32_t left;
+  std::uint32_t right;
+};
+
+/// Returns the arrangement of curves that run from their lesser ends and do not cross, with the
+/// labels that the curves state.
+LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const SweepCurve> curves,
+                                     std::span<const SideLabels> sides, Context& context);
 
 /// Returns the subdivision without the edges between equal labels. Vertices of crossings that only
 /// such edges met vanish, so pieces of one curve become one edge again.
