@@ -345,15 +345,20 @@ TEST(CornerTree, finds_what_brute_force_finds) {
     std::vector<std::uint8_t> is_left(points.size(), 1);
     for (int round = 0; round < 100; ++round) {
       const auto x = static_cast<double>(dice.below(20)), y = static_cast<double>(dice.below(20));
-      const Point2 triangle[3] = {{x, y}, {x + 2, y}, {x, y + 3}};
+      const Point2 a{x, y}, b{x + 7, y + 1}, c{x + 2, y + 5};
+      const auto is_inside = [&](Point2 p) {
+        const auto turn = [&](Point2 q, Point2 r) {
+          return (r.x - q.x) * (p.y - q.y) - (r.y - q.y) * (p.x - q.x);
+        };
+        return turn(a, b) >= 0 && turn(b, c) >= 0 && turn(c, a) >= 0;
+      };
       std::vector<std::uint8_t> found(points.size(), 0), expected(points.size(), 0);
-      tree.find_in_box(triangle, [&](std::uint32_t i) {
-        found[i] = 1;
+      tree.find_in_triangle(a, b, c, [&](std::uint32_t i) {
+        found[i] = is_inside(points[i]) ? 1 : 0;
         return false;
       });
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const Point2 p = points[i];
-        expected[i] = is_left[i] != 0 && p.x >= x && p.x <= x + 2 && p.y >= y && p.y <= y + 3;
+        expected[i] = is_left[i] != 0 && is_inside(points[i]);
       }
       ASSERT_EQ(found, expected) << seed << ' ' << round;
       const auto next = static_cast<std::uint32_t>(round);

@@ -171,7 +171,9 @@ std::uint32_t BorderGraph::corner_in_triangle(std::uint32_t v) const {
     }
     return true;
   };
-  return tree_.find_in_box({place(u), place(v), place(w)}, is_inside);
+  const bool is_left_turn = turn == Sign::Positive;
+  return tree_.find_in_triangle(place(is_left_turn ? u : w), place(v), place(is_left_turn ? w : u),
+                                is_inside);
 }
 
 /// Puts a corner into the heap. Its triangle counts at least as `least`, so that corners leave in

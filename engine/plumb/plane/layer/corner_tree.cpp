@@ -1,6 +1,7 @@
 #include "plumb/plane/layer/corner_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -52,6 +53,18 @@ CornerTree::Box CornerTree::box_around(std::span<const Point2> points) {
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
   }
   return box;
+}
+
+/// Whether doubles show that the whole box lies to the right of the line from a to b. The corner
+/// that lies farthest to the left decides. The error of the determinant is less than 4 u times the
+/// sum of the magnitudes of its products, for u = 2^-53, unless the products underflow.
+bool CornerTree::is_right_of(const Box& box, Point2 a, Point2 b) {
+  constexpr double kError = 1e-15, kLeastSum = 1e-290;
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double x = dy < 0 ? box.high.x : box.low.x, y = dx > 0 ? box.high.y : box.low.y;
+  const double up = dx * (y - a.y), down = dy * (x - a.x);
+  const double sum = std::fabs(up) + std::fabs(down);
+  return sum > kLeastSum && up - down < -kError * sum;
 }
 
 void CornerTree::remove(std::uint32_t i) {

@@ -22,15 +22,10 @@ class CornerTree {
   /// Removes a point. Requires that it is left. O(log n).
   void remove(std::uint32_t i);
 
-  /// Returns a point that is left, lies in the least closed box around `corners`, and satisfies
-  /// `accepts`. Returns kNone if there is none.
+  /// Returns a point that is left and satisfies `accepts`. Returns kNone if there is none. Requires
+  /// that all accepted points lie in the closed triangle abc, which runs counter-clockwise.
   template <class Accepts>
-  std::uint32_t find_in_box(std::span<const Point2> corners, const Accepts& accepts) const;
-  /// Does the same for three corners.
-  template <class Accepts>
-  std::uint32_t find_in_box(const Point2 (&corners)[3], const Accepts& accepts) const {
-    return find_in_box(std::span<const Point2>(corners), accepts);
-  }
+  std::uint32_t find_in_triangle(Point2 a, Point2 b, Point2 c, const Accepts& accepts) const;
 
  private:
   static constexpr std::uint32_t kLeaf = 8;
@@ -53,6 +48,7 @@ class CornerTree {
   Node root() const { return {0, 0, static_cast<std::uint32_t>(order_.size())}; }
   void build(Node node);
   static Box box_around(std::span<const Point2> points);
+  static bool is_right_of(const Box& box, Point2 a, Point2 b);
   static bool meets(const Box& a, const Box& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
   }
@@ -66,9 +62,10 @@ class CornerTree {
 };
 
 template <class Accepts>
-std::uint32_t CornerTree::find_in_box(std::span<const Point2> corners,
-                                      const Accepts& accepts) const {
+std::uint32_t CornerTree::find_in_triangle(Point2 a, Point2 b, Point2 c,
+                                           const Accepts& accepts) const {
   if (order_.empty()) return kNone;
+  const Point2 corners[3] = {a, b, c};
   const Box box = box_around(corners);
   // Each level leaves at most one node open, and halving ends after 32 levels.
   Node open[64];
@@ -77,6 +74,8 @@ std::uint32_t CornerTree::find_in_box(std::span<const Point2> corners,
   while (size > 0) {
     const Node node = open[--size];
     if (count_[node.index] == 0 || !meets(box_[node.index], box)) continue;
+    const Box& inner = box_[node.index];
+    if (is_right_of(inner, a, b) || is_right_of(inner, b, c) || is_right_of(inner, c, a)) continue;
     if (!node.is_leaf()) {
       open[size++] = node.upper();
       open[size++] = node.lower();

@@ -1,7 +1,7 @@
 // Edges between equal labels are left out, and the pieces of one curve that remain on both sides of
 // a left-out crossing become one curve again, so that rounding does not bend borders at crossings
-// that are no longer there. What is left is arranged again, rounded as one subdivision, and read off
-// face by face. Rounding may remove a narrow face between two faces with equal labels, so edges
+// that are no longer there. What is left is arranged again, rounded as one subdivision, and read
+// off face by face. Rounding may remove a narrow face between two faces with equal labels, so edges
 // between equal labels are left out once more. Then neighbouring faces have different labels, and
 // each face is one polygon.
 //
