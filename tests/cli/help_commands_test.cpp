@@ -209,6 +209,9 @@ TEST(Documents, show_pictures_that_the_program_makes) {
 TEST(Json, fits_its_schema_whatever_the_answer) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"map-check", "map check corpus/maps/us-states.clean.map"},
+      {"map-check", "map check corpus/layers/fields.geojson"},
+      {"map-check", "map check corpus/layers/fields.geojson --edges"},
+      {"map-overlay", "map overlay corpus/layers/fields.geojson corpus/layers/districts.geojson"},
       {"map-repair", "map repair corpus/layers/fields.geojson"},
       {"plane-set", "plane complement corpus/plane/star.wkt"},
       {"plane-set", "plane info corpus/plane/quadrant.nef2"},
@@ -252,7 +255,11 @@ TEST(Json, schema_checker_finds_what_does_not_fit) {
 TEST(Streams, dash_is_standard_input_and_output) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"corpus/maps/us-counties.map", "map check - -o - --format geojson"},
+      {"corpus/layers/fields.geojson", "map check -"},
       {"corpus/layers/fields.geojson", "map repair - -o - --format geojson"},
+      {"corpus/layers/fields.geojson", "map dissolve - -o - --format wkt"},
+      {"corpus/layers/fields.geojson", "map simplify - --tolerance 1"},
+      {"corpus/layers/fields.geojson", "map overlay - corpus/layers/districts.geojson"},
       {"corpus/plane/star.wkt", "plane union - corpus/plane/frame.geojson -o - --format nef2"},
       {"corpus/plane/quadrant.nef2", "plane locate - 0 0"},
       {"corpus/solids/l-block.off", "solid info -"},
@@ -306,7 +313,7 @@ TEST(Completion, offers_commands_options_words_and_files) {
   const ExampleFolder folder;
   using Set = std::set<std::string>;
   EXPECT_EQ(completed(folder, "plumb so"), Set{"solid"});
-  EXPECT_EQ(completed(folder, "plumb map ''"), (Set{"check", "overlay", "repair", "--help"}));
+  EXPECT_EQ(completed(folder, "plumb map ''"), (Set{"check", "dissolve", "overlay", "repair", "simplify", "--help"}));
   EXPECT_EQ(completed(folder, "plumb solid sec"), Set{"section"});
   EXPECT_EQ(completed(folder, "plumb solid section --si"), Set{"--side"});
   EXPECT_EQ(completed(folder, "plumb solid section --side ''"), (Set{"closed", "open", "plane"}));

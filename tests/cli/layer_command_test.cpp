@@ -72,5 +72,92 @@ TEST(MapRepairProgram, refuses_what_it_cannot_do) {
   EXPECT_TRUE(scratch.files().empty());
 }
 
+// ---------------------------------------------------------------- check, dissolve, simplify, overlay
+
+const std::string kDistricts = "corpus/layers/districts.geojson";
+
+TEST(MapCheckOfLayers, reports_regions) {
+  const RunResult broken = run({"map", "check", kFields});
+  EXPECT_EQ(broken.code, 1);
+  EXPECT_TRUE(broken.out.starts_with("4 features, 2 overlaps, 0 gaps")) << broken.out;
+  EXPECT_EQ(broken.out.find("goes to"), std::string::npos);
+  EXPECT_EQ(run({"map", "check", kFields, "--gaps-below", "1", "--json"}).out.find("\"gaps\":0"),
+            std::string::npos)
+      << "the hole is a gap if wide gaps are wanted";
+  EXPECT_EQ(run({"map", "check", kDistricts}).code, 0) << "a lake is no defect";
+  EXPECT_EQ(run({"map", "check", kDistricts, "--gaps-below", "100"}).code, 1);
+}
+
+TEST(MapCheckOfLayers, writes_defects_as_geojson_and_pages) {
+  const ScratchDirectory scratch;
+  const std::string defects = (scratch / "defects.geojson").string();
+  const std::string page = (scratch / "page.html").string();
+  EXPECT_EQ(
+      run({"map", "check", kFields, "-o", defects, "--svg", (scratch / "a.svg").string()}).code, 1);
+  const Json json = Json::parse(read_file(defects));
+  ASSERT_EQ(json["features"].size(), 3U);
+  EXPECT_EQ(json["features"][1]["properties"]["area"], 9);
+  EXPECT_EQ(json["features"][1]["properties"]["features"][1]["id"], "pond");
+  EXPECT_EQ(run({"map", "check", kFields, "-o", page}).code, 1);
+  EXPECT_TRUE(contains(read_file(page), "<details id=\"r1\">"));
+  EXPECT_EQ(run({"map", "check", "corpus/maps/us-states.map", "-o", page}).code, 1);
+  EXPECT_TRUE(contains(read_file(page), "<!DOCTYPE html>"));
+}
+
+TEST(MapDissolve, unites_features_and_adds_numbers) {
+  const RunResult result = run(
+      {"map", "dissolve", kDistricts, "--by", "state", "--sum", "people", "--format", "geojson"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const Json features = Json::parse(result.out)["features"];
+  ASSERT_EQ(features.size(), 2U);
+  EXPECT_EQ(features[0]["properties"], Json::parse(R"({"state":"west","people":20008})"));
+  expect_refusal(run({"map", "dissolve", kDistricts, "--by", "crop"}), "plumb: ", "no feature has");
+  expect_refusal(run({"map", "dissolve", kDistricts, "--sum", "name"}), "plumb: ", "is no number");
+  const RunResult overlaps = run({"map", "dissolve", kFields, "--by", "crop"});
+  EXPECT_TRUE(contains(overlaps.err, "2 overlaps went to the first feature")) << overlaps.err;
+}
+
+TEST(MapSimplify, keeps_features_and_stays_a_coverage) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch / "out.topojson").string();
+  const RunResult result =
+      run({"map", "simplify", kDistricts, "--percent", "40", "-o", out, "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const Json json = Json::parse(result.out);
+  EXPECT_EQ(json["features"], 6);
+  const std::size_t before = json["corners_before"], fixed = json["fixed"];
+  EXPECT_EQ(json["corners_after"], fixed + (2 * (before - fixed) + 4) / 5) << "40 % of the others";
+  EXPECT_EQ(run({"map", "check", out}).code, 0);
+  expect_refusal(run({"map", "simplify", kDistricts}),
+                 "plumb: ", "--tolerance AREA or --percent P");
+  expect_refusal(run({"map", "simplify", kDistricts, "--percent", "101"}), "plumb: ", "--percent");
+}
+
+TEST(MapOverlayOfLayers, carries_the_properties_of_both) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch / "out.geojson").string();
+  const RunResult result = run(
+      {"map", "overlay", kDistricts, kFields, "--keep", "both", "--areas", "-o", out, "--json"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  const Json report = Json::parse(result.out);
+  EXPECT_EQ(report["pairs"], report["both"]);
+  EXPECT_EQ(report["overlaps"], Json::parse("[0,2]"));
+  const Json features = Json::parse(read_file(out))["features"];
+  ASSERT_EQ(features.size(), report["pairs"].get<std::size_t>());
+  for (const char* const name : {"name", "state", "crop", "id_1", "id_2", "area"}) {
+    EXPECT_TRUE(features[0]["properties"].contains(name)) << name;
+  }
+  EXPECT_EQ(run({"map", "check", out}).code, 0);
+}
+
+TEST(MapOverlayOfLayers, refuses_what_does_not_fit) {
+  expect_refusal(run({"map", "overlay", kDistricts, "corpus/maps/us-states.map"}),
+                 "corpus/maps/us-states.map:1:", "JSON");
+  expect_refusal(run({"map", "overlay", kDistricts, kFields, "--grid", "1"}),
+                 "plumb: ", "are for maps");
+  expect_refusal(run({"map", "overlay", "a.shp", kFields}), "a.shp: ", "ogr2ogr");
+  expect_refusal(run({"map", "check", "a.gpkg"}), "a.gpkg: ", "ogr2ogr");
+}
+
 }  // namespace
 }  // namespace plumb::testing::layer_command_test

@@ -83,7 +83,7 @@ TEST(MapCheckOfPolygons, names_features_and_coordinates_of_a_gap) {
   const fs::path file = scratch / "gap.geojson";
   write_file(file,
              collection(kLeft, "[[10,0],[20,0],[20,10],[10,10],[10,7],[11,5],[10,3],[10,0]]"));
-  const RunResult result = run({"map", "check", file.string(), "-q"});
+  const RunResult result = run({"map", "check", file.string(), "--edges", "-q"});
   EXPECT_EQ(result.code, 1);
   EXPECT_TRUE(result.out.starts_with("open\n1. open; face 1;")) << result.out;
   EXPECT_TRUE(contains(result.out,
@@ -96,7 +96,7 @@ TEST(MapCheckOfPolygons, names_features_that_overlap) {
   const ScratchDirectory scratch;
   const fs::path file = scratch / "overlap.json";
   write_file(file, collection(kLeft, "[[10,0],[20,0],[20,10],[10,10],[10,7],[9,5],[10,3],[10,0]]"));
-  const RunResult result = run({"map", "check", file.string(), "-q"});
+  const RunResult result = run({"map", "check", file.string(), "--edges", "-q"});
   EXPECT_EQ(result.code, 1);
   EXPECT_TRUE(contains(result.out, "regions 1 and 2 overlap between vertices (10,3) and (10,7)"))
       << result.out;
@@ -108,7 +108,7 @@ TEST(MapCheckOfPolygons, accepts_a_coverage_with_a_hole_that_touches) {
   write_file(file,
              "MULTIPOLYGON (((0 0, 5 0, 10 0, 10 10, 0 10, 0 0), (5 0, 3 4, 7 4, 5 0)), "
              "((5 0, 7 4, 3 4, 5 0)))");
-  const RunResult result = run({"map", "check", file.string(), "--json"});
+  const RunResult result = run({"map", "check", file.string(), "--edges", "--json"});
   EXPECT_EQ(result.code, 0) << result.out << result.err;
   EXPECT_EQ(Json::parse(result.out)["regions"],
             Json::parse(

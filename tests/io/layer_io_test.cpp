@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -99,6 +100,87 @@ TEST(LayerReader, joins_the_arcs_of_a_topology) {
   EXPECT_NE(file.notes[0].find("objects 'all'"), std::string::npos) << file.notes[0];
   EXPECT_EQ(read(kTopology, "all").feature_count(), 1U);
   EXPECT_TRUE(repair_layer(layer).report.regions.empty());
+}
+
+std::string topology_of(const Layer& layer) {
+  std::ostringstream out;
+  write_layer_topojson(out, layer);
+  return out.str();
+}
+
+TEST(LayerWriter, shares_arcs_in_topojson) {
+  for (const char* const file :
+       {"corpus/layers/districts.geojson", "corpus/layers/fields.geojson"}) {
+    const Layer layer = repair_layer(read_layer_file(file).layer).layer;
+    const std::string text = topology_of(layer);
+    EXPECT_EQ(written(repair_layer(read(text)).layer), written(layer))
+        << "a repair begins rings at the same corners";
+    std::size_t corners = 0;
+    std::vector<std::pair<Json, Json>> edges;
+    for (const Json& arc : Json::parse(text)["arcs"]) {
+      corners += arc.size();
+      for (std::size_t i = 0; i + 1 < arc.size(); ++i) {
+        edges.emplace_back(std::min(arc[i], arc[i + 1]), std::max(arc[i], arc[i + 1]));
+      }
+    }
+    EXPECT_LT(corners, layer.ring_corners.size());
+    std::sort(edges.begin(), edges.end());
+    EXPECT_EQ(std::unique(edges.begin(), edges.end()), edges.end()) << "each edge is written once";
+  }
+}
+
+TEST(LayerWriter, keeps_features_without_polygons_in_topojson) {
+  const Layer layer = read(collection(feature(R"("id":7,"properties":null,)", "null")));
+  const Layer again = read(topology_of(layer));
+  ASSERT_EQ(again.feature_count(), 1U);
+  EXPECT_EQ(again.id(0), "7");
+  EXPECT_EQ(again.polygon_count(), 0U);
+}
+
+TEST(LayerWriter, writes_a_feature_a_line_in_wkt) {
+  const Layer layer =
+      read(collection(feature("", kSquare) + ',' + feature("", "null") + ',' +
+                      feature("", R"({"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],)"
+                                  R"([0,1],[0,0]]],[[[5,5],[6,5],[5,6.5],[5,5]]]]})")));
+  std::ostringstream out;
+  write_layer_wkt(out, layer);
+  EXPECT_EQ(out.str(),
+            "POLYGON ((0 0,4 0,4 4,0 4,0 0))\nPOLYGON EMPTY\n"
+            "MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((5 5,6 5,5 6.5,5 5)))\n");
+  const Layer again = read(out.str());
+  EXPECT_EQ(again.feature_count(), 3U) << "a feature for each polygon that is not empty";
+  EXPECT_EQ(again.polygon_count(), 3U);
+}
+
+TEST(LayerReader, closes_rings_of_arcs_with_a_note) {
+  const LayerFile file = read_layer(
+      R"({"type":"Topology","arcs":[[[0,0],[4,0],[4,4],[0,1]]],"objects":{"a":{"type":"Polygon",)"
+      R"("arcs":[[0]]}}})");
+  EXPECT_EQ(file.layer.ring(0).size(), 4U);
+  ASSERT_EQ(file.notes.size(), 1U);
+  EXPECT_NE(file.notes[0].find("closed by an edge: 1"), std::string::npos);
+}
+
+TEST(LayerReader, names_the_command_that_converts_other_formats) {
+  try {
+    read_layer_file("some/parcels.gpkg");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::UnknownFormat);
+    EXPECT_NE(std::string(error.what()).find("ogr2ogr -f GeoJSON"), std::string::npos);
+  }
+  EXPECT_TRUE(begins_like_layer(" {"));
+  EXPECT_TRUE(begins_like_layer("polygon ((0 0"));
+  EXPECT_FALSE(begins_like_layer("4 1\n0 0"));
+}
+
+TEST(LayerReader, calls_features_by_ids_and_names) {
+  const Layer layer = read(collection(
+      feature(R"("id":"FR","properties":{"name":"Fr\u00e9"},)", "null") + ',' +
+      feature(R"("properties":{"NAME":"x","name":3},)", "null") + ',' + feature("", "null")));
+  EXPECT_EQ(feature_title(layer, 0), R"(feature 1 ("FR", "Fr\u00e9"))");
+  EXPECT_EQ(feature_title(layer, 1), R"(feature 2 ("x"))");
+  EXPECT_EQ(feature_title(layer, 2), "feature 3");
 }
 
 TEST(LayerReader, refuses_with_the_place) {

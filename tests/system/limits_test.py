@@ -101,7 +101,11 @@ def write_inputs():
 COMMANDS = """
 map check a.map
 map overlay a.map b.map -o OUT.svg
+map check l.geojson
+map overlay l.geojson l.geojson -o OUT.geojson
 map repair l.geojson -o OUT.geojson
+map dissolve l.geojson -o OUT.topojson
+map simplify l.geojson --percent 10 -o OUT.geojson
 plane union a.wkt b.wkt -o OUT.nef2
 plane intersection a.wkt b.wkt -o OUT.wkt
 plane difference a.wkt b.wkt -o OUT.svg

@@ -1,4 +1,4 @@
-"""What `plumb plane`, `plumb map overlay` and `plumb map repair` write is valid for another library: shapely (GEOS) reads it
+"""What `plumb plane` and `plumb map overlay, repair, dissolve, simplify` write is valid for another library: shapely (GEOS) reads it
 and finds nothing wrong. Exits with 77, which ctest counts as skipped, where shapely is not installed.
 
     shapely_test.py PROGRAM [PAIRS]
@@ -117,6 +117,49 @@ def check_repair(program, dice, folder):
         sys.exit("a repaired layer has area %r instead of %r:\n%s" % (after, before, text))
 
 
+def strips(dice, corners, is_turned):
+    """A layer of strips with wobbly borders, whose corners are multiples of 1/1024, so GEOS computes exactly."""
+    count = dice.randint(2, 5)
+    borders = [[(i * 8 + dice.randint(-3000, 3000) / 1024 * (0 < i < count), j * 40 / corners) for j in range(corners + 1)]
+               for i in range(count + 1)]
+    features = []
+    for i in range(count):
+        ring = borders[i] + borders[i + 1][::-1]
+        ring = [[y, x] if is_turned else [x, y] for x, y in ring]
+        features.append({"type": "Feature", "id": i, "properties": {"parity": i % 2, "n": i},
+                         "geometry": {"type": "Polygon", "coordinates": [ring + ring[:1]]}})
+    return {"type": "FeatureCollection", "features": features}
+
+
+def require_coverage(text, what):
+    cells = [shape(feature["geometry"]) for feature in json.loads(text)["features"] if feature["geometry"]]
+    for cell in cells:
+        require_valid(cell, what)
+    if hasattr(shapely, "coverage_is_valid") and not shapely.coverage_is_valid(cells):
+        sys.exit(what + " is no coverage:\n" + text)
+    return sum(cell.area for cell in cells)
+
+
+def check_layers(program, dice, folder):
+    """What dissolving, simplifying and overlaying coverages returns is a coverage, of the same area where nothing moves."""
+    paths = [os.path.join(folder, name) for name in ("a.geojson", "b.geojson")]
+    layers = [strips(dice, dice.choice((4, 8, 16)), turned) for turned in (False, True)]
+    for path, layer in zip(paths, layers):
+        with open(path, "w") as out:
+            json.dump(layer, out)
+    areas = [sum(shape(feature["geometry"]).area for feature in layer["features"]) for layer in layers]
+    to_geojson = ("--format", "geojson")
+    dissolved = require_coverage(run(program, "map", "dissolve", paths[0], "--by", "parity", *to_geojson), "a dissolved layer")
+    if abs(dissolved - areas[0]) > 1e-9:
+        sys.exit("a dissolved layer has area %r instead of %r" % (dissolved, areas[0]))
+    for amount in (("--percent", "30"), ("--tolerance", "5")):
+        require_coverage(run(program, "map", "simplify", paths[0], *amount, *to_geojson), "a simplified layer")
+    overlaid = require_coverage(run(program, "map", "overlay", *paths, *to_geojson), "an overlay of layers")
+    union = shapely.union_all([shape(feature["geometry"]) for layer in layers for feature in layer["features"]]).area
+    if abs(overlaid - union) > 1e-8:
+        sys.exit("an overlay of layers has area %r instead of %r" % (overlaid, union))
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     pairs = int(sys.argv[2]) if len(sys.argv) > 2 else 120
@@ -128,7 +171,9 @@ def main():
             check_overlay(program, dice, folder)
         for _ in range(pairs // 2):
             check_repair(program, dice, folder)
-    print("%d pairs, %d overlays and %d repaired layers are valid" % (pairs, pairs // 6, pairs // 2))
+        for _ in range(pairs // 3):
+            check_layers(program, dice, folder)
+    print("%d pairs, %d overlays and %d layers are valid" % (pairs, pairs // 6, pairs // 2 + pairs // 3))
 
 
 main()

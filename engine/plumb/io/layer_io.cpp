@@ -11,15 +11,20 @@
 #include "plumb/io/layer_io.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <utility>
 
 #include "plumb/base/internal/round_to_nearest.h"
+#include "plumb/io/plane/wkb.h"
+#include "plumb/io/plane/wkt.h"
+#include "plumb/io/plane_io.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/json_reader.h"
@@ -105,6 +110,7 @@ class LayerReader {
                                              // arc_begin_[i + 1].
   std::size_t dropped_ = 0;                  // Points and lines.
   std::size_t collapsed_ = 0;                // Rings with fewer than three positions.
+  std::size_t unclosed_ = 0;                 // Rings of arcs that end elsewhere than they start.
   std::size_t steps_ = 0;
 };
 
@@ -229,7 +235,12 @@ void LayerReader::end_ring(Id at) {
   };
   std::vector<std::uint32_t>& corners = layer.ring_corners;
   if (corners.size() > first && !is_equal(corners[first], corners.back())) {
-    fail(ErrorCode::BadShape, "a ring must end with the position it starts with", at);
+    // Published TopoJSON has rings whose ends are a quantum apart, so these are closed by an edge.
+    if (!is_topology_) {
+      fail(ErrorCode::BadShape, "a ring must end with the position it starts with", at);
+    }
+    ++unclosed_;
+    corners.push_back(corners[first]);
   }
   if (corners.size() > first) corners.pop_back();
   while (corners.size() > first + 1 && is_equal(corners[first], corners.back())) corners.pop_back();
@@ -373,18 +384,76 @@ void LayerReader::add_notes() {
     file_.notes.push_back("passed over: " + std::to_string(collapsed_) +
                           " rings with fewer than three different positions");
   }
+  if (unclosed_ > 0) {
+    file_.notes.push_back("closed by an edge: " + std::to_string(unclosed_) +
+                          " rings that end elsewhere than they start");
+  }
   if (json_.find(JsonValues::kDocument, "crs")) file_.notes.push_back("passed over: \"crs\"");
 }
 
 }  // namespace
 
+namespace {
+
+/// Returns the polygons of shapes as features.
+LayerFile layer_of_shapes(PlaneFile file, Context& context) {
+  LayerFile result;
+  result.notes = std::move(file.notes);
+  PlaneShapes& shapes = file.shapes;
+  if (!shapes.line_corners.empty() || !shapes.single_points.empty()) {
+    result.notes.push_back("passed over: points and lines");
+  }
+  Layer& layer = result.layer;
+  layer.points = std::move(shapes.points);
+  for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
+    if (p % 1024 == 0) context.checkpoint("read", p, shapes.polygon_count());
+    for (std::size_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
+      const std::span<const std::uint32_t> ring = shapes.ring(r);
+      if (ring.size() < 3) continue;
+      layer.ring_corners.insert(layer.ring_corners.end(), ring.begin(), ring.end());
+      layer.end_ring();
+    }
+    if (layer.ring_count() > layer.polygon_begin.back()) layer.end_polygon();
+    layer.end_feature("", "");
+  }
+  return result;
+}
+
+bool begins_like_json(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  return first != text.npos && text[first] == '{';
+}
+
+}  // namespace
+
+bool begins_like_layer(std::string_view text) {
+  return begins_like_json(text) || begins_like_wkb(text) || begins_like_wkt(text);
+}
+
+void require_layer_format(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  constexpr std::array kNames{".shp", ".gpkg", ".fgb",     ".gdb", ".kml", ".kmz",
+                              ".gml", ".dxf",  ".parquet", ".mif", ".tab"};
+  if (std::find(kNames.begin(), kNames.end(), extension) == kNames.end()) return;
+  throw Error(ErrorCode::UnknownFormat,
+              extension +
+                  " is not read; GDAL converts it: ogr2ogr -f GeoJSON -lco "
+                  "COORDINATE_PRECISION=17 layer.geojson FILE" +
+                  extension,
+              {input_name(path)});
+}
+
 LayerFile read_layer(std::string_view text, const LayerReadOptions& options, Context& context) {
   const RoundToNearest rounding;
+  const ReadOptions read{.name = options.name};
+  if (begins_like_wkb(text)) return layer_of_shapes(read_wkb(text, read, context), context);
+  if (begins_like_wkt(text)) return layer_of_shapes(read_wkt(text, read, context), context);
   return LayerReader(text, options, context).read();
 }
 
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options, Context& context) {
   options.name = input_name(path);
+  require_layer_format(path);
   const std::string text = read_input(path, context);
   LayerFile file = read_layer(text, options, context);
   context.release_memory(text.size());
@@ -436,10 +505,23 @@ std::string_view kind_of(const LayerRegion& region) {
   return region.kind == LayerRegionKind::Gap ? "gap" : "hole";
 }
 
-/// Returns a feature as JSON: its number from 1 and, if it has one, its id.
+/// Returns the property "name" or "NAME" of a feature, if it is a text.
+std::optional<std::string> called(const Layer& layer, std::uint32_t feature) {
+  if (layer.properties(feature).empty()) return {};
+  const auto properties = nlohmann::json::parse(layer.properties(feature));
+  if (!properties.is_object()) return {};
+  for (const char* const name : {"name", "NAME", "Name"}) {
+    const auto found = properties.find(name);
+    if (found != properties.end() && found->is_string()) return found->get<std::string>();
+  }
+  return {};
+}
+
+/// Returns a feature as JSON: its number from 1 and, if it has them, its id and its name.
 nlohmann::ordered_json feature_json(const Layer& layer, std::uint32_t feature) {
   nlohmann::ordered_json json = {{"number", feature + 1}};
   if (!layer.id(feature).empty()) json["id"] = nlohmann::ordered_json::parse(layer.id(feature));
+  if (const std::optional<std::string> name = called(layer, feature)) json["name"] = *name;
   return json;
 }
 
@@ -458,15 +540,6 @@ nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report
   return json;
 }
 
-/// Returns what a feature is called: "feature 3" or "feature 3 (id)".
-std::string name_of(const Layer& layer, std::uint32_t feature) {
-  std::string name = "feature " + std::to_string(feature + 1);
-  if (layer.id(feature).empty()) return name;
-  // An id may be anything in the file; as JSON in ASCII it cannot send commands to a terminal.
-  const auto id = nlohmann::json::parse(layer.id(feature));
-  return name + " (" + id.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + ")";
-}
-
 /// Returns a corner of a region, as a place to look at.
 std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
   const std::uint32_t polygon = report.shapes.feature_begin[region];
@@ -481,17 +554,32 @@ void write_region(TextOutput& out, const Layer& layer, const LayerReport& report
   for (const std::uint32_t f : report.features_of(region)) {
     if (!is_first) out << ", ";
     is_first = false;
-    out << name_of(layer, f);
+    out << feature_title(layer, f);
   }
   out << ": area " << nearest_double(region.area) << ", width " << region.width;
   if (const std::optional<Point2> at = place_of(report, i)) {
     out << ", at " << at->x << ' ' << at->y;
   }
-  if (region.owner != LayerRegion::kNobody) out << "; goes to " << name_of(layer, region.owner);
+  if (region.owner != LayerRegion::kNobody)
+    out << "; goes to " << feature_title(layer, region.owner);
   out << '\n';
 }
 
 }  // namespace
+
+std::string feature_title(const Layer& layer, std::uint32_t feature) {
+  std::string title = "feature " + std::to_string(feature + 1);
+  // An id may be anything in the file; as JSON in ASCII it cannot send commands to a terminal.
+  const auto ascii = [](const nlohmann::json& json) {
+    return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  };
+  std::string inner;
+  if (!layer.id(feature).empty()) inner = ascii(nlohmann::json::parse(layer.id(feature)));
+  if (const std::optional<std::string> name = called(layer, feature)) {
+    inner += (inner.empty() ? "" : ", ") + ascii(*name);
+  }
+  return inner.empty() ? title : title + " (" + inner + ')';
+}
 
 void write_layer_geojson(std::ostream& stream, const Layer& layer, Context& context) {
   TextOutput out(stream, context);
@@ -530,7 +618,8 @@ void write_layer_report_text(std::ostream& stream, const Layer& layer, const Lay
       << report.gaps_below << ", " << std::uint64_t{report.count(LayerRegionKind::Hole)}
       << " holes\n";
   for (std::size_t i = 0; i < report.regions.size(); ++i) write_region(out, layer, report, i);
-  for (const std::uint32_t f : report.emptied) out << name_of(layer, f) << " has no area left\n";
+  for (const std::uint32_t f : report.emptied)
+    out << feature_title(layer, f) << " has no area left\n";
   out.flush();
 }
 

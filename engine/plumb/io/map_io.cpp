@@ -260,7 +260,7 @@ std::optional<PlaneFormat> polygon_format(const std::string& path, std::string_v
                                                                : std::optional(guessed);
 }
 
-PlaneFile read_polygons(const std::string& text, PlaneFormat format, const ReadOptions& options,
+PlaneFile read_polygons(std::string_view text, PlaneFormat format, const ReadOptions& options,
                         Context& context) {
   if (format == PlaneFormat::GeoJson) return read_geojson(text, options, context);
   if (format == PlaneFormat::Wkb) return read_wkb(text, options, context);
@@ -274,8 +274,15 @@ Map map_of_polygons(const PlaneShapes& shapes, Context& context) {
 }
 
 MapFile read_map_or_polygons(const std::string& path, ReadOptions options, Context& context) {
-  options.name = input_name(path);
   const std::string text = read_input(path, context);
+  MapFile file = read_map_or_polygons(text, path, std::move(options), context);
+  context.release_memory(text.size());
+  return file;
+}
+
+MapFile read_map_or_polygons(std::string_view text, const std::string& path, ReadOptions options,
+                             Context& context) {
+  options.name = input_name(path);
   MapFile file;
   if (const auto format = polygon_format(path, text)) {
     PlaneFile read = read_polygons(text, *format, options, context);
@@ -287,7 +294,6 @@ MapFile read_map_or_polygons(const std::string& path, ReadOptions options, Conte
   } else {
     file.map = read_map(text, options, context);
   }
-  context.release_memory(text.size());
   return file;
 }
 

@@ -64,6 +64,11 @@ struct MapFile {
 MapFile read_map_or_polygons(const std::string& path, ReadOptions options = {},
                              Context& context = unlimited_context());
 
+/// Returns the map or the coverage of a text that is read already. `path` is the name of its file:
+/// its extension selects the reader, as for the function above. Throws the errors of the readers.
+MapFile read_map_or_polygons(std::string_view text, const std::string& path, ReadOptions options,
+                             Context& context);
+
 /// Writes a map without loss. If ReadOptions::exact_decimals is false, read_map() returns the same
 /// points and cycles from the written text. When the function returns, all bytes have been passed
 /// to `out`, but `out` has not been flushed. Exceptions of `out` reach the caller.

@@ -155,6 +155,12 @@ struct RepairedLayer {
   LayerReport report;  ///< What was found and changed.
 };
 
+/// Returns the overlaps, gaps and holes of a layer. No region has an owner, and nothing is rounded
+/// but the corners of LayerReport::shapes. `options.rule` has no effect. Throws as repair_layer()
+/// does.
+LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = {},
+                        Context& context = unlimited_context());
+
 /// Returns the layer without overlaps and gaps, and a report. An overlap that covers a feature
 /// completely, together with other overlaps, goes to this feature, whatever the rule is. So such a
 /// feature does not vanish, unless several features are equal. Throws Error{NumberOutOfRange} if

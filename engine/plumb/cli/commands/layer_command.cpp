@@ -4,30 +4,20 @@
 // --json. With --dry-run there is only the report, and the exit code says whether the layer has
 // overlaps or gaps. --changes writes the regions of the report as GeoJSON.
 // Tested by tests/cli/layer_command_test.cpp.
-#include <array>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
 
-#include "plumb/cli/files/outputs.h"
+#include "plumb/cli/commands/layer_output.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/layer_io.h"
-#include "plumb/io/text/files.h"
 #include "plumb/plane/layer.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
 namespace {
-
-struct LayerFormat {
-  std::string_view name;
-  std::string_view extension;
-};
-
-constexpr std::array kLayerFormats{LayerFormat{"geojson", ".geojson"},
-                                   LayerFormat{"geojson", ".json"}};
 
 /// Returns the rule of a name. Requires one of the four names, or none.
 OwnerRule owner_rule(std::string_view name) {
@@ -39,7 +29,7 @@ OwnerRule owner_rule(std::string_view name) {
 class MapRepair : public CommandBody {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("LAYER", file_, "A layer: GeoJSON or TopoJSON; - is standard input")
+    app.add_option("LAYER", file_, "A layer: GeoJSON, TopoJSON, WKT or WKB; - is standard input")
         ->required()
         ->type_name("");
     add_choice(app, "--rule", rule_, {"longest-border", "largest", "smallest", "first"},
@@ -62,10 +52,7 @@ class MapRepair : public CommandBody {
     open_outputs(session);
     options_.rule = owner_rule(rule_);
     session.expect({reading_map(), repairing_layer(), writing()});
-    session.begin("read");
-    LayerFile file = read_layer_file(file_, read_options_, session.context());
-    for (const std::string& note : file.notes) session.note(input_name(file_) + ": " + note);
-    layer_ = std::move(file.layer);
+    layer_ = read_layer_operand(session, file_, read_options_);
     session.begin("repair");
     repaired_ = repair_layer(layer_, options_, session.context());
     session.deliver();
@@ -78,13 +65,8 @@ class MapRepair : public CommandBody {
     const CommonOptions& common = session.options();
     const bool is_written = !common.out.empty() || !common.format.empty();
     if (is_dry_run_ && is_written) throw Error(ErrorCode::Usage, "--dry-run writes no layer");
-    if (is_written) check_format(common);
-    const std::string out = common.out.empty() ? "-" : common.out;
-    if (is_written) {
-      session.outputs().add(out, [this, &session](std::ostream& stream) {
-        write_layer_geojson(stream, repaired_.layer, session.context());
-      });
-    }
+    const bool is_on_stdout =
+        open_layer_output(session, [this]() -> const Layer& { return repaired_.layer; });
     if (!changes_.empty()) {
       session.outputs().add(changes_, [this, &session](std::ostream& stream) {
         write_layer_report_geojson(stream, layer_, repaired_.report, session.context());
@@ -94,20 +76,10 @@ class MapRepair : public CommandBody {
       session.outputs().add("-", [this](std::ostream& stream) {
         write_layer_report_json(stream, layer_, repaired_.report);
       });
-    } else if (changes_ != "-" && !(is_written && out == "-")) {
+    } else if (changes_ != "-" && !is_on_stdout) {
       session.outputs().add("-", [this](std::ostream& stream) {
         write_layer_report_text(stream, layer_, repaired_.report);
       });
-    }
-  }
-
-  void check_format(const CommonOptions& common) const {
-    if (!common.format.empty()) {
-      format_named(kLayerFormats, common.format);
-    } else if (common.out == "-") {
-      throw Error(ErrorCode::Usage, "-o - needs --format geojson");
-    } else {
-      format_of_file(kLayerFormats, common.out);
     }
   }
 

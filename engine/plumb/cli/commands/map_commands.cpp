@@ -9,21 +9,26 @@
 #include <filesystem>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "plumb/cli/commands/map_overlay_options.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
+#include "plumb/io/layer_io.h"
 #include "plumb/io/map_io.h"
 #include "plumb/io/map_report_io.h"
 #include "plumb/io/plane/map_overlay_writer.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/text/files.h"
+#include "plumb/picture/layer_svg.h"
 #include "plumb/picture/map_svg.h"
 #include "plumb/picture/overlay_svg.h"
+#include "plumb/picture/plane_html.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/plane_rounding.h"
 #include "plumb/predicates/error.h"
@@ -31,19 +36,52 @@
 namespace plumb::cli {
 namespace {
 
-using ReportWriter = void (*)(std::ostream&, const MapReport&, const std::string& title);
+/// What is written: the report of a map, or the report of a layer.
+struct Checked {
+  std::string title;
+  MapReport map;
+  Layer layer;
+  std::optional<LayerReport> layer_report;
+};
 
-void write_text(std::ostream& out, const MapReport& report, const std::string&) {
-  write_map_report_text(out, report);
+using ReportWriter = void (*)(std::ostream&, const Checked&);
+
+void write_text(std::ostream& out, const Checked& checked) {
+  if (checked.layer_report) {
+    write_layer_report_text(out, checked.layer, *checked.layer_report);
+  } else {
+    write_map_report_text(out, checked.map);
+  }
 }
-void write_json(std::ostream& out, const MapReport& report, const std::string&) {
-  write_map_report_json(out, report);
+void write_json(std::ostream& out, const Checked& checked) {
+  if (checked.layer_report) {
+    write_layer_report_json(out, checked.layer, *checked.layer_report);
+  } else {
+    write_map_report_json(out, checked.map);
+  }
 }
-void write_svg(std::ostream& out, const MapReport& report, const std::string& title) {
-  write_map_svg(out, report, {.title = title});
+void write_svg(std::ostream& out, const Checked& checked) {
+  if (checked.layer_report) {
+    write_layer_svg(out, checked.layer, *checked.layer_report, {.title = checked.title});
+  } else {
+    write_map_svg(out, checked.map, {.title = checked.title});
+  }
 }
-void write_geojson(std::ostream& out, const MapReport& report, const std::string&) {
-  write_map_report_geojson(out, report);
+void write_html(std::ostream& out, const Checked& checked) {
+  if (checked.layer_report) {
+    write_layer_html(out, checked.layer, *checked.layer_report, {.title = checked.title});
+    return;
+  }
+  std::ostringstream svg;
+  write_map_svg(svg, checked.map, {.title = checked.title});
+  write_plane_html(out, svg.str(), checked.title);
+}
+void write_geojson(std::ostream& out, const Checked& checked) {
+  if (checked.layer_report) {
+    write_layer_report_geojson(out, checked.layer, *checked.layer_report);
+  } else {
+    write_map_report_geojson(out, checked.map);
+  }
 }
 
 struct Format {
@@ -53,10 +91,9 @@ struct Format {
 };
 
 constexpr std::array kFormats{
-    Format{"text", ".txt", write_text},
-    Format{"json", ".json", write_json},
-    Format{"svg", ".svg", write_svg},
-    Format{"geojson", ".geojson", write_geojson},
+    Format{"text", ".txt", write_text},  Format{"json", ".json", write_json},
+    Format{"svg", ".svg", write_svg},    Format{"geojson", ".geojson", write_geojson},
+    Format{"html", ".html", write_html},
 };
 
 /// Returns the rule of a name. Requires one of the three names.
@@ -74,23 +111,40 @@ class MapCheck : public CommandBody {
   void open_outputs(Session& session);
   void add_output(Session& session, const std::string& path, const Format& format);
   void tell_notes(Session& session) const;
+  ExitCode check_map_file(Session& session, std::string_view text);
+  ExitCode check_layer_file(Session& session, std::string_view text);
+  void note(Session& session, const std::string& text) const {
+    session.note(input_name(file_) + ": " + text);
+  }
 
   std::string file_;
   std::string outer_;
   std::string svg_;
   std::string geojson_;
+  bool checks_edges_ = false;
+  LayerReadOptions read_options_;
+  LayerRepairOptions layer_options_;
   MapCheckOptions options_;
-  MapReport report_;
+  Checked checked_;
 };
 
 void MapCheck::declare(CLI::App& app) {
   app.add_option("FILE", file_,
-                 "The map, or polygons that cover an area (.wkt, .geojson); - is standard input")
+                 "A map, or a layer: GeoJSON, TopoJSON, WKT, WKB; - is standard input")
       ->required()
       ->type_name("");
   add_choice(app, "--outer", outer_, {"listed", "infer", "ignore"},
              "Outer boundaries are listed (default for maps), to be inferred (default for "
-             "polygons), or to be ignored");
+             "layers), or to be ignored");
+  app.add_flag("--edges", checks_edges_,
+               "Check the edges of a layer, as those of a map; --outer implies this");
+  app.add_option("--gaps-below", layer_options_.gaps_below,
+                 "Layers: gaps of at least the width W are holes and no defects (default: 1/10000 "
+                 "of the diagonal)")
+      ->check(CLI::Range(0.0, 1e300).description(""))
+      ->type_name("W");
+  app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")
+      ->type_name("NAME");
   app.add_flag("--merge-vertices", options_.merge_vertices,
                "Vertices with equal coordinates become one first");
   app.add_option("--max-defects", options_.max_defects, "Describe at most N defects (default 1000)")
@@ -103,23 +157,47 @@ void MapCheck::declare(CLI::App& app) {
 ExitCode MapCheck::run(Session& session) {
   open_outputs(session);
   Context& context = session.context();
-  const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
+  checked_.title = std::filesystem::path(input_name(file_)).filename().string();
   session.expect({reading_map(), checking_map(), writing()});
   session.begin("read");
-  MapFile file = read_map_or_polygons(file_, read_options, context);
+  require_layer_format(file_);
+  const std::string text = read_input(file_, context);
+  const bool is_layer =
+      !checks_edges_ && outer_.empty() && !options_.merge_vertices && begins_like_layer(text);
+  const ExitCode code = is_layer ? check_layer_file(session, text) : check_map_file(session, text);
+  context.release_memory(text.size());
+  return code;
+}
+
+/// Finds overlaps and gaps of a layer.
+ExitCode MapCheck::check_layer_file(Session& session, std::string_view text) {
+  read_options_.name = input_name(file_);
+  LayerFile file = read_layer(text, read_options_, session.context());
+  for (const std::string& line : file.notes) note(session, line);
+  checked_.layer = std::move(file.layer);
+  session.begin("check");
+  checked_.layer_report = check_layer(checked_.layer, layer_options_, session.context());
+  session.deliver();
+  return checked_.layer_report->has_defects() ? ExitCode::No : ExitCode::Yes;
+}
+
+ExitCode MapCheck::check_map_file(Session& session, std::string_view text) {
+  Context& context = session.context();
+  const ReadOptions read_options{.exact_decimals = session.options().exact_decimals};
+  MapFile file = read_map_or_polygons(text, file_, read_options, context);
   if (outer_.empty() && file.is_polygons) outer_ = "infer";
   options_.name_places = file.is_polygons;
   options_.outer = outer_rule(outer_);
-  for (const std::string& note : file.notes) session.note(input_name(file_) + ": " + note);
+  for (const std::string& line : file.notes) note(session, line);
   if (file.dropped > 0) {
-    session.note(input_name(file_) + ": passed over: " + std::to_string(file.dropped) +
-                 (file.dropped == 1 ? " line or point" : " lines and points"));
+    note(session, "passed over: " + std::to_string(file.dropped) +
+                      (file.dropped == 1 ? " line or point" : " lines and points"));
   }
   session.begin("check");
-  report_ = check_map(std::move(file.map), options_, context);
+  checked_.map = check_map(std::move(file.map), options_, context);
   session.deliver();
   tell_notes(session);
-  return report_.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
+  return checked_.map.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
 }
 
 /// Opens outputs before the work, so that a path that cannot be written costs nothing.
@@ -133,20 +211,18 @@ void MapCheck::open_outputs(Session& session) {
 }
 
 void MapCheck::add_output(Session& session, const std::string& path, const Format& format) {
-  session.outputs().add(path, [this, &format](std::ostream& out) {
-    format.write(out, report_, std::filesystem::path(input_name(file_)).filename().string());
-  });
+  session.outputs().add(path, [this, &format](std::ostream& out) { format.write(out, checked_); });
 }
 
 void MapCheck::tell_notes(Session& session) const {
-  for (const MapWarning& warning : report_.warnings) {
+  for (const MapWarning& warning : checked_.map.warnings) {
     session.note(input_name(file_) + ": warning: " + warning.text);
   }
-  const MapDefectCounts& n = report_.counts;
+  const MapDefectCounts& n = checked_.map.counts;
   const std::uint64_t all =
       n.duplicate + n.open + n.crossing + n.twin + n.mixed.value_or(0) + n.nested;
-  if (all > report_.defects.size()) {
-    session.note(input_name(file_) + ": " + std::to_string(report_.defects.size()) + " of " +
+  if (all > checked_.map.defects.size()) {
+    session.note(input_name(file_) + ": " + std::to_string(checked_.map.defects.size()) + " of " +
                  std::to_string(all) + " defects are described (--max-defects)");
   }
 }
@@ -222,6 +298,7 @@ class MapOverlayCommand : public CommandBody {
   std::string first_file_, second_file_;
   bool infers_outer_ = false;
   bool is_strict_ = false;
+  LayerOverlayWords layer_words_;
   RoundingOptions rounding_;
   std::string rounded_output_;  // The output with coordinates; empty if there is none.
   std::optional<MapReport> first_, second_;
@@ -232,8 +309,18 @@ class MapOverlayCommand : public CommandBody {
 };
 
 void MapOverlayCommand::declare(CLI::App& app) {
-  app.add_option("A", first_file_, "A map; - is standard input")->required()->type_name("");
-  app.add_option("B", second_file_, "Another map")->required()->type_name("");
+  app.add_option("A", first_file_, "A map or a layer; - is standard input")
+      ->required()
+      ->type_name("");
+  app.add_option("B", second_file_, "Another map, or another layer")->required()->type_name("");
+  add_choice(
+      app, "--keep", layer_words_.keep, {"all", "first", "both", "first-only"},
+      "Layers: keep what any layer covers (default), what A covers, what both cover, or what "
+      "only A covers");
+  app.add_flag("--areas", layer_words_.with_areas, "Layers: add the area as a property");
+  app.add_option("--object", layer_words_.first_object, "Layers: the object to read of TopoJSON A")
+      ->type_name("NAME");
+  app.add_option("--object-b", layer_words_.second_object, "The same for B")->type_name("NAME");
   app.add_flag("--infer-outer", infers_outer_, "Complete outer boundaries that are not listed");
   app.add_flag("--strict", is_strict_,
                "Exit 2 instead of writing GeoJSON whose cells are reshaped by rounding");
@@ -241,6 +328,15 @@ void MapOverlayCommand::declare(CLI::App& app) {
 }
 
 ExitCode MapOverlayCommand::run(Session& session) {
+  if (first_file_ == "-" && second_file_ == "-") {
+    throw Error(ErrorCode::Usage, "only one of the maps can be standard input");
+  }
+  if (is_layer_file(first_file_) || is_layer_file(second_file_)) {
+    if (infers_outer_ || is_strict_ || rounding_.is_given()) {
+      throw Error(ErrorCode::Usage, "--infer-outer, --strict, --raw and --grid are for maps");
+    }
+    return overlay_layer_files(session, first_file_, second_file_, layer_words_);
+  }
   open_outputs(session);
   session.expect(
       {reading_map(), checking_map(), reading_map(), checking_map(), overlaying_maps(), writing()});
@@ -289,9 +385,6 @@ MapReport MapOverlayCommand::read_valid(Session& session, const std::string& fil
 
 /// Opens outputs before the work, so that a path that cannot be written costs nothing.
 void MapOverlayCommand::open_outputs(Session& session) {
-  if (first_file_ == "-" && second_file_ == "-") {
-    throw Error(ErrorCode::Usage, "only one of the maps can be standard input");
-  }
   add_outputs(session.options(), kOverlayFormats, true,
               [&](const std::string& path, const OverlayFormat& format) {
                 if (format.name == "geojson") rounded_output_ = path == "-" ? "stdout" : path;

@@ -104,6 +104,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
 std::unique_ptr<CommandBody> make_map_check();
 std::unique_ptr<CommandBody> make_map_overlay();
 std::unique_ptr<CommandBody> make_map_repair();
+std::unique_ptr<CommandBody> make_map_dissolve();
+std::unique_ptr<CommandBody> make_map_simplify();
 std::unique_ptr<CommandBody> make_plane_union();
 std::unique_ptr<CommandBody> make_plane_intersection();
 std::unique_ptr<CommandBody> make_plane_difference();
@@ -172,6 +174,12 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"map repair", "LAYER", "A layer without overlaps and gaps; what was changed",
               "./plumb map repair corpus/layers/fields.geojson -o out.geojson", "map-repair",
               make_map_repair},
+      Command{"map dissolve", "LAYER", "Features with the same property, united",
+              "./plumb map dissolve corpus/layers/districts.geojson --by state --sum people -o out.geojson",
+              "map-dissolve", make_map_dissolve},
+      Command{"map simplify", "LAYER", "Fewer corners; still a coverage, all features kept",
+              "./plumb map simplify corpus/layers/districts.geojson --percent 50 -o out.geojson",
+              "map-simplify", make_map_simplify},
       Command{"plane union", "A B...", "What lies in any of the sets",
               "./plumb plane union corpus/plane/star.wkt corpus/plane/frame.geojson -o out.wkt",
               "plane-set", make_plane_union},
@@ -343,7 +351,7 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
 
 std::span<const CommandGroup> command_groups() {
   static constexpr std::array kGroups{
-      CommandGroup{"map", "Maps, exactly: check regions, overlay two maps, repair layers"},
+      CommandGroup{"map", "Maps, exactly: check, overlay, repair, dissolve, simplify"},
       CommandGroup{"plane", "Sets of the plane, exactly: union ... offset, info, locate"},
       CommandGroup{"solid", "Sets of space, exactly: union ... make, slice, info"},
       CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report, minkowski"},

@@ -1,0 +1,157 @@
+// Lists of features follow from the list of face 0, which is empty: across an edge, those polygons
+// change that have an odd number of curves on the edge. The dual graph of an arrangement is
+// connected, so one search visits all faces.
+//
+// Tested by tests/plane/layer_test.cpp, which compares with cells of a grid.
+#include "plumb/plane/layer/covered_cells.h"
+
+#include <algorithm>
+
+#include "plumb/base/internal/union_find.h"
+
+namespace plumb {
+namespace {
+
+// Curves, faces, lists and labels; the arrangements charge their own memory besides.
+constexpr std::uint64_t kBytesPerLayerCorner = 120;
+
+}  // namespace
+
+CoveredCells::CoveredCells(const Layer& layer, Context& context)
+    : context_(context), memory_(context) {
+  memory_.add(kBytesPerLayerCorner * layer.ring_corners.size(), "the cells of a layer");
+  add_curves(layer);
+  arrangement_ = arrange(layer.points, curves_, context);
+  visit_faces();
+  name_features(layer);
+}
+
+bool CoveredCells::is_same_cover(FaceId f, FaceId g) const {
+  const FeatureList a = features(f), b = features(g);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+void CoveredCells::add_curves(const Layer& layer) {
+  for (std::uint32_t p = 0; p < layer.polygon_count(); ++p) {
+    for (std::size_t r = layer.polygon_begin[p]; r < layer.polygon_begin[p + 1]; ++r) {
+      const FeatureList ring = layer.ring(r);
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const std::uint32_t next = ring[i + 1 < ring.size() ? i + 1 : 0];
+        if (ring[i] == next) continue;
+        curves_.push_back({ring[i], next});
+        polygon_.push_back(p);
+      }
+    }
+  }
+}
+
+/// Visits all faces, from face 0 across edges.
+void CoveredCells::visit_faces() {
+  const Dcel& dcel = complex().dcel;
+  const std::size_t faces = complex().face_count();
+  // Half-edges sorted by their faces.
+  std::vector<std::uint32_t> begin(faces + 1, 0), halves(2 * complex().edge_count());
+  for (std::size_t h = 0; h < halves.size(); ++h) ++begin[dcel.face(HalfedgeId(h)).value() + 1];
+  for (std::size_t f = 0; f < faces; ++f) begin[f + 1] += begin[f];
+  std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
+  for (std::size_t h = 0; h < halves.size(); ++h) {
+    halves[end[dcel.face(HalfedgeId(h)).value()]++] = static_cast<std::uint32_t>(h);
+  }
+  first_.assign(faces, 0);
+  last_.assign(faces, 0);
+  std::vector<std::uint8_t> is_known(faces, 0);
+  std::vector<FaceId> queue{FaceId(0)};
+  is_known[0] = 1;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    if (i % kFacesPerCheckpoint == 0) context_.checkpoint("cells of the layer", i, faces);
+    const FaceId from = queue[i];
+    for (std::size_t k = begin[from.value()]; k < begin[from.value() + 1]; ++k) {
+      const HalfedgeId h(halves[k]);
+      const FaceId to = dcel.face(twin(h));
+      if (is_known[to.value()] != 0) continue;
+      is_known[to.value()] = 1;
+      enter(from, to, edge_of(h));
+      queue.push_back(to);
+    }
+  }
+}
+
+/// Makes the list of a face: that of its neighbour, changed by the polygons of the edge.
+void CoveredCells::enter(FaceId from, FaceId to, EdgeId across) {
+  origins_.clear();
+  arrangement_.origin_sets.append(arrangement_.origins[across.value()], origins_);
+  const std::size_t size = last_[from] - first_[from] + origins_.size();
+  memory_.add(size * sizeof(std::uint32_t), "the cells of a layer");
+  const std::size_t begin = lists_.size();
+  lists_.insert(lists_.end(), size, 0);
+  std::copy_n(lists_.begin() + static_cast<std::ptrdiff_t>(first_[from]),
+              last_[from] - first_[from], lists_.begin() + static_cast<std::ptrdiff_t>(begin));
+  std::size_t at = begin + (last_[from] - first_[from]);
+  for (const SegmentId s : origins_) lists_[at++] = polygon_[s.value()];
+  const auto list = lists_.begin() + static_cast<std::ptrdiff_t>(begin);
+  std::sort(list, lists_.end());
+  // A polygon that occurs an even number of times does not cover the face.
+  auto kept = list;
+  for (auto i = list; i != lists_.end();) {
+    const auto next = std::upper_bound(i, lists_.end(), *i);
+    if ((next - i) % 2 != 0) *kept++ = *i;
+    i = next;
+  }
+  lists_.erase(kept, lists_.end());
+  first_[to] = begin;
+  last_[to] = lists_.size();
+}
+
+/// Replaces polygons by their features, each once.
+void CoveredCells::name_features(const Layer& layer) {
+  std::vector<std::uint32_t> feature(layer.polygon_count());
+  for (std::uint32_t f = 0; f < layer.feature_count(); ++f) {
+    std::fill(feature.begin() + layer.feature_begin[f],
+              feature.begin() + layer.feature_begin[f + 1], f);
+  }
+  for (std::uint32_t& entry : lists_) entry = feature[entry];
+  for (std::size_t f = 0; f < first_.size(); ++f) {
+    const auto begin = lists_.begin() + static_cast<std::ptrdiff_t>(first_[f]);
+    const auto end = lists_.begin() + static_cast<std::ptrdiff_t>(last_[f]);
+    last_[f] = first_[f] + static_cast<std::size_t>(std::unique(begin, end) - begin);
+  }
+}
+
+std::vector<std::uint32_t> first_features(const CoveredCells& cells) {
+  std::vector<std::uint32_t> first(cells.complex().face_count(), LayerRegion::kNobody);
+  for (std::size_t f = 0; f < first.size(); ++f) {
+    const FeatureList features = cells.features(FaceId(f));
+    if (!features.empty()) first[f] = features.front();
+  }
+  return first;
+}
+
+std::size_t count_overlaps(const CoveredCells& cells, FeatureRange range,
+                           std::span<const std::uint32_t> class_of) {
+  const auto features = [&](FaceId f) {
+    const FeatureList all = cells.features(f);
+    const auto begin = std::lower_bound(all.begin(), all.end(), range.begin);
+    return FeatureList(begin, std::lower_bound(begin, all.end(), range.end));
+  };
+  const PlaneComplex& complex = cells.complex();
+  UnionFind regions(complex.face_count());
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    const HalfedgeId h = first_half(EdgeId(e));
+    const FaceId f = complex.dcel.face(h), g = complex.dcel.face(twin(h));
+    const FeatureList a = features(f), b = features(g);
+    if (std::equal(a.begin(), a.end(), b.begin(), b.end())) regions.unite(f.value(), g.value());
+  }
+  std::size_t count = 0;
+  for (std::uint32_t f = 0; f < complex.face_count(); ++f) {
+    const FeatureList covering = features(FaceId(f));
+    const bool is_overlap =
+        class_of.empty() ? covering.size() > 1
+                         : std::any_of(covering.begin(), covering.end(), [&](std::uint32_t i) {
+                             return class_of[i] != class_of[covering.front()];
+                           });
+    if (is_overlap && regions.root(f) == f) ++count;
+  }
+  return count;
+}
+
+}  // namespace plumb
