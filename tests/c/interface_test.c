@@ -1995,6 +1995,32 @@ static void test_cells(void) {
   plumb_plane_set_free(faces);
 }
 
+static void test_layer_operations(void) {
+  plumb_layer *layer = NULL, *result = NULL;
+  plumb_layer_report* report = NULL;
+  plumb_indices* pairs = NULL;
+  const uint32_t groups[2] = {0, 0};
+  OK(plumb_layer_read(kLayer, sizeof kLayer - 1, NULL, NULL, &layer, NULL, NULL, &error));
+  OK(plumb_layer_check(layer, -1, &report, NULL, &error));
+  CHECK(plumb_layer_report_has_defects(report));
+  CHECK(plumb_layer_report_owner(report, 0) == 0xffffffffU);
+  plumb_layer_report_free(report);
+  OK(plumb_layer_dissolve(layer, groups, 2, 1, &result, NULL, &error));
+  CHECK(plumb_layer_feature_count(result) == 1);
+  plumb_layer_free(result);
+  FAILS(plumb_layer_dissolve(layer, groups, 1, 1, &result, NULL, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_layer_overlay(layer, layer, PLUMB_PAIRS_BOTH, &result, &pairs, NULL, &error));
+  CHECK(2 * plumb_layer_feature_count(result) == plumb_indices_count(pairs));
+  plumb_indices_free(pairs);
+  plumb_layer_free(result);
+  FAILS(plumb_layer_overlay(layer, layer, 9, &result, NULL, NULL, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_layer_simplify(layer, INFINITY, 0.5, &result, NULL, &error));
+  CHECK(plumb_layer_feature_count(result) == 2);
+  plumb_layer_free(result);
+  FAILS(plumb_layer_simplify(layer, 1, 2, &result, NULL, &error), PLUMB_BAD_ARGUMENT);
+  plumb_layer_free(layer);
+}
+
 static void test_layer(void) {
   plumb_layer *layer = NULL, *repaired = NULL;
   plumb_layer_report* report = NULL;
@@ -2027,18 +2053,24 @@ static void test_layer(void) {
   CHECK(plumb_bytes_data(text)[0] == '{');
   plumb_bytes_free(text);
   FAILS(plumb_layer_report_write(report, layer, "pdf", &text, NULL, &error), PLUMB_UNKNOWN_FORMAT);
-  OK(plumb_layer_write_file(repaired, path_of("layer.geojson"), NULL, &error));
+  OK(plumb_layer_write_file(repaired, path_of("layer.geojson"), NULL, NULL, &error));
+  FAILS(plumb_layer_write_file(repaired, path_of("layer.shp"), NULL, NULL, &error),
+        PLUMB_UNKNOWN_FORMAT);
   plumb_layer_free(layer);
   plumb_layer_report_free(report);
   OK(plumb_layer_read_file(path_of("layer.geojson"), NULL, &layer, NULL, NULL, &error));
   plumb_layer_free(repaired);
   OK(plumb_layer_repair(layer, PLUMB_OWNER_FIRST, 0, &repaired, &report, NULL, &error));
   CHECK(!plumb_layer_report_has_defects(report));
-  OK(plumb_layer_write(repaired, &text, NULL, &error));
+  OK(plumb_layer_write(repaired, "geojson", &text, NULL, &error));
   CHECK(strstr(plumb_bytes_data(text), "FeatureCollection") != NULL);
   plumb_bytes_free(text);
   plumb_layer_report_free(report);
   plumb_layer_free(repaired);
+  OK(plumb_layer_write(layer, "topojson", &text, NULL, &error));
+  CHECK(strstr(plumb_bytes_data(text), "Topology") != NULL);
+  plumb_bytes_free(text);
+  FAILS(plumb_layer_write(layer, "shp", &text, NULL, &error), PLUMB_UNKNOWN_FORMAT);
   FAILS(plumb_layer_repair(layer, 9, -1, &repaired, NULL, NULL, &error), PLUMB_BAD_ARGUMENT);
   FAILS(plumb_layer_repair(layer, 0, NAN, &repaired, NULL, NULL, &error), PLUMB_NOT_FINITE);
   plumb_layer_free(layer);
@@ -2081,6 +2113,7 @@ int main(int count, char** arguments) {
   test_csg();
   test_cells();
   test_layer();
+  test_layer_operations();
   printf("%d failed\n", failures);
   return failures == 0 ? 0 : 1;
 }

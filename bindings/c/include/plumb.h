@@ -1566,7 +1566,7 @@ PLUMB_API plumb_status plumb_csg_read_file(const char* path, const plumb_read_op
 
 /** Features with ids, properties and polygons, such as countries. */
 typedef struct plumb_layer plumb_layer;
-/** Reads GeoJSON or TopoJSON. `object` names an object of TopoJSON; null: the first one. */
+/** Reads GeoJSON, TopoJSON, WKT or WKB. `object` names an object of TopoJSON; null: the first one. */
 PLUMB_API plumb_status plumb_layer_read(const char* bytes, size_t size,
                                         const plumb_read_options* options, const char* object,
                                         plumb_layer** out, plumb_notes** notes,
@@ -1583,12 +1583,14 @@ PLUMB_API plumb_status plumb_layer_voronoi(const double* xy, size_t count, const
 /** Makes a feature of each bounded face of a set, rounded to doubles. */
 PLUMB_API plumb_status plumb_layer_of_faces(const plumb_plane_set* set, plumb_layer** out,
                                             const plumb_context* context, plumb_error** error);
-/** Writes GeoJSON. */
-PLUMB_API plumb_status plumb_layer_write(const plumb_layer* layer, plumb_bytes** out,
-                                         const plumb_context* context, plumb_error** error);
-/** Writes a file, which is complete or absent. */
+/** Writes "geojson", "topojson" or "wkt". */
+PLUMB_API plumb_status plumb_layer_write(const plumb_layer* layer, const char* format,
+                                         plumb_bytes** out, const plumb_context* context,
+                                         plumb_error** error);
+/** Writes a file, which is complete or absent. `format` may be null: the extension chooses it. */
 PLUMB_API plumb_status plumb_layer_write_file(const plumb_layer* layer, const char* path,
-                                              const plumb_context* context, plumb_error** error);
+                                              const char* format, const plumb_context* context,
+                                              plumb_error** error);
 PLUMB_API size_t plumb_layer_feature_count(const plumb_layer* layer); /**< Returns the features. */
 /** Makes the id of a feature, as a JSON text; empty if it has none. */
 PLUMB_API plumb_status plumb_layer_id(const plumb_layer* layer, size_t feature, plumb_bytes** out,
@@ -1619,6 +1621,33 @@ typedef struct plumb_layer_report plumb_layer_report;
 PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                           plumb_layer** out, plumb_layer_report** report,
                                           const plumb_context* context, plumb_error** error);
+/** Makes the report of the overlaps, gaps and holes of a layer, without owners. */
+PLUMB_API plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
+                                         plumb_layer_report** out, const plumb_context* context,
+                                         plumb_error** error);
+/** Makes a layer with a feature for each group. groups[f] is the group of feature f, less than
+ * group_count, or 0xffffffff: the feature is left out. `count` is the number of features. */
+PLUMB_API plumb_status plumb_layer_dissolve(const plumb_layer* layer, const uint32_t* groups,
+                                            size_t count, size_t group_count, plumb_layer** out,
+                                            const plumb_context* context, plumb_error** error);
+/** Which pairs plumb_layer_overlay() keeps. */
+enum plumb_overlay_pairs {
+  PLUMB_PAIRS_ALL = 0,       /**< What any of the layers covers. */
+  PLUMB_PAIRS_FIRST = 1,     /**< What the first layer covers. */
+  PLUMB_PAIRS_BOTH = 2,      /**< What both layers cover. */
+  PLUMB_PAIRS_FIRST_ONLY = 3 /**< What the first layer covers and the second one does not. */
+};
+/** Makes a layer with a feature for each pair of features of two layers that have common points.
+ * `pairs` receives the two features of each pair; 0xffffffff stands for a missing one. */
+PLUMB_API plumb_status plumb_layer_overlay(const plumb_layer* first, const plumb_layer* second,
+                                           int kept, plumb_layer** out, plumb_indices** pairs,
+                                           const plumb_context* context, plumb_error** error);
+/** Makes the layer with fewer corners on its borders; it stays a coverage. Corners are removed
+ * while their triangle has at most the area `tolerance` (which may be infinite), and while more
+ * than the part `kept` of the removable corners is left. */
+PLUMB_API plumb_status plumb_layer_simplify(const plumb_layer* layer, double tolerance, double kept,
+                                            plumb_layer** out, const plumb_context* context,
+                                            plumb_error** error);
 PLUMB_API size_t plumb_layer_report_count(const plumb_layer_report* report); /**< Its regions. */
 /** Whether there were overlaps or gaps. */
 PLUMB_API bool plumb_layer_report_has_defects(const plumb_layer_report* report);

@@ -1,15 +1,19 @@
 // Layers of features, and the repair of their overlaps and gaps.
 // Tested by tests/c/interface_test.c and tests/c/refused_memory_test.cpp.
 #include "plumb/plane/layer.h"
-#include "plumb/plane/plane_arrays.h"
-#include "plumb/plane/plane_faces.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "files.h"
 #include "handles.h"
 #include "plumb/convex/voronoi.h"
 #include "plumb/io/layer_io.h"
+#include "plumb/plane/layer_dissolve.h"
+#include "plumb/plane/layer_overlay.h"
+#include "plumb/plane/layer_simplify.h"
+#include "plumb/plane/plane_arrays.h"
+#include "plumb/plane/plane_faces.h"
 
 struct plumb_layer {
   plumb::Layer layer;
@@ -44,6 +48,41 @@ const Layer& layer_with(const plumb_layer* layer, std::size_t feature) {
     throw Error(ErrorCode::BadIndex, "the layer has no such feature");
   }
   return found;
+}
+
+using LayerWriter = void (*)(std::ostream&, const Layer&, Context&);
+
+LayerWriter writer_named(const std::string& name) {
+  if (name == "geojson") return &write_layer_geojson;
+  if (name == "topojson") return &write_layer_topojson;
+  if (name == "wkt") return &write_layer_wkt;
+  fail_format(name, "geojson, topojson, wkt");
+}
+
+LayerWriter writer_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".geojson" || extension == ".json") return &write_layer_geojson;
+  if (extension == ".topojson") return &write_layer_topojson;
+  if (extension == ".wkt") return &write_layer_wkt;
+  throw Error(ErrorCode::UnknownFormat, "no format of layers has the extension '" + extension + "'",
+              {path});
+}
+
+OverlayPairs pairs_of(int kept) {
+  if (kept < PLUMB_PAIRS_ALL || kept > PLUMB_PAIRS_FIRST_ONLY) {
+    fail_argument("kept is no constant of plumb_overlay_pairs");
+  }
+  return static_cast<OverlayPairs>(kept);
+}
+
+/// Returns the options of a search for gaps; a negative bound stands for the default.
+LayerRepairOptions gap_options(OwnerRule rule, double gaps_below) {
+  if (!std::isfinite(gaps_below)) {
+    throw Error(ErrorCode::NotFinite, "gaps_below is not finite");
+  }
+  LayerRepairOptions options{rule, std::nullopt};
+  if (gaps_below >= 0) options.gaps_below = gaps_below;
+  return options;
 }
 
 /// Returns the layer with coordinates that are doubles, so that features still share borders.
@@ -107,24 +146,26 @@ plumb_status plumb_layer_read_file(const char* path, const char* object, plumb_l
   });
 }
 
-plumb_status plumb_layer_write(const plumb_layer* layer, plumb_bytes** out,
+plumb_status plumb_layer_write(const plumb_layer* layer, const char* format, plumb_bytes** out,
                                const plumb_context* context, plumb_error** error) {
   return make(out, error, [&] {
     Call call(context);
     Context& own = call;
-    const Layer& written_layer = need(layer, "layer").layer;
-    return written([&](std::ostream& stream) { write_layer_geojson(stream, written_layer, own); });
+    const LayerWriter writer = writer_named(text(format, "format"));
+    const Layer& given = need(layer, "layer").layer;
+    return written([&](std::ostream& stream) { writer(stream, given, own); });
   });
 }
 
-plumb_status plumb_layer_write_file(const plumb_layer* layer, const char* path,
+plumb_status plumb_layer_write_file(const plumb_layer* layer, const char* path, const char* format,
                                     const plumb_context* context, plumb_error** error) {
   return guarded(error, [&] {
     Call call(context);
     Context& own = call;
-    const Layer& written_layer = need(layer, "layer").layer;
-    write_file(text(path, "path"),
-               [&](std::ostream& stream) { write_layer_geojson(stream, written_layer, own); });
+    const std::string file = text(path, "path");
+    const LayerWriter writer = format != nullptr ? writer_named(format) : writer_of(file);
+    const Layer& given = need(layer, "layer").layer;
+    write_file(file, [&](std::ostream& stream) { writer(stream, given, own); });
   });
 }
 
@@ -157,15 +198,60 @@ plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps
   return guarded(error, [&] {
     need(out, "out");
     Call call(context);
-    LayerRepairOptions options{rule_of_owner(owner), std::nullopt};
-    if (!std::isfinite(gaps_below)) {
-      throw Error(ErrorCode::NotFinite, "gaps_below is not finite");
-    }
-    if (gaps_below >= 0) options.gaps_below = gaps_below;
+    const LayerRepairOptions options = gap_options(rule_of_owner(owner), gaps_below);
     RepairedLayer repaired = repair_layer(need(layer, "layer").layer, options, call);
     auto made = std::make_unique<plumb_layer>(plumb_layer{std::move(repaired.layer)});
     if (report != nullptr) *report = new plumb_layer_report{std::move(repaired.report)};
     *out = made.release();
+  });
+}
+
+plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
+                               plumb_layer_report** out, const plumb_context* context,
+                               plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    const LayerRepairOptions options = gap_options(OwnerRule::First, gaps_below);
+    return plumb_layer_report{check_layer(need(layer, "layer").layer, options, call)};
+  });
+}
+
+plumb_status plumb_layer_dissolve(const plumb_layer* layer, const std::uint32_t* groups,
+                                  std::size_t count, std::size_t group_count, plumb_layer** out,
+                                  const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    const std::span<const std::uint32_t> group = array(groups, count, "groups");
+    return plumb_layer{dissolve_layer(need(layer, "layer").layer, group, group_count, call).layer};
+  });
+}
+
+plumb_status plumb_layer_overlay(const plumb_layer* first, const plumb_layer* second, int kept,
+                                 plumb_layer** out, plumb_indices** pairs,
+                                 const plumb_context* context, plumb_error** error) {
+  if (out != nullptr) *out = nullptr;
+  if (pairs != nullptr) *pairs = nullptr;
+  return guarded(error, [&] {
+    need(out, "out");
+    Call call(context);
+    LayerOverlay overlay = overlay_layers(need(first, "first").layer, need(second, "second").layer,
+                                          {pairs_of(kept), false}, call);
+    auto made = std::make_unique<plumb_layer>(plumb_layer{std::move(overlay.layer)});
+    auto partners = std::make_unique<plumb_indices>();
+    for (const LayerOverlay::Pair& pair : overlay.pairs) {
+      partners->values.insert(partners->values.end(), {pair.first, pair.second});
+    }
+    if (pairs != nullptr) *pairs = partners.release();
+    *out = made.release();
+  });
+}
+
+plumb_status plumb_layer_simplify(const plumb_layer* layer, double tolerance, double kept,
+                                  plumb_layer** out, const plumb_context* context,
+                                  plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    return plumb_layer{simplify_layer(need(layer, "layer").layer, {tolerance, kept}, call).layer};
   });
 }
 

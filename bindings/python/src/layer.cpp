@@ -3,12 +3,17 @@
 // Tests: tests/test_layer.py.
 #include "plumb/plane/layer.h"
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "binding.h"
 #include "plumb/convex/voronoi.h"
 #include "plumb/io/layer_io.h"
 #include "plumb/io/text/files.h"
+#include "plumb/plane/layer_dissolve.h"
+#include "plumb/plane/layer_overlay.h"
+#include "plumb/plane/layer_simplify.h"
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_faces.h"
 
@@ -69,8 +74,20 @@ std::string geojson_of(Context& context, const Layer& layer) {
 }
 
 std::monostate write_layer(Context& context, const Layer& layer, const Path& path) {
+  const std::string extension = path.extension().string();
+  if (extension != ".geojson" && extension != ".json" && extension != ".topojson" &&
+      extension != ".wkt") {
+    throw Error(ErrorCode::UnknownFormat,
+                "the extension of " + path.string() + " names no format for layers");
+  }
   OutputFile file(path.string());
-  write_layer_geojson(file.stream(), layer, context);
+  if (extension == ".topojson") {
+    write_layer_topojson(file.stream(), layer, context);
+  } else if (extension == ".wkt") {
+    write_layer_wkt(file.stream(), layer, context);
+  } else {
+    write_layer_geojson(file.stream(), layer, context);
+  }
   file.finish();
   file.commit();
   return {};
@@ -85,6 +102,50 @@ Repair repaired(Context& context, const Layer& layer, const std::string& rule,
                 const std::optional<double>& gaps_below) {
   RepairedLayer result = repair_layer(layer, {owner_rule(rule), gaps_below}, context);
   return {std::move(result.layer), std::move(result.report)};
+}
+
+LayerReport checked_layer(Context& context, const Layer& layer,
+                          const std::optional<double>& gaps_below) {
+  return check_layer(layer, {OwnerRule::First, gaps_below}, context);
+}
+
+Layer dissolved(Context& context, const Layer& layer, const std::vector<std::uint32_t>& groups) {
+  std::size_t count = 0;
+  for (const std::uint32_t group : groups) count = std::max<std::size_t>(count, group + 1U);
+  return dissolve_layer(layer, groups, count, context).layer;
+}
+
+Layer simplified(Context& context, const Layer& layer, double tolerance, double kept) {
+  return simplify_layer(layer, {tolerance, kept}, context).layer;
+}
+
+OverlayPairs overlay_pairs(const std::string& name) {
+  if (name == "all") return OverlayPairs::All;
+  if (name == "first") return OverlayPairs::First;
+  if (name == "both") return OverlayPairs::Both;
+  if (name == "first-only") return OverlayPairs::FirstOnly;
+  throw Error(ErrorCode::BadArgument,
+              "pairs must be 'all', 'first', 'both' or 'first-only', not '" + name + "'");
+}
+
+using Partner = std::optional<std::uint32_t>;
+
+Partner partner(std::uint32_t feature) {
+  if (feature == LayerRegion::kNobody) return std::nullopt;
+  return feature;
+}
+
+std::pair<Layer, std::vector<std::pair<Partner, Partner>>> overlaid(Context& context,
+                                                                    const Layer& first,
+                                                                    const Layer& second,
+                                                                    const std::string& pairs) {
+  LayerOverlay result = overlay_layers(first, second, {overlay_pairs(pairs), false}, context);
+  std::vector<std::pair<Partner, Partner>> partners;
+  partners.reserve(result.pairs.size());
+  for (const LayerOverlay::Pair& pair : result.pairs) {
+    partners.emplace_back(partner(pair.first), partner(pair.second));
+  }
+  return {std::move(result.layer), std::move(partners)};
 }
 
 using RegionOut = nb::typed<nb::dict, nb::str, nb::object>;
@@ -120,8 +181,9 @@ void def_reading(nb::class_<Layer>& c) {
       },
       "path"_a, "object"_a = nb::none(), nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(),
       "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
-      with_limits("Read the features of a GeoJSON or TopoJSON file. `object` names an object of "
-                  "TopoJSON; by default the first one."));
+      with_limits(
+          "Read the features of a GeoJSON, TopoJSON, WKT or WKB file. `object` names an object of "
+          "TopoJSON; by default the first one."));
   c.def_static(
       "parse",
       [](const std::string& text, const std::optional<std::string>& object, unsigned threads,
@@ -194,7 +256,26 @@ void bind_layer(nb::module_& m) {
   c.def("properties", &properties_of, "Return the properties of each feature, or None.");
   def_run(c, "to_geojson", &geojson_of,
           "Return a FeatureCollection as text, one feature in each line.");
-  def_run(c, "write", &write_layer, "Write a GeoJSON file, which is complete or absent.", "path"_a);
+  def_run(c, "write", &write_layer,
+          "Write a file, which is complete or absent: .geojson, .json, .topojson or .wkt.",
+          "path"_a);
+  def_run(c, "check", &checked_layer,
+          "Return the overlaps, gaps and holes of the layer as a LayerReport without owners.",
+          "gaps_below"_a = nb::none());
+  def_run(c, "dissolved", &dissolved,
+          "Return a layer with a feature for each group. `groups` has the group of each feature: "
+          "0, 1, ...",
+          "groups"_a);
+  def_run(c, "simplified", &simplified,
+          "Return the layer with fewer corners on its borders; it stays a coverage. Corners are "
+          "removed while their triangle has at most the area `tolerance`, and while more than the "
+          "part `kept` of the removable corners is left.",
+          "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0);
+  def_run(c, "overlaid", &overlaid,
+          "Return the overlay with another layer: a layer with a feature for each pair of features "
+          "that have common points, and the list of these pairs of indices. A missing partner is "
+          "None. pairs: 'all', 'first' (what this layer covers), 'both' or 'first-only'.",
+          "other"_a, "pairs"_a = "all");
   c.def(
       "repaired",
       [](const Layer& layer, const std::string& rule, const std::optional<double>& gaps_below,

@@ -61,6 +61,26 @@ def test_rules_and_gaps() -> None:
     assert [r["kind"] for r in wide.repaired(gaps_below=100)[1].regions] == ["gap"]
 
 
+def test_dissolving_overlaying_and_simplifying(tmp_path: Path) -> None:
+    layer = plumb.Layer.parse(
+        collection([(0, 0), (4, 0), (4, 4), (0, 4)], [(4, 0), (8, 0), (8, 4), (4, 4)])
+    )
+    assert layer.check().regions == []
+    one = layer.dissolved([0, 0])
+    assert len(one) == 1 and plumb.Layer.parse(one.to_geojson()).check().regions == []
+    strip = plumb.Layer.parse(collection([(2, 1), (6, 1), (6, 2), (2, 2)]))
+    both, pairs = layer.overlaid(strip, pairs="both")
+    assert pairs == [(0, 0), (1, 0)] and len(both) == 2
+    assert layer.overlaid(strip)[1] == [(0, 0), (0, None), (1, 0), (1, None)]
+    bumpy = plumb.Layer.parse(collection([(0, 0), (2, 0.01), (4, 0), (4, 4), (0, 4)]))
+    assert bumpy.simplified(tolerance=0.1).to_geojson().count("0.01") == 0
+    for name in ("a.topojson", "a.wkt", "a.geojson"):
+        layer.write(tmp_path / name)
+        assert len(plumb.Layer.read(tmp_path / name)) == 2
+    with pytest.raises(plumb.Error, match="names no format"):
+        layer.write(tmp_path / "a.shp")
+
+
 def test_errors_have_places() -> None:
     with pytest.raises(plumb.Error) as caught:
         plumb.Layer.parse('{"type": "FeatureCollection",\n "features": [}')
