@@ -313,7 +313,8 @@ TEST(Completion, offers_commands_options_words_and_files) {
   const ExampleFolder folder;
   using Set = std::set<std::string>;
   EXPECT_EQ(completed(folder, "plumb so"), Set{"solid"});
-  EXPECT_EQ(completed(folder, "plumb map ''"), (Set{"check", "dissolve", "overlay", "repair", "simplify", "--help"}));
+  EXPECT_EQ(completed(folder, "plumb map ''"),
+            (Set{"check", "dissolve", "overlay", "repair", "simplify", "--help"}));
   EXPECT_EQ(completed(folder, "plumb solid sec"), Set{"section"});
   EXPECT_EQ(completed(folder, "plumb solid section --si"), Set{"--side"});
   EXPECT_EQ(completed(folder, "plumb solid section --side ''"), (Set{"closed", "open", "plane"}));

@@ -175,7 +175,8 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
               "./plumb map repair corpus/layers/fields.geojson -o out.geojson", "map-repair",
               make_map_repair},
       Command{"map dissolve", "LAYER", "Features with the same property, united",
-              "./plumb map dissolve corpus/layers/districts.geojson --by state --sum people -o out.geojson",
+              "./plumb map dissolve corpus/layers/districts.geojson --by state --sum people -o "
+              "out.geojson",
               "map-dissolve", make_map_dissolve},
       Command{"map simplify", "LAYER", "Fewer corners; still a coverage, all features kept",
               "./plumb map simplify corpus/layers/districts.geojson --percent 50 -o out.geojson",
