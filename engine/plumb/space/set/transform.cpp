@@ -120,13 +120,19 @@ class IntegerMap {
 /// Whether a positive integer is a power of two.
 bool is_power_of_two(const Integer& x) { return lsb(x) == msb(x); }
 
-/// Returns x / w for a power of two w if it is a double, and neither huge nor tiny.
+/// Returns the exponent of the lowest bit of x / w, for a power of two w; 0 for x = 0.
+int lowest_exponent(const Integer& x, const Integer& w) {
+  return x.is_zero() ? 0 : trailing_zeros(x) - trailing_zeros(w);
+}
+
+/// Returns x / w for a power of two w if it is a double. Requires a lowest exponent far from the
+/// ends of the range of doubles.
 std::optional<double> as_double(const Integer& x, const Integer& w) {
-  constexpr int kDigits = 53, kMostExponent = 900;
+  constexpr int kDigits = 53;
   if (x.is_zero()) return 0.0;
-  const int low = trailing_zeros(x), exponent = low - trailing_zeros(w);
-  if (bit_length(x) - low > kDigits || std::abs(exponent) > kMostExponent) return {};
-  return std::ldexp(mpz_get_d(Integer(x >> low).mpz()), exponent);
+  const int low = trailing_zeros(x);
+  if (bit_length(x) - low > kDigits) return {};
+  return std::ldexp(mpz_get_d(Integer(x >> low).mpz()), lowest_exponent(x, w));
 }
 
 /// Maps planes and points into a new table, each once. Points go to M x + t, and a plane n.x + d =
@@ -187,8 +193,12 @@ class Images {
   /// Adds a point x / w. Nearly all denominators are powers of two: then no fraction needs to be
   /// reduced.
   SpacePoint add(const IntegerRow& x) {
+    constexpr int kMostExponent = 900;
     const Integer& w = x[3];
-    if (!is_power_of_two(w)) {
+    const auto is_ordinary = [&](const Integer& c) {
+      return std::abs(lowest_exponent(c, w)) <= kMostExponent;
+    };
+    if (!is_power_of_two(w) || !std::all_of(x.begin(), x.begin() + 3, is_ordinary)) {
       return add_point(*tables_, {Rational(x[0], w), Rational(x[1], w), Rational(x[2], w)});
     }
     const std::optional<double> a = as_double(x[0], w), b = as_double(x[1], w),
