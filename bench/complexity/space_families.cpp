@@ -253,6 +253,15 @@ Work cone_mesh(std::size_t sides) {
   return set_of_mesh(sides, testing::cone_mesh(static_cast<int>(sides), 1));
 }
 
+/// The union of two cones whose thin sides run in all directions, so that boxes along any one set of
+/// axes nearly all overlap.
+Work crossing_cones(std::size_t sides) {
+  const PolygonMesh mesh = testing::cone_mesh(static_cast<int>(sides), 1);
+  return made(sides,
+              [cone = solid(mesh), other = solid(testing::moved(mesh, {0.125, 0.03125, 0.125}))](
+                  Context& context) { return boolean_op(cone, other, kUnion, context); });
+}
+
 /// Two facets whose triangles meet in few vertices.
 Work comb_mesh(std::size_t teeth) {
   return set_of_mesh(teeth, testing::comb_prism(static_cast<int>(teeth)));
@@ -368,6 +377,13 @@ const std::vector<Family> kFamilies{
      {1, 1},
      {160, 400, 1000, 2500, 6400, 16000},
      cone_mesh,
+     1.25},
+    {"crossing-cones",
+     "union of two cones; the boxes of their sides nearly all overlap",
+     "sides",
+     {1, 1},
+     {160, 400, 1000, 2500, 6400, 16000},
+     crossing_cones,
      1.25},
     {"comb-prisms",
      "a set of a mesh, two facets whose triangles share few vertices",

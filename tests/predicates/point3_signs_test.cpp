@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -422,6 +423,47 @@ TEST(Point3Signs, EqualPointsOfAllKinds) {
   EXPECT_FALSE(points.add(x, y, x).is_valid());
   EXPECT_FALSE(points.add(above, below, x).is_valid());
   EXPECT_FALSE(points.add(x, x, y).is_valid());
+}
+
+/// Coordinates that definitions show are compared without exact arithmetic. Planes across an axis
+/// come from coefficients, long or short, or from corners; the other planes are inclined, so that
+/// boxes do not decide equal coordinates.
+TEST(Point3Signs, CoordinatesThatDefinitionsShow) {
+  PlaneTable table;
+  const std::array<double, 5> heights = {0, 0.1, -3, 0x1p-60, 0.1 + 0x1p-56};
+  std::vector<PlaneId> across;
+  for (const double z : heights) {
+    across.push_back(table.intern(0.0, 0.0, 3.0, -z).plane());
+    across.push_back(table.intern(0.0, 0.0, 1.0, -z).plane());
+    const InputPointId p = table.add_point({0.3, 0.1, z}), q = table.add_point({5, 0.7, z}),
+                       r = table.add_point({0.9, 7, z});
+    across.push_back(table.intern(p, q, r).plane());
+  }
+  std::mt19937_64 random(1);
+  const auto inclined = [&] {
+    const auto number = [&] { return static_cast<double>(random() % 2001) / 1000 - 1.0003; };
+    return table.intern(number(), number(), number() / 8, number()).plane();
+  };
+  Point3Table points(table);
+  std::vector<SpacePoint> all;
+  for (int i = 0; i < 3; ++i) {
+    for (const PlaneId z : across) {
+      const PlaneId p = inclined(), q = inclined();
+      all.push_back(points.add(p, q, z));
+    }
+  }
+  for (std::uint32_t i = 0; i < table.points().size(); i += 3) all.emplace_back(InputPointId(i));
+  int equal_pairs = 0;
+  for (const SpacePoint a : all) {
+    for (const SpacePoint b : all) {
+      ASSERT_TRUE(a.is_valid() && b.is_valid());
+      const RationalPoint3 at = exact(points, a), to = exact(points, b);
+      EXPECT_EQ(compare_axis(points, a, b, 0), sign_of(at.x.compare(to.x)));
+      EXPECT_EQ(compare_axis(points, a, b, 2), sign_of(at.z.compare(to.z)));
+      equal_pairs += a != b && at.z == to.z ? 1 : 0;
+    }
+  }
+  EXPECT_GT(equal_pairs, 200);
 }
 
 }  // namespace

@@ -4,13 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "generate/complex_draft.h"
 #include "generate/test_share.h"
 #include "oracle/contacts.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/boolean/thin_leaves.h"
 
 namespace plumb::find_contacts_test {
 namespace {
@@ -236,6 +240,73 @@ TEST(Meet, AgreesWithAllPairsOnSimilarShapes) {
     check(scene, dice, census);
     if (::testing::Test::HasFatalFailure()) return;
   }
+}
+
+/// Whether a cell is a part of what a leaf covers: a surface with its boundary, a chain of edges, a
+/// vertex.
+bool covers(const SpaceComplex& c, const ContactLeaf& leaf, SpaceItem item) {
+  if (item == leaf.bare || (leaf.facet.is_valid() && item == SpaceItem(leaf.facet))) return true;
+  const auto is_of_edge = [&](EdgeId e) {
+    const HalfedgeId h(2 * std::size_t{e.value()});
+    return item == SpaceItem(e) || item == SpaceItem(c.origin[h]) || item == SpaceItem(c.target(h));
+  };
+  const auto is_of_use = [&](UseId u) {
+    return is_of_edge(SpaceComplex::edge_of(c.use_halfedge[u]));
+  };
+  if (leaf.bare.is_valid()) {
+    return leaf.bare.kind() == SpaceItem::Kind::Edge && is_of_edge(leaf.bare.edge());
+  }
+  if (!leaf.facet.is_valid()) {
+    UseId u = leaf.first;
+    for (std::uint32_t i = 0; i < leaf.count; ++i, u = c.use_next[u]) {
+      if (is_of_use(u)) return true;
+    }
+    return false;
+  }
+  const auto inner = c.inner_of(leaf.facet);
+  if (std::ranges::any_of(inner, [&](VertexId v) { return item == SpaceItem(v); })) return true;
+  for (std::size_t u = 0; u < c.use_count(); ++u) {
+    if (c.use_facet[UseId(u)] == leaf.facet && is_of_use(UseId(u))) return true;
+  }
+  return false;
+}
+
+/// Expects that trees of oriented boxes find all pairs of leaves that have a contact in common.
+void check_thin_leaves(const Scene& scene, Dice& dice, int& expected) {
+  const auto tables = std::make_shared<SpaceTables>();
+  const SpaceComplex a = build_complex(scene.a, tables, dice);
+  const SpaceComplex b = build_complex(scene.b, tables, dice);
+  Context context;
+  const std::vector<Contact> contacts = find_contacts(a, b, *tables, context);
+  const ContactLeaves xs(a, box_of(b)), ys(b, box_of(a));
+  std::set<std::pair<std::size_t, std::size_t>> found;
+  ThinLeaves::for_each_pair(
+      ThinLeaves(xs, [] {}), ThinLeaves(ys, [] {}),
+      [&](std::size_t x, std::size_t y) { found.emplace(x, y); }, [] {});
+  for (const Contact& contact : contacts) {
+    for (std::size_t x = 0; x < xs.boxes().size(); ++x) {
+      if (!covers(a, xs[x], contact.a)) continue;
+      for (std::size_t y = 0; y < ys.boxes().size(); ++y) {
+        if (!covers(b, ys[y], contact.b)) continue;
+        ++expected;
+        EXPECT_TRUE(found.contains({x, y})) << name_of(contact.a, contact.b);
+      }
+    }
+  }
+}
+
+TEST(Meet, OrientedBoxesFindAllLeavesThatMeet) {
+  int expected = 0;
+  for (std::uint64_t seed = 0; seed < testing::case_count(120); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Dice dice(seed);
+    Scene scene{random_shape(dice, 3), random_shape(dice, 3)};
+    if (seed % 10 == 0) scene = {needles(dice, 14), needles(dice, 14)};
+    if (dice.below(2) == 0) scene.a.add(random_shape(dice, 3));
+    if (dice.below(3) == 0) shear(scene, dice);
+    check_thin_leaves(scene, dice, expected);
+  }
+  EXPECT_GT(expected, 1000);
 }
 
 std::size_t contact_count(const ComplexDraft& a, const ComplexDraft& b) {

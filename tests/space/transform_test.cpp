@@ -58,6 +58,10 @@ AffineMap3 some_map(Dice& dice, std::uint64_t kind) {
               {1, 1, 1}};
     case 6:
       return {{{{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {5, 0, 0}};
+    case 8:  // Doubles, so that images of points have a power of two as denominator.
+      return {{{{0.6, -0.8, 0}, {0.8, 0.6, 0}, {0, 0, 0.7}}}, {0.1, -0.25, 0x1p-70}};
+    case 9:
+      return {{{{0.5, 0, 0}, {0, -4, 0}, {0, 0, 1}}}, {0.75, 0, 0x1p-1060}};
     default:
       break;
   }

@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/space/filter_stages.h"
@@ -224,20 +226,69 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
 
 namespace {
 
-/// Whether two exact boxes have the same double as coordinate, by its bits, as subnormal numbers
-/// may compare as zero.
-bool is_same_coordinate(const PointBox& x, const PointBox& y, std::size_t axis) {
-  return x.radius == 0 && y.radius == 0 &&
-         std::bit_cast<std::uint64_t>(x.mid[axis]) == std::bit_cast<std::uint64_t>(y.mid[axis]);
+double coordinate(const Point3& p, std::size_t axis) {
+  return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
 }
 
-/// Whether both points lie on one plane of the cube across the axis by definition.
-bool share_wall(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis) {
-  if (x.is_input() || y.is_input()) return false;
-  const auto& frame = points.planes().frame();
-  return std::any_of(&frame[2 * axis], &frame[2 * axis] + 2, [&](PlaneId wall) {
-    return points.source(x).has_plane(wall) && points.source(y).has_plane(wall);
-  });
+/// Whether a plane is orthogonal to an axis, as its definition shows: stored coefficients are 0, or
+/// the corners have the same coordinate.
+bool is_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const PlaneRow& row = planes.row(plane);
+  if (row.n[i] != 0 || row.n[j] != 0) return false;  // Zeros are rounded to zero.
+  const PlaneSource& source = planes.source(plane);
+  if (!source.is_explicit()) {
+    const auto bits = [&](std::size_t k) {
+      return std::bit_cast<std::uint64_t>(coordinate(planes.points()[source.code[k]], axis));
+    };
+    return bits(0) == bits(1) && bits(0) == bits(2);
+  }
+  const PlaneSlot& slot = planes.slot(source);
+  const auto is_zero = [&](std::size_t k) {
+    const std::uint64_t* const limbs = planes.limbs(slot) + k * slot.limbs;
+    return std::all_of(limbs, limbs + slot.limbs, [](std::uint64_t limb) { return limb == 0; });
+  };
+  return is_zero(i) && is_zero(j);
+}
+
+/// Returns the coordinate of all points of a plane across an axis if it is seen to be a double, as
+/// it is if the plane has corners, or the equation x = d with a short number d.
+std::optional<double> coordinate_of_plane(const PlaneTable& planes, PlaneId plane,
+                                          std::size_t axis) {
+  constexpr int kMostBits = 53, kMostScale = 900;
+  const PlaneSource& source = planes.source(plane);
+  if (!source.is_explicit()) return coordinate(planes.points()[source.code[0]], axis);
+  const PlaneSlot& slot = planes.slot(source);
+  if (source.is_frame() || slot.limbs != 1 || slot.offset_bits > kMostBits) return {};
+  const std::uint64_t* const row = planes.limbs(slot);
+  if (row[axis] != 1 || std::abs(slot.scale) > kMostScale) return {};
+  return std::ldexp(-static_cast<double>(static_cast<std::int64_t>(row[3])), slot.scale);
+}
+
+/// Returns the plane across an axis among the three that define a point, or an invalid id.
+PlaneId plane_across(const Point3Table& points, SpacePoint x, std::size_t axis) {
+  if (x.is_input()) return {};
+  const PointSource& source = points.source(x);
+  for (std::size_t i = 0; i < source.plane_count(); ++i) {
+    if (is_across(points.planes(), source.plane(i), axis)) return source.plane(i);
+  }
+  return {};
+}
+
+/// Compares coordinates that the definitions of points show: doubles of input points and of planes
+/// across the axis. Unsure if a coordinate is not shown.
+FilteredSign order_by_definition(const Point3Table& points, SpacePoint x, SpacePoint y,
+                                 std::size_t axis) {
+  const PlaneId p = plane_across(points, x, axis), q = plane_across(points, y, axis);
+  if (p.is_valid() && p == q) return FilteredSign::Zero;
+  const auto known = [&](SpacePoint at, PlaneId across) -> std::optional<double> {
+    const PointBox box = points.box(at);
+    if (box.radius == 0) return box.mid[axis];
+    if (!across.is_valid()) return {};
+    return coordinate_of_plane(points.planes(), across, axis);
+  };
+  const std::optional<double> a = known(x, p), b = known(y, q);
+  return a && b ? filtered(compare(*a, *b)) : FilteredSign::Unsure;
 }
 
 /// The filters of compare_axis().
@@ -252,9 +303,8 @@ Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::si
   if (x == y) return Sign::Zero;
   const FilteredSign s = rough_order(points, x, y, axis);
   if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
-  if (is_same_coordinate(points.box(x), points.box(y), axis) || share_wall(points, x, y, axis)) {
-    return decide(Predicate::CompareAxis, Rung::Identity, FilteredSign::Zero);
-  }
+  const FilteredSign shown = order_by_definition(points, x, y, axis);
+  if (is_decided(shown)) return decide(Predicate::CompareAxis, Rung::Identity, shown);
   return exact_order(points, x, y, axis);
 }
 

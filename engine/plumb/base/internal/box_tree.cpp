@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/internal/insertion_sort.h"
+
 namespace plumb {
 
 /// Nodes level by level, the leaves first. Each level except the top one is filled up to an even
@@ -150,8 +152,14 @@ class PlaceSort {
   }
 
   // A stable radix sort from the lowest digit up. Digits that are the same in all codes are
-  // skipped.
+  // skipped. A few items are inserted one by one, which is faster than to clear the tables of
+  // digits.
   void sort_by_code(std::span<CodedBox> items) {
+    constexpr std::size_t kFew = 64;
+    if (items.size() <= kFew) {
+      const auto is_before = [](const CodedBox& a, const CodedBox& b) { return a.code < b.code; };
+      return insertion_sort(items, is_before);
+    }
     std::span<CodedBox> from = items, to = std::span(spare_).first(items.size());
     for (std::uint32_t shift = 0; shift < 3 * kGridBits; shift += kDigitBits) {
       if (sort_by_digit(from, to, shift)) std::swap(from, to);

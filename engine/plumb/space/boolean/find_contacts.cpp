@@ -1,5 +1,5 @@
 // The search for contacts: two trees of leaves, and a test for each pair of leaves whose boxes
-// meet.
+// meet. Leaves whose boxes would nearly all meet go to trees of oriented boxes (thin_leaves.h).
 //
 // Notation
 //   x, y      leaves of the two complexes
@@ -30,6 +30,7 @@
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/boolean/contact_leaves.h"
+#include "plumb/space/boolean/thin_leaves.h"
 #include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/planar/facet_site.h"
 
@@ -373,25 +374,34 @@ std::vector<Box3> turned_boxes(const ContactLeaves& leaves, const BoxFrame& fram
   return boxes;
 }
 
-/// Trees over the boxes of the leaves: along the coordinate axes or, if those would give many
+/// Trees over the leaves: over their boxes along the coordinate axes or, if those would give many
 /// pairs, in a frame that gives fewer. The frame changes the cost only.
 struct LeafTrees {
-  std::array<BoxTree, 2> of;  ///< One for each complex.
-  bool is_turned = false;     ///< Whether the boxes are those of another frame.
+  std::array<BoxTree, 2> of;    ///< One for each complex; empty if needs_oriented.
+  bool is_turned = false;       ///< Whether the boxes are those of another frame.
+  bool needs_oriented = false;  ///< Whether boxes would give many pairs in both frames.
 };
 
 /// Builds both trees, each as a job of its own.
 LeafTrees make_trees(const ContactLeaves& xs, const ContactLeaves& ys, Context& context) {
+  constexpr double kManyPairs = 64;  // For each leaf.
   LeafTrees trees;
   std::array<std::span<const Box3>, 2> boxes{xs.boxes(), ys.boxes()};
   std::array<std::vector<Box3>, 2> turned;
-  const double pairs = expected_pairs(xs.boxes(), ys.boxes());
+  const std::size_t leaves = xs.boxes().size() + ys.boxes().size();
+  double pairs = expected_pairs(xs.boxes(), ys.boxes());
   // A frame along the edges of both complexes is tried only if the axes would give many pairs.
-  if (has_many_pairs(pairs, xs.boxes().size() + ys.boxes().size())) {
+  if (has_many_pairs(pairs, leaves)) {
     const BoxFrame frame = BoxFrame::of_edges(std::array{&xs.complex(), &ys.complex()});
     turned = {turned_boxes(xs, frame), turned_boxes(ys, frame)};
-    trees.is_turned = is_better_frame(expected_pairs(turned[0], turned[1]), pairs);
-    if (trees.is_turned) boxes = {turned[0], turned[1]};
+    const double in_frame = expected_pairs(turned[0], turned[1]);
+    trees.is_turned = is_better_frame(in_frame, pairs);
+    if (trees.is_turned) {
+      boxes = {turned[0], turned[1]};
+      pairs = in_frame;
+    }
+    trees.needs_oriented = pairs > kManyPairs * static_cast<double>(leaves);
+    if (trees.needs_oriented) return trees;
   }
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     own.checkpoint("box trees", i, 2);
@@ -400,20 +410,41 @@ LeafTrees make_trees(const ContactLeaves& xs, const ContactLeaves& ys, Context& 
   return trees;
 }
 
-/// Tests all pairs of leaves whose boxes meet and returns the contacts found, sorted, each once.
-/// The pairs are divided into parts that run at the same time; sorting makes the result independent
-/// of that.
-std::vector<std::uint64_t> contact_keys(const ContactLeaves& xs, const ContactLeaves& ys,
-                                        Context& context) {
+using ContactKeys = std::vector<std::uint64_t>;
+
+/// Tests all pairs of leaves whose oriented boxes meet.
+ContactKeys keys_of_thin_leaves(const ContactLeaves& xs, const ContactLeaves& ys,
+                                const std::array<FacetSites, 2>& sites, Context& context) {
+  constexpr std::size_t kBytesPerTriangle = 700;
+  MemoryCharge memory(context);
+  memory.add(
+      kBytesPerTriangle * (count_thin_triangles(xs.complex()) + count_thin_triangles(ys.complex())),
+      "oriented boxes of facets");
+  std::uint64_t steps = 0;
+  const auto on_step = [&] {
+    if (++steps % 4096 == 0) context.checkpoint("contacts", 0, 1);
+  };
+  const ThinLeaves a(xs, on_step), b(ys, on_step);
+  ContactFinder finder(xs, ys, sites, context);
+  ThinLeaves::for_each_pair(
+      a, b,
+      [&](std::uint32_t x, std::uint32_t y) {
+        if (xs.boxes()[x].meets(ys.boxes()[y])) finder.test(x, y);
+      },
+      on_step);
+  return finder.take_keys();
+}
+
+/// Tests all pairs of leaves whose boxes meet. The pairs are divided into parts that run at the
+/// same time.
+ContactKeys keys_of_leaves(const ContactLeaves& xs, const ContactLeaves& ys, const LeafTrees& trees,
+                           const std::array<FacetSites, 2>& sites, Context& context) {
   constexpr std::size_t kPartsAThread = 16;
-  const LeafTrees trees = make_trees(xs, ys, context);
   const std::size_t threads = context.threads();
   // More parts than threads, so that uneven parts balance.
   const std::vector<BoxTree::Part> parts =
       BoxTree::parts(trees.of[0], trees.of[1], threads == 1 ? 1 : kPartsAThread * threads);
-  const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets(), context),
-                                        FacetSites(ys.complex(), ys.large_facets(), context)};
-  std::vector<std::vector<std::uint64_t>> found(parts.size());
+  std::vector<ContactKeys> found(parts.size());
   run_jobs(context, parts.size(), [&](std::size_t i, Context& own) {
     ContactFinder finder(xs, ys, sites, own);
     BoxTree::for_each_pair(trees.of[0], trees.of[1], parts[i],
@@ -423,8 +454,19 @@ std::vector<std::uint64_t> contact_keys(const ContactLeaves& xs, const ContactLe
                            });
     found[i] = finder.take_keys();
   });
-  std::vector<std::uint64_t> keys;
+  ContactKeys keys;
   for (const auto& part : found) keys.insert(keys.end(), part.begin(), part.end());
+  return keys;
+}
+
+/// Returns the contacts found, sorted, each once. Sorting makes the result independent of the trees
+/// and the parts.
+ContactKeys contact_keys(const ContactLeaves& xs, const ContactLeaves& ys, Context& context) {
+  const LeafTrees trees = make_trees(xs, ys, context);
+  const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets(), context),
+                                        FacetSites(ys.complex(), ys.large_facets(), context)};
+  ContactKeys keys = trees.needs_oriented ? keys_of_thin_leaves(xs, ys, sites, context)
+                                          : keys_of_leaves(xs, ys, trees, sites, context);
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
   return keys;

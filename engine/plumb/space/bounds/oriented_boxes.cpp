@@ -192,6 +192,12 @@ void OrientedBoxTree::halve(std::span<const Triangle> triangles, const Node& nod
                    });
 }
 
+/// Returns the axis along which the box of a node is longest.
+const Vector3& OrientedBoxTree::longest_axis(const Node& node) {
+  const auto longest = std::ranges::max_element(node.half) - node.half.begin();
+  return node.axis[static_cast<std::size_t>(longest)];
+}
+
 // Along an axis the boxes are apart if their middles are farther apart than the sum of their half
 // extents. A comparison with a value that is not a number is false: not apart.
 bool OrientedBoxTree::are_apart(const Node& m, const Node& n) {
@@ -211,7 +217,14 @@ bool OrientedBoxTree::are_apart(const Node& m, const Node& n) {
     for (std::size_t i = 0; i < 3; ++i) reach += m.half[i] * cosine[i][j];
     if (std::fabs(dot(n.axis[j], d)) > reach) return true;
   }
-  return false;
+  // The direction across both longest axes separates long thin boxes that are skew.
+  const Vector3 across = cross(longest_axis(m), longest_axis(n));
+  double reach = slack;
+  for (std::size_t i = 0; i < 3; ++i) {
+    reach += m.half[i] * std::fabs(dot(across, m.axis[i]));
+    reach += n.half[i] * std::fabs(dot(across, n.axis[i]));
+  }
+  return std::fabs(dot(across, d)) > reach;
 }
 
 }  // namespace plumb

@@ -11,9 +11,10 @@
 //  3. halves     on either side of the median along the axis on which the triangles' middles are
 //                spread most
 //
-// Two boxes are apart if they are so along one of their six axes. (Nine more directions, across an
-// axis of each, would decide all cases.) Boxes along the coordinate axes are compared before; those
-// need no slack.
+// Two boxes are apart if they are so along one of their six axes, or along the direction across the
+// longest axis of each, which separates needles that pass each other. (Eight more directions, across
+// an axis of each, would decide all cases.) Boxes along the coordinate axes are compared before;
+// those need no slack.
 //
 // Notation: a box holds every middle + sum t_k axis_k with |t_k| <= half_k. Axes are unit vectors
 // at right angles up to some 100 roundings. Halves have been widened by 2^-40 of the distance to
@@ -60,6 +61,17 @@ class OrientedBoxTree {
     if (!nodes_.empty()) descend_inside(0, visit, on_step);
   }
 
+  /// Calls visit(i, j) for all triangles i of `a` and j of `b` that meet, and for some that are
+  /// near; each pair once. Groups have no influence. on_step() is called for each pair of nodes
+  /// that is compared.
+  template <class Visit, class OnStep>
+  static void for_each_pair(const OrientedBoxTree& a, const OrientedBoxTree& b, Visit&& visit,
+                            OnStep&& on_step) {
+    const auto take_all = [&](std::uint32_t i, std::uint32_t j) { visit(i, j); };
+    const auto never = [](const Node&, const Node&) { return false; };
+    if (!a.nodes_.empty() && !b.nodes_.empty()) descend(a, 0, b, 0, never, take_all, on_step);
+  }
+
  private:
   static constexpr std::uint32_t kLeaf = 2;
 
@@ -99,12 +111,16 @@ class OrientedBoxTree {
   void take(std::uint32_t i, std::uint32_t j, Visit& visit) const {
     if (group_of(i) == kNoGroup || group_of(i) != group_of(j)) visit(i, j);
   }
+  static const Vector3& longest_axis(const Node& node);
   static bool are_apart(const Node& m, const Node& n);
 
   template <class Visit, class OnStep>
   void descend_inside(std::uint32_t n, Visit& visit, OnStep& on_step) const;
-  template <class Visit, class OnStep>
-  void descend(std::uint32_t m, std::uint32_t n, Visit& visit, OnStep& on_step) const;
+  /// Visits the pairs of one triangle in each of two nodes, unless is_left_out(node, node).
+  template <class IsLeftOut, class Visit, class OnStep>
+  static void descend(const OrientedBoxTree& x, std::uint32_t m, const OrientedBoxTree& y,
+                      std::uint32_t n, const IsLeftOut& is_left_out, const Visit& visit,
+                      OnStep& on_step);
 
   std::vector<std::uint32_t> order_;
   std::vector<double> key_;            // The place of each triangle along an axis of the node.
@@ -122,30 +138,36 @@ void OrientedBoxTree::descend_inside(std::uint32_t n, Visit& visit, OnStep& on_s
   if (!node.is_leaf()) {
     descend_inside(n + 1, visit, on_step);
     descend_inside(node.second, visit, on_step);
-    return descend(n + 1, node.second, visit, on_step);
+    const auto is_one_group = [](const Node& a, const Node& b) { return a.is_with(b); };
+    const auto take_pair = [&](std::uint32_t i, std::uint32_t j) { take(i, j, visit); };
+    return descend(*this, n + 1, *this, node.second, is_one_group, take_pair, on_step);
   }
   for (std::uint32_t i = node.begin; i < node.end; ++i) {
     for (std::uint32_t j = i + 1; j < node.end; ++j) take(order_[i], order_[j], visit);
   }
 }
 
-// Visits the pairs of one triangle in each of two nodes; the larger node is opened.
-template <class Visit, class OnStep>
-void OrientedBoxTree::descend(std::uint32_t m, std::uint32_t n, Visit& visit,
-                              OnStep& on_step) const {
-  const Node &a = nodes_[m], &b = nodes_[n];
+// The larger node is opened.
+template <class IsLeftOut, class Visit, class OnStep>
+void OrientedBoxTree::descend(const OrientedBoxTree& x, std::uint32_t m, const OrientedBoxTree& y,
+                              std::uint32_t n, const IsLeftOut& is_left_out, const Visit& visit,
+                              OnStep& on_step) {
+  const Node &a = x.nodes_[m], &b = y.nodes_[n];
   on_step();
-  if (a.is_with(b) || !a.box.meets(b.box) || are_apart(a, b)) return;
+  if (is_left_out(a, b) || !a.box.meets(b.box) || are_apart(a, b)) return;
+  const auto go_on = [&](std::uint32_t first, std::uint32_t second) {
+    descend(x, first, y, second, is_left_out, visit, on_step);
+  };
   if (a.is_leaf() && b.is_leaf()) {
     for (std::uint32_t i = a.begin; i < a.end; ++i) {
-      for (std::uint32_t j = b.begin; j < b.end; ++j) take(order_[i], order_[j], visit);
+      for (std::uint32_t j = b.begin; j < b.end; ++j) visit(x.order_[i], y.order_[j]);
     }
   } else if (b.is_leaf() || (!a.is_leaf() && a.size() >= b.size())) {
-    descend(m + 1, n, visit, on_step);
-    descend(a.second, n, visit, on_step);
+    go_on(m + 1, n);
+    go_on(a.second, n);
   } else {
-    descend(m, n + 1, visit, on_step);
-    descend(m, b.second, visit, on_step);
+    go_on(m, n + 1);
+    go_on(m, b.second);
   }
 }
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "plumb/base/internal/box_tree.h"
+#include "plumb/base/internal/insertion_sort.h"
 
 namespace plumb {
 
@@ -70,8 +71,15 @@ inline std::uint32_t morton_code(const std::array<std::uint32_t, 3>& cell) {
 }
 
 /// Sorts by codes of 30 bits; items of equal codes keep their order. Three passes, by 10 bits each:
-/// O(n).
+/// O(n). A few items are inserted one by one, which is faster than to clear the tables of digits.
 inline void sort_by_code(std::vector<MortonCoded>& items) {
+  constexpr std::size_t kFew = 64;
+  if (items.size() <= kFew) {
+    const auto is_before = [](const MortonCoded& a, const MortonCoded& b) {
+      return a.code < b.code;
+    };
+    return insertion_sort(std::span(items), is_before);
+  }
   std::vector<MortonCoded> to(items.size());
   constexpr std::uint32_t kDigitBits = 10;
   for (std::uint32_t shift = 0; shift < 30; shift += kDigitBits) {

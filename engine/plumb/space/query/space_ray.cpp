@@ -4,7 +4,8 @@
 // shadow are 0, an edge if its shadow passes through 0 strictly between its ends, a facet if an odd
 // number of its edges cross the half-axis to the right of 0, with ends on the axis counted as
 // below. If the line lies in a facet's plane, all shadows are on one line and parity finds nothing,
-// but vertices and edges of the boundary are found.
+// but vertices and edges of the boundary are found. Along an axis, one sign of a vertex suffices
+// there, and facets in parallel planes are left out.
 //
 // Signs of shadows and their cross products are linear and quadratic in coordinates, which may
 // depend on the symbol R of the frame (docs/design/frame.md, Lemma 2): an exact value is a
@@ -320,8 +321,53 @@ bool SpaceRay::passes_by(FacetId f) const {
          orient2d(corner[2], corner[0], o) == outside;
 }
 
+/// Whether the ray runs along an axis that is parallel to a plane. Sets `row` to the coefficients of
+/// the plane in that case.
+bool SpaceRay::runs_along(PlaneId plane, IntegerRow& row) const {
+  const PlaneRow& rough = complex_.planes().row(plane);
+  const bool may_run_along =
+      is_axis_parallel_ && std::fabs(rough.n[k_]) <= static_cast<double>(rough.normal_error);
+  if (!may_run_along) return false;
+  row = complex_.planes().coefficients(plane);
+  return row[k_].is_zero();
+}
+
+// The shadow (s, t) of a vertex satisfies m s + n t = 0, where m and n are the coefficients of the
+// plane along the two side axes. So the sign of one coordinate tells that of the other one, and
+// edges meet the line if these signs differ at their ends.
+void SpaceRay::add_hits_in_plane(FacetId f, const IntegerRow& row,
+                                 std::vector<SpaceRayHit>& hits) const {
+  // The coordinate along c is 0 only if that along the other axis is, too.
+  const std::size_t c = abs(row[side_axis(0)]) <= abs(row[side_axis(1)]) ? 0 : 1;
+  const auto sign = [&](VertexId v) { return shadow_sign(v, c); };
+  const std::size_t before = hits.size();
+  for (const UseId first : complex_.cycles_of(f)) {
+    const Sign start = sign(complex_.use_origin(first));
+    Sign here = start;
+    UseId u = first;
+    do {
+      const UseId after = complex_.use_next[u];
+      const Sign there = after == first ? start : sign(complex_.use_origin(after));
+      const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u]);
+      if (here == Sign::Zero) hits.push_back(hit_of(complex_.use_origin(u), PlaneId()));
+      if (here * there == Sign::Negative) hits.push_back(hit_of(e, crossing_plane(e)));
+      here = there;
+      u = after;
+    } while (u != first);
+  }
+  if (hits.size() == before) return;
+  for (const VertexId v : complex_.inner_of(f)) {
+    if (sign(v) == Sign::Zero) hits.push_back(hit_of(v, PlaneId()));
+  }
+}
+
 void SpaceRay::add_hits(FacetId f, std::vector<SpaceRayHit>& hits) const {
   if (passes_by(f)) return;
+  const PlaneId plane = complex_.facet_plane[f];
+  if (IntegerRow row; runs_along(plane, row)) {
+    if (plumb::side(complex_.points(), origin_, plane) != Sign::Zero) return;
+    return add_hits_in_plane(f, row, hits);
+  }
   bool is_inside = false, meets_boundary = false;
   for (const UseId first : complex_.cycles_of(f)) {
     if (add_hits_of_cycle(first, is_inside, hits)) meets_boundary = true;
@@ -331,7 +377,7 @@ void SpaceRay::add_hits(FacetId f, std::vector<SpaceRayHit>& hits) const {
   const std::size_t before = hits.size();
   for (const VertexId v : complex_.inner_of(f)) add_hits(v, hits);
   if (meets_boundary || hits.size() > before) return;
-  hits.push_back(hit_of(f, complex_.facet_plane[f]));
+  hits.push_back(hit_of(f, plane));
 }
 
 }  // namespace plumb

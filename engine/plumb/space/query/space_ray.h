@@ -158,6 +158,8 @@ class SpaceRay {
   Sign turn(VertexId a, VertexId b) const;
   End end(VertexId v) const { return {v, {{shadow_sign(v, 0), shadow_sign(v, 1)}}}; }
   Passing passing(const End& a, const End& b) const;
+  bool runs_along(PlaneId plane, IntegerRow& row) const;
+  void add_hits_in_plane(FacetId f, const IntegerRow& row, std::vector<SpaceRayHit>& hits) const;
   bool add_hits_of_cycle(UseId first, bool& is_inside, std::vector<SpaceRayHit>& hits) const;
   bool add_hit_inside_edge(EdgeId e, const End& a, const End& b,
                            std::vector<SpaceRayHit>& hits) const;

@@ -15,9 +15,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "plumb/predicates/arithmetic/fingerprint.h"
+#include "plumb/predicates/arithmetic/scaled.h"
+#include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/boolean/frame.h"
@@ -34,6 +40,101 @@ RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactor
   return image;
 }
 
+/// An affine map x -> M x + t in integers without a common factor. With a common denominator c let M
+/// = A / c and t = b / c. A point X / w goes to (A X + b w) / (c w). Up to the factor |det A|, which
+/// is positive, a plane n.x + d = 0 goes to c s (n adj A).x + |det A| d - s (n adj A).b, where s is
+/// the sign of det A.
+class IntegerMap {
+ public:
+  explicit IntegerMap(const AffineMap3& map) {
+    for (const RationalRow& row : map.matrix) take_denominators(row);
+    take_denominators(map.offset);
+    std::array<IntegerVector, 3> a;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) point_[i][j] = a[i][j] = whole(map.matrix[i][j]);
+      point_[i][3] = whole(map.offset[i]);
+    }
+    set_planes(a);
+  }
+
+  /// Returns the sign of det M.
+  Sign determinant() const { return determinant_; }
+
+  /// Returns the image of a point in homogeneous coordinates, the last one positive.
+  IntegerRow image_of_point(const IntegerRow& x) const {
+    return {product(point_[0], x), product(point_[1], x), product(point_[2], x), weight_ * x[3]};
+  }
+  /// Returns the image of a plane, primitive, with the image of its positive side as its positive
+  /// side.
+  IntegerRow image_of_plane(const IntegerRow& plane) const {
+    return primitive({product(plane_[0], plane), product(plane_[1], plane),
+                      product(plane_[2], plane), product(plane_[3], plane)});
+  }
+
+ private:
+  using IntegerVector = std::array<Integer, 3>;
+
+  void take_denominators(const RationalRow& row) {
+    for (const Rational& x : row) weight_ = lcm(weight_, denominator(x));
+  }
+  Integer whole(const Rational& x) const { return numerator(x) * (weight_ / denominator(x)); }
+
+  void set_planes(const std::array<IntegerVector, 3>& a) {
+    const std::array<IntegerVector, 3> columns{cross(a[1], a[2]), cross(a[2], a[0]),
+                                               cross(a[0], a[1])};  // Of adj A.
+    const Integer det = dot(a[0], columns[0]);
+    determinant_ = sign_of(det.sign());
+    const Integer sign = det.sign();
+    plane_[3][3] = abs(det);
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        plane_[k][j] = weight_ * sign * columns[k][j];
+        plane_[3][j] -= sign * columns[k][j] * point_[k][3];
+      }
+    }
+    divide_planes();
+  }
+  /// Divides the map of planes by the common factor of its numbers.
+  void divide_planes() {
+    Integer common = 0;
+    for (const IntegerRow& row : plane_) {
+      for (const Integer& x : row) common = gcd(common, x);
+    }
+    for (IntegerRow& row : plane_) {
+      for (Integer& x : row) x /= common;
+    }
+  }
+
+  static Integer product(const IntegerRow& a, const IntegerRow& b) {
+    Integer sum;
+    for (std::size_t i = 0; i < 4; ++i) mpz_addmul(sum.mpz(), a[i].mpz(), b[i].mpz());
+    return sum;
+  }
+
+  std::array<IntegerRow, 3> point_;  // The rows of A, each followed by a coordinate of b.
+  std::array<IntegerRow, 4> plane_;  // Row k gives coefficient k of a plane.
+  Integer weight_ = 1;               // The common denominator c.
+  Sign determinant_ = Sign::Zero;
+};
+
+/// Whether a positive integer is a power of two.
+bool is_power_of_two(const Integer& x) { return lsb(x) == msb(x); }
+
+/// Returns the exponent of the lowest bit of x / w, for a power of two w; 0 for x = 0.
+int lowest_exponent(const Integer& x, const Integer& w) {
+  return x.is_zero() ? 0 : trailing_zeros(x) - trailing_zeros(w);
+}
+
+/// Returns x / w for a power of two w if it is a double. Requires a lowest exponent far from the
+/// ends of the range of doubles.
+std::optional<double> as_double(const Integer& x, const Integer& w) {
+  constexpr int kDigits = 53;
+  if (x.is_zero()) return 0.0;
+  const int low = trailing_zeros(x);
+  if (bit_length(x) - low > kDigits) return {};
+  return std::ldexp(mpz_get_d(Integer(x >> low).mpz()), lowest_exponent(x, w));
+}
+
 /// Maps planes and points into a new table, each once. Points go to M x + t, and a plane n.x + d =
 /// 0 to (n M^-1).x + d - (n M^-1).t = 0. The columns of M^-1 are the cross products of rows of M,
 /// divided by the determinant. R goes to `far_scale` R, and far planes are not shifted (frame.h).
@@ -42,13 +143,12 @@ class Images {
   Images(const SpaceComplex& complex, const AffineMap3& map, Rational far_scale)
       : complex_(complex),
         map_(map),
+        whole_map_(map),
         far_scale_(std::move(far_scale)),
         tables_(std::make_shared<SpaceTables>()),
-        cofactors_(cofactors(map.matrix)),
-        determinant_(plumb::determinant(map.matrix)),
         planes_(complex.planes().size()) {}
 
-  Sign determinant() const { return sign_of(determinant_); }
+  Sign determinant() const { return whole_map_.determinant(); }
   std::shared_ptr<SpaceTables> tables() const { return tables_; }
 
   /// Returns the image of a plane, with the image of its positive side as its positive side.
@@ -68,32 +168,53 @@ class Images {
       return tables_->points.add((*this)(source.plane(0)).plane(), (*this)(source.plane(1)).plane(),
                                  (*this)(source.plane(2)).plane());
     }
-    const RationalPoint3 at = exact(points, p);
-    const RationalRow from{at.x, at.y, at.z};
-    return add_point(*tables_, {dot(map_.matrix[0], from) + map_.offset[0],
-                                dot(map_.matrix[1], from) + map_.offset[1],
-                                dot(map_.matrix[2], from) + map_.offset[2]});
+    return add(whole_map_.image_of_point(homogeneous(points, p)));
   }
 
  private:
   OrientedPlane image_of(PlaneId p) {
+    if (complex_.planes().is_frame(p)) return image_of_far(p);
+    return intern(whole_map_.image_of_plane(complex_.planes().coefficients(p)));
+  }
+  /// A plane of the frame becomes a far plane: its offset scales with R and is not shifted.
+  OrientedPlane image_of_far(PlaneId p) {
     const IntegerRow row = complex_.planes().primitive(p);
     const RationalRow n{Rational(row[0]), Rational(row[1]), Rational(row[2])};
-    // A plane of the frame becomes a far plane: its offset scales with R and is not shifted.
-    const RationalRow image = image_of_normal(n, cofactors_, determinant_);
-    if (complex_.planes().is_frame(p)) {
-      return far_plane(tables_->planes, image, row[3] * far_scale_);
+    const RationalRow image =
+        image_of_normal(n, cofactors(map_.matrix), plumb::determinant(map_.matrix));
+    return far_plane(tables_->planes, image, row[3] * far_scale_);
+  }
+  OrientedPlane intern(IntegerRow row) {
+    auto& [a, b, c, d] = row;
+    return tables_->planes.intern(Rational(std::move(a)), Rational(std::move(b)),
+                                  Rational(std::move(c)), Rational(std::move(d)));
+  }
+
+  /// Adds a point x / w. Nearly all denominators are powers of two: then no fraction needs to be
+  /// reduced.
+  SpacePoint add(const IntegerRow& x) {
+    constexpr int kMostExponent = 900;
+    const Integer& w = x[3];
+    const auto is_ordinary = [&](const Integer& c) {
+      return std::abs(lowest_exponent(c, w)) <= kMostExponent;
+    };
+    if (!is_power_of_two(w) || !std::all_of(x.begin(), x.begin() + 3, is_ordinary)) {
+      return add_point(*tables_, {Rational(x[0], w), Rational(x[1], w), Rational(x[2], w)});
     }
-    const Rational d = Rational(row[3]) - dot(image, map_.offset);
-    return tables_->planes.intern(image[0], image[1], image[2], d);
+    const std::optional<double> a = as_double(x[0], w), b = as_double(x[1], w),
+                                c = as_double(x[2], w);
+    if (a && b && c) return SpacePoint(tables_->planes.add_point({*a, *b, *c}));
+    const std::array<PlaneId, 3> planes{intern({w, 0, 0, -x[0]}).plane(),
+                                        intern({0, w, 0, -x[1]}).plane(),
+                                        intern({0, 0, w, -x[2]}).plane()};
+    return tables_->points.add(planes[0], planes[1], planes[2]);
   }
 
   const SpaceComplex& complex_;
   const AffineMap3& map_;
+  IntegerMap whole_map_;
   Rational far_scale_;
   std::shared_ptr<SpaceTables> tables_;
-  RationalMatrix cofactors_;
-  Rational determinant_;
   std::vector<OrientedPlane> planes_;
 };
 

@@ -61,7 +61,10 @@ void invert_all(std::span<Residue> values, std::span<Residue> scratch) {
 
 IntegerRow primitive(const IntegerRow& row) {
   Integer divisor = 0;
-  for (const Integer& x : row) divisor = gcd(divisor, x);
+  for (const Integer& x : row) {
+    divisor = gcd(divisor, x);
+    if (divisor == 1) return row;
+  }
   IntegerRow result = row;
   for (Integer& x : result) x /= divisor;
   return result;

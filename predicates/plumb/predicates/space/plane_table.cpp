@@ -441,6 +441,9 @@ OrientedPlane PlaneTable::intern(double a, double b, double c, double d) {
 
 OrientedPlane PlaneTable::intern(const Rational& a, const Rational& b, const Rational& c,
                                  const Rational& d) {
+  if (a.is_whole() && b.is_whole() && c.is_whole() && d.is_whole()) {
+    return intern_row({numerator(a), numerator(b), numerator(c), numerator(d)}, 0, {});
+  }
   const Integer common =
       lcm(lcm(denominator(a), denominator(b)), lcm(denominator(c), denominator(d)));
   const auto whole = [&](const Rational& x) {
