@@ -466,9 +466,9 @@ PLUMB_API plumb_status plumb_solid_read_file(const char* path, const plumb_read_
                                              const plumb_solid_options* options, plumb_solid** out,
                                              plumb_notes** notes, const plumb_context* context,
                                              plumb_error** error);
-/** Writes "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb", "3mf" or "nef".
- * Only .nef holds every set; `notes` tells what else a file does not hold. Equal sets give the same .nef
- * only after plumb_solid_canonical(). */
+/** Writes "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb", "3mf" or
+ * "nef". Only .nef holds every set; `notes` tells what else a file does not hold. Equal sets give
+ * the same .nef only after plumb_solid_canonical(). */
 PLUMB_API plumb_status plumb_solid_write(const plumb_solid* solid, const char* format,
                                          const plumb_write_options* options, plumb_bytes** out,
                                          plumb_notes** notes, const plumb_context* context,

@@ -5,9 +5,9 @@
 // are not changed: they have the corners that the file lists. MeshFile::notes and
 // MeshFile::warnings report all contents of the file that are not in the mesh.
 //
-// Writing: the coordinates in OFF, OBJ, PLY, 3MF and text STL are doubles. The coordinates in binary
-// STL and in glTF are floats. The coordinates in exact OFF are fractions. STL, glTF and 3MF files
-// contain triangles only.
+// Writing: the coordinates in OFF, OBJ, PLY, 3MF and text STL are doubles. The coordinates in
+// binary STL and in glTF are floats. The coordinates in exact OFF are fractions. STL, glTF and 3MF
+// files contain triangles only.
 // as_written() returns the mesh that a reader of the written file will get.
 #pragma once
 

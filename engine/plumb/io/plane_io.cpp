@@ -426,8 +426,8 @@ WindingRule rule_of_shape(bool is_even_odd) {
   return is_even_odd ? WindingRule::EvenOdd : WindingRule::NonZero;
 }
 
-/// Makes a set of a drawing: the union of its shapes, or what another rule of the caller says of all
-/// rings together.
+/// Makes a set of a drawing: the union of its shapes, or what another rule of the caller says of
+/// all rings together.
 PlaneRead set_of_drawing(SvgDrawing drawing, RingRule rule, Context& context) {
   std::vector<Nef2> sets;
   PlaneShapes all;

@@ -1,8 +1,8 @@
 // The package of a 3MF file: relationships, parts, other files; and the writer.
 //
-// A package is a ZIP archive whose parts are named by paths (Open Packaging Conventions, ECMA-376-2).
-// Parts are read in the order in which they are named for the first time. A part that is named twice
-// is read once. Tested by tests/io/threemf_test.cpp.
+// A package is a ZIP archive whose parts are named by paths (Open Packaging Conventions, ECMA-376).
+// Parts are read in the order in which they are named for the first time. A part that is named
+// twice is read once. Tested by tests/io/threemf_test.cpp.
 #include "plumb/io/mesh/threemf.h"
 
 #include <algorithm>
@@ -128,7 +128,8 @@ constexpr std::string_view kContentTypes =
 constexpr std::string_view kPackageRelationships =
     R"(<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
-<Relationship Id="rel0" Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+<Relationship Id="rel0" Target="/3D/3dmodel.model"
+ Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 </Relationships>
 )";
 
@@ -152,7 +153,8 @@ std::string model_text(const PolygonMesh& mesh) {
   TextOutput out(stream);
   const bool has_object = mesh.face_count() > 0;
   out << R"(<?xml version="1.0" encoding="UTF-8"?>
-<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+<model unit="millimeter" xml:lang="en-US"
+ xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <resources>
 )";
   if (has_object) write_object(out, mesh);

@@ -4,8 +4,8 @@
 // name and the element that contains it (kGrammar). An element that is not in the grammar is
 // skipped with all that it contains, and named in a note or, if it is geometry, in a warning.
 //
-// Objects are looked up when the scene is built, because a component may refer to another part. That
-// step also finds cycles.
+// Objects are looked up when the scene is built, because a component may refer to another part.
+// That step also finds cycles.
 //
 // Format: 3MF Consortium, 3D Manufacturing Format, Core Specification 1.3, and the extensions
 // Production, Materials and Properties; docs/formats.md, section 3MF.

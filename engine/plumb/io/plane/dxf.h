@@ -13,7 +13,7 @@
 //              equal. The end of an arc, an ellipse or a spline is computed, and joins the nearest
 //              other end within the tolerance
 //
-// Curves: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE of degree 1 to 3 without weights.
+// Curves: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE of degree 1 to 3, no weights.
 // Other entities are left out, and a note names them and the layers. Coordinates are read as the
 // nearest doubles, and are not scaled: a note names the unit. Heights are dropped with a note.
 //

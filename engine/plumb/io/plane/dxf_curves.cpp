@@ -6,8 +6,8 @@
 // blossom (polar form) of the spline at d - k times a and k times b.
 //
 // Open chains are the edges of a graph whose nodes are ends that are joined. If an even number of
-// ends meets in each node, the edges can be cut into closed walks, and under the even-odd rule every
-// way of doing so encloses the same points. So the walks are taken as they come.
+// ends meets in each node, the edges can be cut into closed walks, and under the even-odd rule
+// every way of doing so encloses the same points. So the walks are taken as they come.
 //
 // Tested by tests/io/dxf_test.cpp.
 #include "plumb/io/plane/dxf_curves.h"
@@ -207,8 +207,8 @@ class ChainJoiner {
     }
   }
 
-  /// Returns the nearest node within the tolerance; the point itself if there is none. The other end
-  /// of a short curve is no node for it.
+  /// Returns the nearest node within the tolerance; the point itself if there is none. The other
+  /// end of a short curve is no node for it.
   Key nearest_node(Point2 p, Point2 other) {
     Key best{p.x + 0.0, p.y + 0.0};
     double least = tolerance_;
