@@ -377,7 +377,7 @@ void def_files(nb::class_<Nef3>& c) {
       "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
       "progress"_a = nb::none(),
       with_limits(
-          "Read a solid from OFF, OBJ, STL, PLY, glTF or .nef. weld, reorient and fill_holes "
+          "Read a solid from OFF, OBJ, STL, PLY, glTF, 3MF or .nef. weld, reorient and fill_holes "
           "mend a mesh first. Geometry that the set does not hold is a FileWarning."));
   c.def(
       "write",
