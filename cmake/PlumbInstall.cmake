@@ -37,7 +37,7 @@ foreach(header ${plumb_public_headers} ${plumb_support_headers})
 endforeach()
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
-# Who links plumb::io links the libraries that decompress glTF, too.
+# Who links plumb::io links the libraries that decompress files, too.
 get_property(plumb_codecs GLOBAL PROPERTY PLUMB_CODECS)
 install(EXPORT plumbTargets NAMESPACE plumb:: DESTINATION ${plumb_config_dir} COMPONENT development)
 configure_package_config_file(cmake/plumbConfig.cmake.in ${PROJECT_BINARY_DIR}/plumbConfig.cmake
@@ -45,7 +45,7 @@ configure_package_config_file(cmake/plumbConfig.cmake.in ${PROJECT_BINARY_DIR}/p
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)  # below 1.0 a minor version may break
 install(FILES ${PROJECT_BINARY_DIR}/plumbConfig.cmake ${PROJECT_BINARY_DIR}/plumbConfigVersion.cmake
-  cmake/FindPlumbGMP.cmake DESTINATION ${plumb_config_dir} COMPONENT development)
+  cmake/FindPlumbGMP.cmake cmake/FindPlumbZip.cmake DESTINATION ${plumb_config_dir} COMPONENT development)
 
 # Component testing: generators, a twin and what makes fuzz targets of them (docs/fuzzing.md).
 if(TARGET plumb_testing_maps)
@@ -56,7 +56,9 @@ if(TARGET plumb_testing_maps)
   install(FILES cmake/PlumbFuzz.cmake fuzz/replay_main.cpp DESTINATION ${plumb_config_dir} COMPONENT testing)
 endif()
 
-list(TRANSFORM plumb_codecs PREPEND " -l" OUTPUT_VARIABLE plumb_pc_codecs)
+list(TRANSFORM plumb_codecs REPLACE "^PlumbZip$" "zip" OUTPUT_VARIABLE plumb_pc_codecs)
+list(TRANSFORM plumb_pc_codecs REPLACE "^EXPAT$" "expat")
+list(TRANSFORM plumb_pc_codecs PREPEND " -l")
 list(JOIN plumb_pc_codecs "" plumb_pc_codecs)
 if(BUILD_SHARED_LIBS)
   set(plumb_pc_private_codecs "${plumb_pc_codecs}")

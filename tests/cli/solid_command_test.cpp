@@ -86,7 +86,7 @@ TEST_F(SolidProgram, every_format_goes_in_and_out) {
   const std::string exact = made({"difference", kBlock, kCorner}, "exact.nef");
   const std::string closed = made({"closure", exact}, "closed.nef");
   EXPECT_FALSE(is_equal(exact, closed));
-  for (const std::string name : {"a.off", "a.obj", "a.stl", "a.ply", "a.glb", "a.nef"}) {
+  for (const std::string name : {"a.off", "a.obj", "a.stl", "a.ply", "a.glb", "a.3mf", "a.nef"}) {
     const std::string copy = made({"closure", exact}, name);
     EXPECT_TRUE(is_equal(copy, closed)) << name;
     EXPECT_EQ(info(copy)["volume"]["exact"], "17/6") << name;
@@ -97,7 +97,7 @@ TEST_F(SolidProgram, every_format_goes_in_and_out) {
     EXPECT_EQ(piped.out, run({"solid", "info", copy, "--json"}).out) << name;
   }
   for (const std::string format :
-       {"off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb", "nef"}) {
+       {"off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb", "3mf", "nef"}) {
     const RunResult result = run({"solid", "closure", exact, "-o", "-", "--format", format});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_TRUE(is_equal(holding(result.out, "copy"), closed)) << format;
@@ -383,7 +383,7 @@ TEST_F(SolidProgram, wrong_usage_is_refused) {
   refuse({"eval", "A+B", "A=-", "B=-"}, "only one of the sets");
   refuse({"union", kBlock, kBlock, "-o", "-"}, "needs --format");
   refuse({"union", kBlock, kBlock, "-o", file("a.txt")},
-         "use .off, .obj, .stl, .ply, .glb, .nef or --format");
+         "use .off, .obj, .stl, .ply, .glb, .3mf, .nef or --format");
   refuse({"eval", "A+", "A=" + kBlock}, "expression:1:3");
   refuse({"eval", "A+B", "A=" + kBlock}, "no file for 'B'");
   for (const char* binding : {"A", "=", "=a.off", "A="}) {

@@ -286,7 +286,7 @@ PLUMB_API plumb_status plumb_mesh_from_polygons(const double* xyz, size_t point_
                                                 const uint32_t* face_begin, size_t face_count,
                                                 const uint32_t* corners, size_t corner_count,
                                                 plumb_mesh** out, plumb_error** error);
-/** Reads OFF, OBJ, STL, PLY or glTF from memory. A glTF text may refer to files beside
+/** Reads OFF, OBJ, STL, PLY, glTF or 3MF from memory. A glTF text may refer to files beside
  * options->name. `notes` may be null; otherwise it receives what the mesh does not hold. */
 PLUMB_API plumb_status plumb_mesh_read(const char* bytes, size_t size,
                                        const plumb_read_options* options, plumb_mesh** out,
@@ -296,8 +296,8 @@ PLUMB_API plumb_status plumb_mesh_read(const char* bytes, size_t size,
 PLUMB_API plumb_status plumb_mesh_read_file(const char* path, const plumb_read_options* options,
                                             plumb_mesh** out, plumb_notes** notes,
                                             const plumb_context* context, plumb_error** error);
-/** Writes the mesh as "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text" or "glb".
- * STL and GLB need triangles. */
+/** Writes the mesh as "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb" or
+ * "3mf". STL, GLB and 3MF need triangles. */
 PLUMB_API plumb_status plumb_mesh_write(const plumb_mesh* mesh, const char* format,
                                         plumb_bytes** out, plumb_error** error);
 /** Writes a file, which is complete or absent. `format` may be null: the extension chooses it. */
@@ -457,7 +457,7 @@ PLUMB_API plumb_status plumb_solid_facet(const plumb_numbers* corners, plumb_sol
 PLUMB_API plumb_status plumb_solid_ball(double radius, uint32_t rounds, plumb_solid** out,
                                         plumb_error** error);
 
-/** Reads OFF, OBJ, STL, PLY, glTF or .nef from memory; see plumb_mesh_read(). */
+/** Reads OFF, OBJ, STL, PLY, glTF, 3MF or .nef from memory; see plumb_mesh_read(). */
 PLUMB_API plumb_status plumb_solid_read(const char* bytes, size_t size,
                                         const plumb_read_options* reading,
                                         const plumb_solid_options* options, plumb_solid** out,
@@ -468,9 +468,9 @@ PLUMB_API plumb_status plumb_solid_read_file(const char* path, const plumb_read_
                                              const plumb_solid_options* options, plumb_solid** out,
                                              plumb_notes** notes, const plumb_context* context,
                                              plumb_error** error);
-/** Writes "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb" or "nef". Only
- * .nef holds every set; `notes` tells what else a file does not hold. Equal sets give the same .nef
- * only after plumb_solid_canonical(). */
+/** Writes "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb", "3mf" or
+ * "nef". Only .nef holds every set; `notes` tells what else a file does not hold. Equal sets give
+ * the same .nef only after plumb_solid_canonical(). */
 PLUMB_API plumb_status plumb_solid_write(const plumb_solid* solid, const char* format,
                                          const plumb_write_options* options, plumb_bytes** out,
                                          plumb_notes** notes, const plumb_context* context,
@@ -750,8 +750,8 @@ PLUMB_API plumb_status plumb_plane_set_read_file(const char* path,
                                                  const plumb_read_options* options,
                                                  plumb_plane_set** out, plumb_notes** notes,
                                                  const plumb_context* context, plumb_error** error);
-/** Writes "wkt", "geojson" or "nef2". Only .nef2 holds every set; `notes` tells what else a file
- * does not hold. */
+/** Writes "wkt", "geojson", "dxf" or "nef2". Only .nef2 holds every set; `notes` tells what else a
+ * file does not hold. */
 PLUMB_API plumb_status plumb_plane_set_write(const plumb_plane_set* set, const char* format,
                                              const plumb_write_options* options, plumb_bytes** out,
                                              plumb_notes** notes, const plumb_context* context,

@@ -83,7 +83,7 @@ plumb_mesh mesh_of_file(MeshFile file, plumb_notes& notes) {
 MeshFormat written_format(const std::string& name) {
   const std::optional<MeshFormat> format = mesh_format_named(name);
   if (!format || name == "gltf") {
-    fail_format(name, "off, off-exact, obj, stl, stl-binary, ply, ply-text, glb");
+    fail_format(name, "off, off-exact, obj, stl, stl-binary, ply, ply-text, glb, 3mf");
   }
   return *format;
 }

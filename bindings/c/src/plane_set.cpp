@@ -50,8 +50,9 @@ void check_chains(std::span<const std::uint32_t> begin, std::span<const std::uin
 PlaneFormat format_named(const std::string& name) {
   if (name == "wkt") return PlaneFormat::Wkt;
   if (name == "geojson") return PlaneFormat::GeoJson;
+  if (name == "dxf") return PlaneFormat::Dxf;
   if (name == "nef2") return PlaneFormat::Nef2;
-  fail_format(name, "wkt, geojson, nef2");
+  fail_format(name, "wkt, geojson, dxf, nef2");
 }
 
 PlaneFormat format_of(const std::string& path) {

@@ -65,7 +65,7 @@ const SolidFormat& format_named(const std::string& name) {
   for (const SolidFormat& format : solid_formats()) {
     if (format.name == name) return format;
   }
-  fail_format(name, "off, off-exact, obj, stl, stl-binary, ply, ply-text, glb, nef");
+  fail_format(name, "off, off-exact, obj, stl, stl-binary, ply, ply-text, glb, 3mf, nef");
 }
 
 const SolidFormat& format_of(const std::string& path) {

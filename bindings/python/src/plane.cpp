@@ -122,6 +122,8 @@ PlaneFormat plane_format(const std::string& name) {
   if (name == "geojson") return PlaneFormat::GeoJson;
   if (name == "nef2") return PlaneFormat::Nef2;
   if (name == "wkb") return PlaneFormat::Wkb;
+  if (name == "dxf") return PlaneFormat::Dxf;
+  if (name == "svg") return PlaneFormat::Svg;
   throw Error(ErrorCode::UnknownFormat, "no format for sets of the plane is named '" + name + "'");
 }
 

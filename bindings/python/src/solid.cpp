@@ -378,9 +378,9 @@ void def_files(nb::class_<Nef3>& c) {
       "weld"_a = nb::none(), "reorient"_a = false, "fill_holes"_a = 0U, "fill_holes_below"_a = 0.0,
       nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
       "progress"_a = nb::none(),
-      with_limits("Read a solid from OFF, OBJ, STL, PLY, glTF or .nef. weld, reorient, fill_holes "
-                  "(edges) and fill_holes_below (diameter) mend a mesh first. Geometry that the "
-                  "set does not hold is a FileWarning."));
+      with_limits("Read a solid from OFF, OBJ, STL, PLY, glTF, 3MF or .nef. weld, reorient, "
+                  "fill_holes (edges) and fill_holes_below (diameter) mend a mesh first. Geometry "
+                  "that the set does not hold is a FileWarning."));
   c.def(
       "write",
       [](const Nef3& set, const Path& path, const std::optional<std::string>& format,

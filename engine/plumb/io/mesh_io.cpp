@@ -21,13 +21,14 @@
 #include "plumb/io/mesh/off.h"
 #include "plumb/io/mesh/ply.h"
 #include "plumb/io/mesh/stl.h"
+#include "plumb/io/mesh/threemf.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/input_cursors.h"
 
 namespace plumb {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 9> kNames{{
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 10> kNames{{
     {"off", MeshFormat::Off},
     {"off-exact", MeshFormat::ExactOff},
     {"obj", MeshFormat::Obj},
@@ -37,6 +38,7 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 9> kNames{{
     {"ply-text", MeshFormat::PlyText},
     {"gltf", MeshFormat::Gltf},
     {"glb", MeshFormat::Gltf},
+    {"3mf", MeshFormat::ThreeMf},
 }};
 
 /// Returns the first word that is no comment.
@@ -65,10 +67,12 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path) {
 }
 
 bool lists_triangles(MeshFormat format) {
-  return format == MeshFormat::Stl || format == MeshFormat::StlBinary || format == MeshFormat::Gltf;
+  return format == MeshFormat::Stl || format == MeshFormat::StlBinary ||
+         format == MeshFormat::Gltf || format == MeshFormat::ThreeMf;
 }
 
 MeshFormat guess_mesh_format(std::string_view bytes) {
+  if (begins_like_zip(bytes)) return MeshFormat::ThreeMf;
   if (is_binary_stl(bytes) || is_text_stl(bytes)) return MeshFormat::Stl;
   const std::string_view word = first_word(bytes);
   if (word.starts_with("glTF") || word.starts_with('{')) return MeshFormat::Gltf;
@@ -90,6 +94,8 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
       return read_ply(bytes, options, context);
     case MeshFormat::Gltf:
       return read_gltf(bytes, {}, options, context);
+    case MeshFormat::ThreeMf:
+      return read_threemf(bytes, options, context);
     default:
       return read_off(bytes, options, context);
   }
@@ -146,6 +152,8 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
       return write_ply_text(out, mesh);
     case MeshFormat::Gltf:
       return write_glb(out, mesh);
+    case MeshFormat::ThreeMf:
+      return write_threemf(out, mesh);
     default:
       return write_off(out, mesh);
   }
@@ -157,7 +165,8 @@ void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
   if (!format && !path.ends_with(".gltf")) format = mesh_format_of(path);
   if (!format) {
     throw Error(ErrorCode::UnknownFormat,
-                "the extension names no format that is written: .off, .obj, .stl, .ply, .glb",
+                "the extension names no format that is written: .off, .obj, .stl, .ply, .glb, "
+                ".3mf",
                 {path});
   }
   OutputFile file(path);

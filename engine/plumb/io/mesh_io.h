@@ -1,13 +1,13 @@
-// Reads and writes polygon meshes as OFF, OBJ, STL, PLY and glTF.
+// Reads and writes polygon meshes as OFF, OBJ, STL, PLY, glTF and 3MF.
 //
 // Reading: the caller may state the format. Otherwise the extension of the file determines the
 // format. If the extension names no format, the format is guessed from the bytes of the file. Faces
 // are not changed: they have the corners that the file lists. MeshFile::notes and
 // MeshFile::warnings report all contents of the file that are not in the mesh.
 //
-// Writing: the coordinates in OFF, OBJ, PLY and text STL are doubles. The coordinates in binary STL
-// and in glTF are floats. The coordinates in exact OFF are fractions. STL and glTF files contain
-// triangles only.
+// Writing: the coordinates in OFF, OBJ, PLY, 3MF and text STL are doubles. The coordinates in
+// binary STL and in glTF are floats. The coordinates in exact OFF are fractions. STL, glTF and 3MF
+// files contain triangles only.
 // as_written() returns the mesh that a reader of the written file will get.
 #pragma once
 
@@ -53,19 +53,21 @@ enum class MeshFormat : std::uint8_t {
   Ply,        ///< Binary PLY, little-endian, with doubles.
   PlyText,    ///< Text PLY, with doubles.
   Gltf,       ///< Binary glTF (GLB), with floats.
+  ThreeMf,    ///< 3MF, with doubles.
 };
 
-/// Returns the format that the extension of `path` names: .off, .obj, .stl, .ply, .gltf or .glb.
-/// Returns nullopt for any other extension.
+/// Returns the format that the extension of `path` names: .off, .obj, .stl, .ply, .gltf, .glb or
+/// .3mf. Returns nullopt for any other extension.
 std::optional<MeshFormat> mesh_format_of(const std::string& path);
-/// Returns the format called `name`: off, off-exact, obj, stl, stl-binary, ply, ply-text, gltf or
-/// glb. Returns nullopt for any other name.
+/// Returns the format called `name`: off, off-exact, obj, stl, stl-binary, ply, ply-text, gltf,
+/// glb or 3mf. Returns nullopt for any other name.
 std::optional<MeshFormat> mesh_format_named(std::string_view name);
 
-/// Whether files of this format contain triangles only: Stl, StlBinary and Gltf.
+/// Whether files of this format contain triangles only: Stl, StlBinary, Gltf and ThreeMf.
 bool lists_triangles(MeshFormat format);
 
 /// Returns the format that a file with these bytes seems to have:
+///   - 3MF if the bytes begin as a ZIP archive does
 ///   - glTF if the bytes begin with "glTF" or "{"
 ///   - PLY if the bytes begin with "ply"
 ///   - STL if the bytes begin with "solid"
@@ -78,7 +80,8 @@ bool lists_triangles(MeshFormat format);
 MeshFormat guess_mesh_format(std::string_view bytes);
 
 /// Returns the mesh that `bytes` describe in the given format. Throws the errors of the reader of
-/// this format, as its header states them (off.h, obj.h, stl.h, ply.h, gltf.h).
+/// this format, as its header states them (off.h, obj.h, stl.h, ply.h, gltf.h,
+/// threemf.h).
 MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options = {},
                    Context& context = unlimited_context());
 
@@ -107,12 +110,13 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
 ///   - Error{BadArgument} if lists_triangles(format) is true and a face is not a triangle
 ///   - Error{BadArgument} if the format is Gltf and the mesh has no faces
 ///   - Error{CannotWrite} if the format is Gltf and the file would have 2^32 bytes or more
+///   - Error{UnknownFormat} if the format is ThreeMf and plumb is built without libzip or expat
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
 /// Writes a mesh to the file `path`. If `format` is not given, the extension of `path` determines
-/// the format: .off, .obj, .stl, .ply or .glb. The file is created, or an existing file is
+/// the format: .off, .obj, .stl, .ply, .glb or .3mf. The file is created, or an existing file is
 /// replaced, only after all bytes have been written. Throws:
-///   - Error{UnknownFormat} if `format` is not given and the extension is none of these five
+///   - Error{UnknownFormat} if `format` is not given and the extension is none of these
 ///     extensions
 ///   - Error{CannotWrite} if the file cannot be written
 ///   - the errors of write_mesh()

@@ -20,10 +20,12 @@
 #include <ostream>
 #include <utility>
 
+#include "plumb/io/plane/dxf.h"
 #include "plumb/io/plane/geojson.h"
 #include "plumb/io/plane/nef2_format.h"
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
+#include "plumb/io/svg_reader.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/plane/sweep/sweep.h"
@@ -338,16 +340,23 @@ std::optional<PlaneFormat> plane_format_of(const std::string& path) {
   if (extension == ".geojson" || extension == ".json") return PlaneFormat::GeoJson;
   if (extension == ".nef2") return PlaneFormat::Nef2;
   if (extension == ".wkb") return PlaneFormat::Wkb;
+  if (extension == ".dxf") return PlaneFormat::Dxf;
+  if (extension == ".svg") return PlaneFormat::Svg;
   return {};
 }
 
 PlaneFormat guess_plane_format(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (begins_like_wkb(text)) return PlaneFormat::Wkb;
+  if (begins_like_dxf(text)) return PlaneFormat::Dxf;
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   // Record separators are between values of JSON (RFC 8142).
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\x1e"), text.size()));
   if (text.starts_with('{') || text.starts_with('[')) return PlaneFormat::GeoJson;
+  // WKT may begin with the name of a reference system: "<http://...>".
+  for (const std::string_view begin : {"<svg", "<?xml", "<!"}) {
+    if (text.starts_with(begin)) return PlaneFormat::Svg;
+  }
   return text.starts_with("plumb-") ? PlaneFormat::Nef2 : PlaneFormat::Wkt;
 }
 
@@ -371,6 +380,16 @@ std::string_view rule_name(RingRule rule) {
   }
 }
 
+/// Adds a note if a file is the empty set.
+void note_emptiness(bool has_shapes, RingRule rule, PlaneRead& read) {
+  if (!has_shapes) {
+    read.notes.emplace_back("the file has no point, line or polygon, so the set is empty");
+  } else if (read.set.is_empty()) {
+    read.notes.emplace_back("the rings of the file enclose nothing by the rule \"" +
+                            std::string(rule_name(rule)) + "\", so the set is empty");
+  }
+}
+
 /// Makes a set of shapes. A file that has content and describes the empty set says so.
 PlaneRead set_of(PlaneFile file, RingRule rule, Context& context) {
   const SetOfPolygons parts = parts_of(file.shapes, rule, context);
@@ -383,12 +402,52 @@ PlaneRead set_of(PlaneFile file, RingRule rule, Context& context) {
     read.notes.push_back("the rings of " + which +
                          " overlap; the even-odd rule decided what they enclose");
   }
-  if (file.shapes.empty()) {
-    read.notes.emplace_back("the file has no point, line or polygon, so the set is empty");
-  } else if (read.set.is_empty()) {
-    read.notes.emplace_back("the rings of the file enclose nothing by the rule \"" +
-                            std::string(rule_name(rule)) + "\", so the set is empty");
+  note_emptiness(!file.shapes.empty(), rule, read);
+  return read;
+}
+
+/// Returns shape `s` of a drawing. Rings of fewer than three points enclose nothing.
+PlaneShapes shape_of(const SvgDrawing& drawing, std::size_t s) {
+  constexpr std::size_t kFewest = 3;
+  PlaneShapes shape;
+  for (std::uint32_t r = drawing.shape_begin[s]; r < drawing.shape_begin[s + 1]; ++r) {
+    if (drawing.ring(r).size() < kFewest) continue;
+    for (const Point2& p : drawing.ring(r)) {
+      shape.ring_corners.push_back(static_cast<std::uint32_t>(shape.points.size()));
+      shape.points.push_back({p.x + 0.0, p.y + 0.0});
+    }
+    shape.end_ring();
   }
+  return shape;
+}
+
+/// Returns the winding rule for one shape: its own, unless the caller has another one.
+WindingRule rule_of_shape(bool is_even_odd) {
+  return is_even_odd ? WindingRule::EvenOdd : WindingRule::NonZero;
+}
+
+/// Makes a set of a drawing: the union of its shapes, or what another rule of the caller says of
+/// all rings together.
+PlaneRead set_of_drawing(SvgDrawing drawing, RingRule rule, Context& context) {
+  std::vector<Nef2> sets;
+  PlaneShapes all;
+  for (std::size_t s = 0; s < drawing.shape_count(); ++s) {
+    const PlaneShapes shape = shape_of(drawing, s);
+    if (rule == RingRule::Odd) {
+      sets.push_back(by_rule(shape, rule_of_shape(drawing.is_even_odd[s] != 0), context));
+      continue;
+    }
+    const auto first = static_cast<std::uint32_t>(all.points.size());
+    for (std::uint32_t i = 0; i < shape.points.size(); ++i) copy_point(shape.points, i, all.points);
+    for (std::size_t r = 0; r < shape.ring_count(); ++r) {
+      for (const std::uint32_t corner : shape.ring(r)) all.ring_corners.push_back(first + corner);
+      all.end_ring();
+      all.end_polygon();
+    }
+  }
+  PlaneRead read{rule == RingRule::Odd ? union_of(sets, context) : to_set(all, rule, context),
+                 std::move(drawing.notes)};
+  note_emptiness(drawing.ring_count() > 0, rule, read);
   return read;
 }
 
@@ -403,6 +462,12 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
       return set_of(read_geojson(text, options, context), options.rings, context);
     case PlaneFormat::Wkb:
       return set_of(read_wkb(text, options, context), options.rings, context);
+    case PlaneFormat::Dxf:
+      return set_of(read_dxf(text, options, context), options.rings, context);
+    case PlaneFormat::Svg:
+      return set_of_drawing(
+          read_svg(text, options, options.curve_tolerance, context, SvgFrame::Corner),
+          options.rings, context);
     default:
       return set_of(read_wkt(text, options, context), options.rings, context);
   }
@@ -476,6 +541,7 @@ std::string rounding_sentence(const PlaneRoundingReport& report, const PlaneWrit
 std::vector<std::string> PlaneLosses::sentences() const {
   std::vector<std::string> list;
   if (unbounded) list.push_back("unbounded parts were left out; unbounded sets need .nef2");
+  if (thin) list.push_back("lines and points were left out; DXF holds areas only");
   if (filled) {
     list.push_back("points that are missing inside the set were filled (.nef2 keeps marks)");
   }
@@ -490,8 +556,9 @@ PlaneText::PlaneText(const Nef2& set, PlaneFormat format, const PlaneWriteOption
     : set_(set), format_(format) {
   losses_.options = options;
   if (format == PlaneFormat::Nef2) return;
-  if (format == PlaneFormat::Wkb) {
-    throw Error(ErrorCode::UnknownFormat, "WKB can be read but not written");
+  if (format == PlaneFormat::Wkb || format == PlaneFormat::Svg) {
+    throw Error(ErrorCode::UnknownFormat, std::string(format == PlaneFormat::Wkb ? "WKB" : "SVG") +
+                                              " can be read but not written");
   }
   losses_.unbounded = !set.is_bounded();
   losses_.open = !set.is_closed();
@@ -501,6 +568,8 @@ PlaneText::PlaneText(const Nef2& set, PlaneFormat format, const PlaneWriteOption
   losses_.rounding = rounded.report;
   const bool is_raw = !options.grid && options.rounding == OutputRounding::Nearest;
   shapes_ = to_shapes((is_raw ? set : rounded.set).parts(context), context);
+  const bool is_thin = shapes_.line_count() > 0 || !shapes_.single_points.empty();
+  losses_.thin = format == PlaneFormat::Dxf && is_thin;
   if (is_raw) shapes_ = with_nearest_doubles(std::move(shapes_), context);
 }
 
@@ -510,6 +579,8 @@ void PlaneText::write(std::ostream& out, Context& context) const {
       return write_nef2(out, set_.complex(), context);
     case PlaneFormat::GeoJson:
       return write_geojson(out, shapes_, context);
+    case PlaneFormat::Dxf:
+      return write_dxf(out, shapes_, context);
     default:
       return write_wkt(out, shapes_, context);
   }

@@ -1,19 +1,25 @@
-// Reads and writes sets of the plane in the formats WKT, GeoJSON and .nef2, and reads WKB.
+// Reads and writes sets of the plane in the formats WKT, GeoJSON, DXF and .nef2, and reads WKB and
+// SVG.
 //
 // WKT, GeoJSON and WKB files list polygons, lines and points (PlaneShapes). A polygon stands for
 // the points that its rings enclose by the even-odd rule, together with the points on its rings;
 // the caller may choose another rule (RingRule). A line stands for the set of its points. A file
 // stands for the union of the sets of all its polygons, lines and points.
 //
-// Reading: a file in WKT, GeoJSON or WKB cannot state which boundary points belong to the set. A
+// DXF and SVG files are drawings. Their curves are replaced by chords (ReadOptions). All rings of a
+// DXF file together enclose what the even-odd rule says. The shapes of an SVG file are united; each
+// encloses what its own fill rule says. Under another rule of the caller than RingRule::Odd, this
+// rule decides for all rings of the file together.
+//
+// Reading: a file in any of these formats cannot state which boundary points belong to the set. A
 // set that is read from such a file is closed. Notes name the contents of a file that a set cannot
 // hold.
 //
 // Writing: .nef2 represents every set exactly. WKT and GeoJSON represent only polygons, lines and
-// points, whose coordinates are doubles. The set is rounded so that these shapes are valid
-// (plane_rounding.h): rings meet only in common corners, and nothing is degenerate. If a set has
-// properties that such a file cannot represent, or rounding changes its shape, these losses are
-// reported (PlaneLosses).
+// points, whose coordinates are doubles. DXF represents only polygons. The set is rounded so that
+// these shapes are valid (plane_rounding.h): rings meet only in common corners, and nothing is
+// degenerate. If a set has properties that such a file cannot represent, or rounding changes its
+// shape, these losses are reported (PlaneLosses).
 #pragma once
 
 #include <cstddef>
@@ -76,7 +82,7 @@ struct PlaneShapes {
   void end_line() { line_begin.push_back(static_cast<std::uint32_t>(line_corners.size())); }
 };
 
-/// Shapes read from a WKT, GeoJSON or WKB file.
+/// Shapes read from a WKT, GeoJSON, WKB or DXF file.
 struct PlaneFile {
   PlaneShapes shapes;  ///< The shapes as the file lists them.
   /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
@@ -104,17 +110,19 @@ PlaneShapes to_shapes(const PlaneParts& parts, Context& context = unlimited_cont
 PlaneShapes with_nearest_doubles(PlaneShapes shapes, Context& context = unlimited_context());
 
 /// Formats for sets of the plane. Only the format Nef2 (.nef2) represents every set without loss.
-/// Wkb can be read but not written.
-enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2, Wkb };
+/// Wkb and Svg can be read but not written.
+enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2, Wkb, Dxf, Svg };
 
 /// Returns the format that the extension of `path` names. The extensions are .wkt for Wkt, .geojson
-/// and .json for GeoJson, .nef2 for Nef2, and .wkb for Wkb. Returns nullopt for any other
-/// extension.
+/// and .json for GeoJson, .nef2 for Nef2, .wkb for Wkb, .dxf for Dxf, and .svg for Svg. Returns
+/// nullopt for any other extension.
 std::optional<PlaneFormat> plane_format_of(const std::string& path);
 
 /// Returns the format that the text seems to have. A text that begins with "{" or "[", or with a
 /// record separator before them, is GeoJSON. A text that begins with "plumb-" is .nef2. A file that
-/// begins with the code of a geometry is WKB (begins_like_wkb() in wkb.h). Any other text is WKT.
+/// begins with the code of a geometry is WKB (begins_like_wkb() in wkb.h). A text that begins with
+/// "<svg", "<?xml" or "<!" is SVG. A text that begins with a section or a comment of DXF is DXF
+/// (begins_like_dxf() in dxf.h). Any other text is WKT.
 PlaneFormat guess_plane_format(std::string_view text);
 
 /// Returns the format that the extension of `path` names. If the extension names no format, returns
@@ -130,7 +138,8 @@ struct PlaneRead {
 };
 
 /// Returns the set that `text` describes in the given format. Throws the errors of the reader of
-/// this format, as its header states them (wkt.h, geojson.h, nef2_format.h, wkb.h).
+/// this format, as its header states them (wkt.h, geojson.h, nef2_format.h, wkb.h, dxf.h,
+/// svg_reader.h).
 PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options = {},
                          Context& context = unlimited_context());
 
@@ -142,7 +151,7 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
 PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                               ReadOptions options = {}, Context& context = unlimited_context());
 
-/// Options of the writers of WKT and GeoJSON. They have no effect on .nef2.
+/// Options of the writers of WKT, GeoJSON and DXF. They have no effect on .nef2.
 struct PlaneWriteOptions {
   OutputRounding rounding = OutputRounding::Valid;  ///< How coordinates become doubles.
   /// If this has a value, coordinates are the nearest doubles of multiples of this step, and shapes
@@ -165,6 +174,7 @@ struct PlaneLosses {
   /// The written closure has points inside that do not belong to the set (PlaneParts::filled). If
   /// this is true, `open` is true, too.
   bool filled = false;
+  bool thin = false;  ///< Lines and points were left out, because the format holds polygons only.
   /// What rounding changes. For OutputRounding::Nearest, this is what a repair would change: if it
   /// is not changed, the nearest doubles are valid.
   PlaneRoundingReport rounding;
@@ -173,7 +183,7 @@ struct PlaneLosses {
   /// Whether rounding changes the shape of the set.
   bool is_reshaped() const { return plumb::is_reshaped(rounding, options); }
   /// Whether anything is lost.
-  bool any() const { return unbounded || open || is_reshaped(); }
+  bool any() const { return unbounded || open || thin || is_reshaped(); }
   /// Returns a sentence for people which says that the closure was written, or an empty string if
   /// the set is closed. This sentence is not one of sentences(). A difference of sets is seldom
   /// closed, so the program prints this sentence only if the file must represent the set exactly.
@@ -188,7 +198,8 @@ class PlaneText {
  public:
   /// Prepares `set` for writing. If a coordinate must be rounded, the constructor rounds the set
   /// with round_to_doubles(). Throws Error{NumberOutOfRange} if the format is not Nef2 and a
-  /// coordinate lies beyond the largest double, and Error{UnknownFormat} if the format is Wkb.
+  /// coordinate lies beyond the largest double, and Error{UnknownFormat} if the format is Wkb or
+  /// Svg.
   PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context())
       : PlaneText(set, format, {}, context) {}
   /// Prepares `set` for writing with options. Throws as the constructor above does, and

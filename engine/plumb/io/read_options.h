@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #pragma GCC visibility push(default)
@@ -32,6 +33,10 @@ struct ReadOptions {
   bool exact_decimals = false;
   NamedFiles named_files = NamedFiles::Below;  ///< Which other files the file may name.
   RingRule rings = RingRule::Odd;  ///< For polygons of the plane; ignored for all other contents.
+  /// The largest distance of a curve from the chords that replace it, in the unit of the result,
+  /// for drawings (SVG, DXF) that are read as sets of the plane. Requires a positive number.
+  /// Without a value it is a thousandth of the larger side of the drawing.
+  std::optional<double> curve_tolerance = {};
 };
 
 /// How a writer rounds coordinates that its format cannot hold.

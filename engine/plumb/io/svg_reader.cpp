@@ -36,8 +36,9 @@ constexpr std::array<std::string_view, 6> kLeftOut{"use", "text",          "imag
 class SvgReader {
  public:
   SvgReader(std::string_view text, const ReadOptions& options, std::optional<double> tolerance,
-            Context& context)
-      : scanner_(text, options.name, context),
+            SvgFrame frame, Context& context)
+      : frame_(frame),
+        scanner_(text, options.name, context),
         numbers_(context.limits(), false, text.size()),
         text_(text.data()),
         tolerance_(tolerance),
@@ -74,6 +75,11 @@ class SvgReader {
   void read_points();
   void read_path();
 
+  bool is_even_odd(bool inherited) const;
+  std::optional<double> millimetres(std::string_view name);
+  void set_frame(double x, double y, double width, double height);
+
+  SvgFrame frame_;
   XmlScanner scanner_;
   NumberReader numbers_;
   const char* text_;
@@ -82,6 +88,7 @@ class SvgReader {
   Context& context_;
   // Transforms of the open elements, each the product of all above it.
   std::vector<SvgTransform> transforms_;
+  std::vector<std::uint8_t> even_odd_;  // Fill rules of the open elements.
   std::set<std::string_view> left_out_;
 };
 
@@ -114,6 +121,7 @@ SvgDrawing SvgReader::read() {
       }
       case XmlScanner::Event::End:
         transforms_.pop_back();
+        even_odd_.pop_back();
         break;
       case XmlScanner::Event::Start:
         if (is_first) {
@@ -153,9 +161,54 @@ void SvgReader::start_root() {
   if (width < 0 || height < 0) {
     scanner_.fail(ErrorCode::BadShape, "a drawing of negative size", scanner_.tag());
   }
-  const double larger = std::max(width, height);
+  set_frame(x, y, width, height);
+  even_odd_.push_back(is_even_odd(false) ? 1 : 0);
+}
+
+/// Sets the root's transform and, if none is given, the tolerance.
+void SvgReader::set_frame(double x, double y, double width, double height) {
+  const bool is_corner = frame_ == SvgFrame::Corner;
+  double unit = 1;
+  if (is_corner && width > 0 && height > 0) {
+    const std::optional<double> wide = millimetres("width"), high = millimetres("height");
+    if (wide || high) {
+      unit = std::min(wide.value_or(HUGE_VAL) / width, high.value_or(HUGE_VAL) / height);
+    }
+  }
+  const double larger = std::max(width, height) * unit;
   if (!tolerance_ && larger * kThousandth > 0) outline_.set_tolerance(larger * kThousandth);
-  transforms_.push_back({1, 0, 0, -1, -(x + width / 2), y + height / 2});
+  if (is_corner) {
+    transforms_.push_back({unit, 0, 0, -unit, -x * unit, (y + height) * unit});
+  } else {
+    transforms_.push_back({1, 0, 0, -1, -(x + width / 2), y + height / 2});
+  }
+}
+
+/// Returns a length of the root in millimetres, if it has a physical unit.
+std::optional<double> SvgReader::millimetres(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, double>, 5> kPhysical{
+      {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72}, {"pc", 25.4 / 6}}};
+  const std::string_view text = scanner_.attribute(name).value_or("");
+  for (const auto& [suffix, unit] : kPhysical) {
+    if (!text.ends_with(suffix)) continue;
+    const double length = value(name)->number();
+    if (length > 0) return length * unit;
+  }
+  return {};
+}
+
+/// Returns whether the fill rule of the element that started last is evenodd. The attribute style
+/// decides before the attribute fill-rule; without both, the rule is inherited.
+bool SvgReader::is_even_odd(bool inherited) const {
+  constexpr std::string_view kProperty = "fill-rule", kBlanks = ": \t\r\n";
+  std::string_view rule = scanner_.attribute(kProperty).value_or("");
+  const std::string_view style = scanner_.attribute("style").value_or("");
+  if (const std::size_t at = style.find(kProperty); at != style.npos) {
+    rule = style.substr(at + kProperty.size());
+  }
+  rule.remove_prefix(std::min(rule.find_first_not_of(kBlanks), rule.size()));
+  if (rule.starts_with("evenodd")) return true;
+  return rule.starts_with("nonzero") ? false : inherited;
 }
 
 void SvgReader::skip_element() {
@@ -177,12 +230,14 @@ void SvgReader::start_element() {
   if (std::optional<SvgValue> text = value("transform")) {
     transform = product(transform, read_transform(std::move(*text)));
   }
-  with_place(here(), [&] { context_.charge_memory(2 * sizeof(SvgTransform), "the drawing"); });
+  with_place(here(), [&] { context_.charge_memory(2 * sizeof(SvgTransform) + 2, "the drawing"); });
   transforms_.push_back(transform);
+  const bool fills_by_evenodd = is_even_odd(even_odd_.back() != 0);
+  even_odd_.push_back(fills_by_evenodd ? 1 : 0);
   if (is_group) return;
   outline_.set_transform(transform);
   (this->*kind->outline)();
-  outline_.end_shape();
+  outline_.end_shape(fills_by_evenodd);
 }
 
 // ---------------------------------------------------------------- attributes
@@ -326,9 +381,9 @@ void SvgReader::read_path() {
 }  // namespace
 
 SvgDrawing read_svg(std::string_view text, const ReadOptions& options,
-                    std::optional<double> tolerance, Context& context) {
+                    std::optional<double> tolerance, Context& context, SvgFrame frame) {
   const RoundToNearest rounding;
-  return SvgReader(text, options, tolerance, context).read();
+  return SvgReader(text, options, tolerance, frame, context).read();
 }
 
 }  // namespace plumb

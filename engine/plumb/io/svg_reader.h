@@ -10,11 +10,12 @@
 //              it fills them.
 //  4. flatten  replaces curves by chords. The distance of a curve from its chords is at most the
 //              tolerance (svg_outline.h)
-//  5. turn     moves the middle of the drawing to the origin and makes the y-axis point upwards
+//  5. turn     moves the middle or the lower left corner of the drawing to the origin and makes the
+//              y-axis point upwards (SvgFrame)
 //
 // Shapes: each element that has an outline becomes one shape, in the order of the file. The
-// subpaths of the element are the rings of the shape. Colours, strokes, styles, clips and fill
-// rules are ignored.
+// subpaths of the element are the rings of the shape. The fill rule of each shape is reported.
+// Colours, strokes, other styles and clips are ignored.
 //
 // Skipped elements: elements that only define something are skipped with their contents, because
 // they draw nothing. These elements are defs, symbol, clipPath, mask, marker and pattern. Elements
@@ -42,10 +43,20 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// The origin and the unit of a drawing that is read.
+enum class SvgFrame : std::uint8_t {
+  /// The origin is the middle of the drawing, and the unit is that of the drawing.
+  Middle,
+  /// The origin is the lower left corner of the viewBox, or of the box with the stated width and
+  /// height. The unit is the millimetre if width or height have a physical unit (mm, cm, in, pt,
+  /// pc), else that of the drawing.
+  Corner,
+};
+
 /// Closed polygons in flat arrays. A shape is a list of rings. A ring is a list of points.
 struct SvgDrawing {
-  /// All points. The x-axis points to the right, and the y-axis points upwards. The origin is the
-  /// middle of the drawing.
+  /// All points. The x-axis points to the right, and the y-axis points upwards. The origin depends
+  /// on the frame.
   std::vector<Point2> points;
   /// For each point, the byte offset in the text at which its definition starts.
   std::vector<std::size_t> places;
@@ -54,6 +65,8 @@ struct SvgDrawing {
   std::vector<std::uint32_t> ring_begin = {0};
   /// For each shape, the index of its first ring. The last entry is the number of rings.
   std::vector<std::uint32_t> shape_begin = {0};
+  /// For each shape, 1 if its fill rule is evenodd, and 0 if it is nonzero.
+  std::vector<std::uint8_t> is_even_odd;
   std::vector<std::string> notes;  ///< Notes for a human reader that report skipped elements.
 
   std::size_t ring_count() const { return ring_begin.size() - 1; }    ///< Number of rings.
@@ -68,7 +81,8 @@ struct SvgDrawing {
 /// curve from its chords, in units of the drawing. The tolerance must be positive. If `tolerance`
 /// is not given, the tolerance is a thousandth of the larger side of the viewBox. In a drawing
 /// without a viewBox, it is a thousandth of the larger of width and height. The memory of the
-/// drawing stays charged to `context`.
+/// drawing stays charged to `context`. Under SvgFrame::Corner the tolerance is measured in the unit
+/// of the result.
 ///
 /// Cost: O(bytes + points). Errors name their position in the text. The errors are:
 ///   - the errors of the scanner (svg_syntax.h)
@@ -77,7 +91,8 @@ struct SvgDrawing {
 ///     not given
 ///   - ResourceLimit and Cancelled
 SvgDrawing read_svg(std::string_view text, const ReadOptions& options,
-                    std::optional<double> tolerance, Context& context = unlimited_context());
+                    std::optional<double> tolerance, Context& context = unlimited_context(),
+                    SvgFrame frame = SvgFrame::Middle);
 
 }  // namespace plumb
 #pragma GCC visibility pop

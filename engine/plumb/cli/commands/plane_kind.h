@@ -42,6 +42,7 @@ inline constexpr std::array kPlaneFormats{
     PlaneOutputFormat{"wkt", ".wkt", PlaneFormat::Wkt},
     PlaneOutputFormat{"geojson", ".geojson", PlaneFormat::GeoJson},
     PlaneOutputFormat{"json", ".json", PlaneFormat::GeoJson},
+    PlaneOutputFormat{"dxf", ".dxf", PlaneFormat::Dxf},
     PlaneOutputFormat{"nef2", ".nef2", PlaneFormat::Nef2},
     PlaneOutputFormat{"svg", ".svg", std::nullopt},
 };
@@ -52,11 +53,16 @@ class PlaneInput {
   void declare(CLI::App& app) {
     add_choice(app, "--rule", rule_, {"odd", "nonzero", "positive", "negative"},
                "Winding numbers inside (default: odd, polygon by polygon)");
+    app.add_option("--curve-tolerance", tolerance_,
+                   "Largest distance of a curve of .dxf or .svg from its chords")
+        ->type_name("D")
+        ->check(CLI::PositiveNumber);
   }
   PlaneRead load(const std::string& file, const CommonOptions& options, Context& context) const {
     ReadOptions read;
     read.exact_decimals = options.exact_decimals;
     read.rings = ring_rule();
+    read.curve_tolerance = tolerance_;
     return read_plane_set_file(file, {}, read, context);
   }
 
@@ -68,6 +74,7 @@ class PlaneInput {
   }
 
   std::string rule_;
+  std::optional<double> tolerance_;
 };
 
 /// The kind of sets of the plane, for set_command.h.
@@ -75,7 +82,7 @@ struct Plane {
   using Set = Nef2;
   using Input = PlaneInput;
   static constexpr const char* kHelp =
-      "A set: .wkt, .geojson, .json, .wkb, .nef2; - is standard input";
+      "A set: .wkt, .geojson, .json, .wkb, .dxf, .svg, .nef2; - is standard input";
   static constexpr std::array<const char*, 2> kAxes{"X", "Y"};
   static constexpr bool kHasGrid = true;
 

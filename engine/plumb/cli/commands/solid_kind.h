@@ -48,7 +48,7 @@ struct Solid {
   using Set = Nef3;
   using Input = SolidInput;
   static constexpr const char* kHelp =
-      "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .nef; - is standard input";
+      "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .nef; - is standard input";
   static constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
   static ProgressStage reading() { return reading_solid(); }

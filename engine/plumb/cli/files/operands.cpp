@@ -252,7 +252,7 @@ void require_solid(const std::string& file, const std::string& bytes) {
   if (kind == FileKind::Solid) return;
   const std::string what = kind == FileKind::Map ? "a map" : "a set of the plane";
   throw Error(ErrorCode::UnknownFormat,
-              what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .nef",
+              what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .nef",
               {.file = input_name(file)});
 }
 

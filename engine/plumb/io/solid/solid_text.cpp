@@ -31,6 +31,7 @@ constexpr std::array kFormats{
     SolidFormat{"stl", ".stl", MeshFormat::Stl},
     SolidFormat{"ply", ".ply", MeshFormat::Ply},
     SolidFormat{"glb", ".glb", MeshFormat::Gltf},
+    SolidFormat{"3mf", ".3mf", MeshFormat::ThreeMf},
     SolidFormat{"nef", ".nef", std::nullopt},
     SolidFormat{"off-exact", ".off", MeshFormat::ExactOff},
     SolidFormat{"stl-binary", ".stl", MeshFormat::StlBinary},

@@ -26,7 +26,7 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kPointBytes = 2 * (sizeof(Point2) + sizeof(std::size_t));
-constexpr std::uint64_t kRingBytes = 4 * sizeof(std::uint32_t);
+constexpr std::uint64_t kRingBytes = 5 * sizeof(std::uint32_t);
 constexpr std::size_t kPointsOfAnyText = std::size_t{1} << 20U;
 constexpr std::size_t kBytesPerPoint = 7;  // Bytes of the text for each further point.
 constexpr std::size_t kMostPoints = std::size_t{1} << 30U;  // As many as a surface can hold.
@@ -175,10 +175,12 @@ void SvgOutline::close_ring() {
   }
 }
 
-void SvgOutline::end_shape() {
+void SvgOutline::end_shape(bool is_even_odd) {
   close_ring();
   const auto rings = static_cast<std::uint32_t>(drawing_.ring_count());
-  if (rings > drawing_.shape_begin.back()) drawing_.shape_begin.push_back(rings);
+  if (rings == drawing_.shape_begin.back()) return;
+  drawing_.shape_begin.push_back(rings);
+  drawing_.is_even_odd.push_back(is_even_odd ? 1 : 0);
 }
 
 namespace {

@@ -56,8 +56,11 @@ class SvgOutline {
   void arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v, double from, double to,
               Point2 p);
   void close_ring();
+  /// Returns how many rings have ended.
+  std::size_t ring_count() const { return drawing_.ring_count(); }
   /// Makes the rings since the last shape a shape, unless there are none.
-  void end_shape();
+  /// `is_even_odd` is the rule by which the shape is filled.
+  void end_shape(bool is_even_odd = false);
   /// Counts one of many steps within a value; asks the context every few thousand steps.
   void step();
 

@@ -1,0 +1,517 @@
+// Reading of the model parts of 3MF: elements and their attributes.
+//
+// The reader keeps a stack of the elements that are open. What an element means follows from its
+// name and the element that contains it (kGrammar). An element that is not in the grammar is
+// skipped with all that it contains, and named in a note or, if it is geometry, in a warning.
+//
+// Objects are looked up when the scene is built, because a component may refer to another part.
+// That step also finds cycles.
+//
+// Format: 3MF Consortium, 3D Manufacturing Format, Core Specification 1.3, and the extensions
+// Production, Materials and Properties; docs/formats.md, section 3MF.
+// Tested by tests/io/threemf_test.cpp.
+#include "plumb/io/mesh/threemf_model.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <system_error>
+
+#include "plumb/io/mesh/threemf_xml.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/predicates/sign.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view kCore = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
+constexpr std::string_view kProduction =
+    "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
+
+/// Extensions that may be required, because what they add is read or does not change the shape.
+constexpr std::array<std::string_view, 5> kUnderstood{
+    kCore, kProduction, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
+    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
+    "http://schemas.3mf.io/3dmanufacturing/trianglesets/2021/07"};
+
+enum class ModelElement : std::uint8_t {
+  Outside,
+  Model,
+  Resources,
+  Object,
+  Mesh,
+  Vertices,
+  Vertex,
+  Triangles,
+  Triangle,
+  Components,
+  Component,
+  Build,
+  Item,
+  Settings,
+  Setting,
+  Passed,
+};
+
+struct GrammarRule {
+  ModelElement parent;
+  std::string_view name;
+  ModelElement element;
+};
+
+constexpr std::array<GrammarRule, 15> kGrammar{{
+    {ModelElement::Vertices, "vertex", ModelElement::Vertex},
+    {ModelElement::Triangles, "triangle", ModelElement::Triangle},
+    {ModelElement::Outside, "model", ModelElement::Model},
+    {ModelElement::Model, "resources", ModelElement::Resources},
+    {ModelElement::Model, "build", ModelElement::Build},
+    {ModelElement::Resources, "object", ModelElement::Object},
+    {ModelElement::Object, "mesh", ModelElement::Mesh},
+    {ModelElement::Object, "components", ModelElement::Components},
+    {ModelElement::Object, "metadatagroup", ModelElement::Settings},
+    {ModelElement::Mesh, "vertices", ModelElement::Vertices},
+    {ModelElement::Mesh, "triangles", ModelElement::Triangles},
+    {ModelElement::Components, "component", ModelElement::Component},
+    {ModelElement::Build, "item", ModelElement::Item},
+    {ModelElement::Item, "metadatagroup", ModelElement::Settings},
+    {ModelElement::Settings, "metadata", ModelElement::Setting},
+}};
+
+/// Elements that are not read: what a note or a warning calls them.
+struct SkippedElement {
+  std::string_view name;
+  std::string_view called;
+  bool is_geometry = false;
+};
+
+constexpr std::array<SkippedElement, 13> kSkippedElements{{
+    {"metadata", "metadata"},
+    {"metadatagroup", "metadata"},
+    {"basematerials", "materials and colours"},
+    {"colorgroup", "materials and colours"},
+    {"texture2d", "textures"},
+    {"texture2dgroup", "textures"},
+    {"compositematerials", "materials and colours"},
+    {"multiproperties", "materials and colours"},
+    {"pbspecular", "materials and colours"},
+    {"pbmetallic", "materials and colours"},
+    {"trianglesets", "sets of triangles"},
+    {"slicestack", "slices"},
+    {"beamlattice", "beam lattices", true},
+}};
+
+/// Settings of Cura that make an object something else than a part of the model.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kCuraMeshes{{
+    {"support_mesh", "support volumes"},
+    {"anti_overhang_mesh", "support blockers"},
+    {"infill_mesh", "modifier volumes"},
+    {"cutting_mesh", "modifier volumes"},
+}};
+
+struct NamedUnit {
+  std::string_view name;
+  std::int64_t numerator;
+  std::int64_t denominator;
+};
+
+constexpr std::array<NamedUnit, 6> kUnits{{
+    {"micron", 1, 1000},
+    {"millimeter", 1, 1},
+    {"centimeter", 10, 1},
+    {"inch", 127, 5},
+    {"foot", 1524, 5},
+    {"meter", 1000, 1},
+}};
+
+/// Returns the next word of a list between blanks, and removes it; an empty one at the end.
+std::string_view take_word(std::string_view& list) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  list.remove_prefix(std::min(list.find_first_not_of(kBlanks), list.size()));
+  const std::string_view word = list.substr(0, list.find_first_of(kBlanks));
+  list.remove_prefix(word.size());
+  return word;
+}
+
+class ModelReader3mf : public XmlListener {
+ public:
+  ModelReader3mf(std::uint32_t part, const ReadOptions& options, std::size_t archive_bytes,
+                 ThreeMfScene& scene, Context& context)
+      : part_(part),
+        scene_(scene),
+        stream_(threemf_text_name(options.name, scene.parts[part].name), *this),
+        numbers_(context.limits(), options.exact_decimals, archive_bytes) {}
+
+  void read(ZipArchive& archive, std::uint64_t entry) {
+    archive.read(entry, [this](std::string_view block) { stream_.feed(block); });
+    stream_.finish();
+  }
+  [[nodiscard]] TextPlace place() const { return stream_.place(); }
+
+  void start(const XmlTag& tag) override;
+  void end() override;
+  void text(std::string_view part) override {
+    constexpr std::size_t kMostSetting = 64;
+    if (top() == ModelElement::Setting && setting_.size() < kMostSetting) setting_ += part;
+  }
+  void declare(std::string_view prefix, std::string_view space) override {
+    if (has_root_) return;
+    if (spaces_.size() < kMostSpaces) spaces_.emplace(prefix, space);
+  }
+
+ private:
+  static constexpr std::size_t kMostSpaces = 256;
+
+  ModelElement top() const { return open_.empty() ? ModelElement::Outside : open_.back(); }
+  ModelElement element_of(const XmlTag& tag) const;
+  void skip(const XmlTag& tag);
+
+  void start_model(const XmlTag& tag);
+  void require_extensions(const XmlTag& tag) const;
+  void start_object(const XmlTag& tag);
+  void end_object();
+  void add_vertex(const XmlTag& tag);
+  void add_triangle(const XmlTag& tag);
+  void add_component(const XmlTag& tag);
+  void add_item(const XmlTag& tag);
+  void end_setting();
+
+  ThreeMfPlacement placement_of(const XmlTag& tag);
+  std::uint32_t transform_of(std::string_view text);
+  std::uint32_t whole_number(const XmlTag& tag, const char* name);
+  void read_number(std::string_view text, const char* name, ReadNumber& number);
+  std::string_view required(const XmlTag& tag, const char* name) const;
+  ThreeMfObject& object() { return scene_.objects.back(); }
+  [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
+    stream_.fail(code, message);
+  }
+
+  std::uint32_t part_;
+  ThreeMfScene& scene_;
+  XmlStream stream_;
+  NumberReader numbers_;
+  std::vector<ModelElement> open_;
+  std::size_t skipped_depth_ = 0;  // Open elements that are skipped.
+  bool has_root_ = false;
+  std::map<std::string, std::string, std::less<>> spaces_;  // Prefixes at the root.
+  std::string setting_name_;
+  std::string setting_;
+  ReadNumber x_, y_, z_;
+};
+
+// ---------------------------------------------------------------- elements
+
+ModelElement ModelReader3mf::element_of(const XmlTag& tag) const {
+  if (tag.space != kCore) return ModelElement::Passed;
+  const ModelElement parent = top();
+  for (const GrammarRule& rule : kGrammar) {
+    if (rule.parent == parent && rule.name == tag.name) return rule.element;
+  }
+  return ModelElement::Passed;
+}
+
+void ModelReader3mf::start(const XmlTag& tag) {
+  if (skipped_depth_ > 0) {
+    ++skipped_depth_;
+    return;
+  }
+  const ModelElement element = element_of(tag);
+  if (element == ModelElement::Passed) return skip(tag);
+  open_.push_back(element);
+  switch (element) {
+    case ModelElement::Model:
+      return start_model(tag);
+    case ModelElement::Object:
+      return start_object(tag);
+    case ModelElement::Vertex:
+      return add_vertex(tag);
+    case ModelElement::Triangle:
+      return add_triangle(tag);
+    case ModelElement::Component:
+      return add_component(tag);
+    case ModelElement::Item:
+      return add_item(tag);
+    case ModelElement::Setting:
+      setting_name_ = tag.attribute("name").value_or("");
+      setting_.clear();
+      return;
+    default:
+      return;
+  }
+}
+
+void ModelReader3mf::end() {
+  if (skipped_depth_ > 0) {
+    --skipped_depth_;
+    return;
+  }
+  const ModelElement element = top();
+  open_.pop_back();
+  if (element == ModelElement::Object) end_object();
+  if (element == ModelElement::Setting) end_setting();
+}
+
+/// Skips an element that the grammar does not have. The root must be a model.
+void ModelReader3mf::skip(const XmlTag& tag) {
+  if (open_.empty()) {
+    fail(ErrorCode::UnknownFormat, "the root element is " + quoted(tag.name) +
+                                       ", not the model of 3MF (" + std::string(kCore) + ")");
+  }
+  skipped_depth_ = 1;
+  const auto* const known =
+      std::find_if(kSkippedElements.begin(), kSkippedElements.end(),
+                   [&](const SkippedElement& skipped) { return skipped.name == tag.name; });
+  if (known != kSkippedElements.end()) {
+    (known->is_geometry ? scene_.left_out : scene_.passed).emplace(known->called);
+    return;
+  }
+  constexpr std::size_t kMostNamed = 16;
+  if (scene_.passed.size() < kMostNamed) scene_.passed.insert("elements " + quoted(tag.name));
+}
+
+/// Reads the unit and the extensions of a part.
+void ModelReader3mf::start_model(const XmlTag& tag) {
+  has_root_ = true;
+  require_extensions(tag);
+  const std::string_view unit = tag.attribute("unit").value_or("millimeter");
+  const auto* const known = std::find_if(kUnits.begin(), kUnits.end(),
+                                         [&](const NamedUnit& each) { return each.name == unit; });
+  if (known == kUnits.end()) fail(ErrorCode::Syntax, "the unit is " + quoted(unit));
+  scene_.parts[part_].unit = Rational(known->numerator) / known->denominator;
+  scene_.parts[part_].unit_name = unit;
+}
+
+/// Throws if the part requires an extension that may change the shape.
+void ModelReader3mf::require_extensions(const XmlTag& tag) const {
+  std::string_view prefixes = tag.attribute("requiredextensions").value_or("");
+  for (std::string_view prefix = take_word(prefixes); !prefix.empty();
+       prefix = take_word(prefixes)) {
+    const auto space = spaces_.find(prefix);
+    if (space == spaces_.end()) {
+      fail(ErrorCode::Syntax, "the required extension " + quoted(prefix) + " has no name space");
+    }
+    if (std::find(kUnderstood.begin(), kUnderstood.end(), space->second) != kUnderstood.end()) {
+      continue;
+    }
+    fail(ErrorCode::UnknownFormat, "the file requires the extension " + quoted(prefix) + " (" +
+                                       space->second + "), which is not supported");
+  }
+}
+
+// ---------------------------------------------------------------- objects
+
+void ModelReader3mf::start_object(const XmlTag& tag) {
+  constexpr std::uint64_t kObjectBytes = 256;  // The object, twice, and its entry in the map.
+  scene_.charge.add(kObjectBytes, "the objects of the file");
+  ThreeMfObject object;
+  object.part = part_;
+  object.id = whole_number(tag, "id");
+  const std::string_view type = tag.attribute("type").value_or("model");
+  if (type == "support" || type == "solidsupport") object.type = ThreeMfType::Support;
+  if (type == "surface") object.type = ThreeMfType::Surface;
+  if (type == "other") object.type = ThreeMfType::Other;
+  object.first_point = object.end_point = scene_.source.point_count();
+  object.first_face = object.end_face = static_cast<std::uint32_t>(scene_.source.face_count());
+  object.first_component = static_cast<std::uint32_t>(scene_.components.size());
+  if (tag.attribute("pid")) scene_.passed.insert("materials and colours");
+  const auto number = static_cast<std::uint32_t>(scene_.objects.size());
+  const bool is_new = scene_.object_of.emplace(std::pair(part_, object.id), number).second;
+  if (!is_new) {
+    fail(ErrorCode::BadShape, "a second object with the id " + std::to_string(object.id));
+  }
+  scene_.objects.push_back(object);
+}
+
+void ModelReader3mf::end_object() {
+  object().end_point = scene_.source.point_count();
+  object().end_face = static_cast<std::uint32_t>(scene_.source.face_count());
+  object().end_component = static_cast<std::uint32_t>(scene_.components.size());
+  const bool is_mesh = object().end_point > object().first_point;
+  if (is_mesh && object().end_component > object().first_component) {
+    fail(ErrorCode::BadShape, "object " + std::to_string(object().id) +
+                                  " has a mesh and components, of which 3MF allows one");
+  }
+}
+
+void ModelReader3mf::add_vertex(const XmlTag& tag) {
+  read_number(required(tag, "x"), "x", x_);
+  read_number(required(tag, "y"), "y", y_);
+  read_number(required(tag, "z"), "z", z_);
+  scene_.source.add_point(x_, y_, z_);
+}
+
+void ModelReader3mf::add_triangle(const XmlTag& tag) {
+  const std::uint32_t first = object().first_point;
+  const std::uint32_t count = scene_.source.point_count() - first;
+  for (const char* const name : {"v1", "v2", "v3"}) {
+    const std::uint32_t vertex = whole_number(tag, name);
+    if (vertex >= count) {
+      fail(ErrorCode::BadIndex, std::string(name) + " is vertex " + std::to_string(vertex) +
+                                    "; the mesh has " + std::to_string(count) +
+                                    (count == 1 ? " vertex" : " vertices"));
+    }
+    scene_.source.add_corner(first + vertex);
+  }
+  scene_.source.end_face();
+  if (tag.attribute("pid") || tag.attribute("p1")) scene_.passed.insert("materials and colours");
+}
+
+void ModelReader3mf::add_component(const XmlTag& tag) {
+  scene_.components.push_back(placement_of(tag));
+}
+
+/// Adds an item of the build. 3MF has items in the first part only.
+void ModelReader3mf::add_item(const XmlTag& tag) {
+  if (part_ != 0) return;
+  if (tag.attribute("printable") == std::string_view("0")) {
+    scene_.passed.insert("that items are not printable");
+  }
+  scene_.items.push_back(placement_of(tag));
+}
+
+/// Reads a setting of Cura, which says what an item or an object is.
+void ModelReader3mf::end_setting() {
+  scene_.passed.insert("metadata");
+  std::string_view name = setting_name_;
+  if (!take_prefix(name, "cura:") || (setting_ != "True" && setting_ != "true")) return;
+  for (const auto& [setting, called] : kCuraMeshes) {
+    if (name != setting) continue;
+    scene_.left_out.emplace(called);
+    if (open_.size() < 2) return;
+    if (open_[open_.size() - 2] == ModelElement::Item && !scene_.items.empty() && part_ == 0) {
+      scene_.items.pop_back();
+      open_.back() = ModelElement::Passed;  // The item is gone; other settings do not matter.
+    } else {
+      object().type = ThreeMfType::Other;
+    }
+  }
+}
+
+// ---------------------------------------------------------------- attributes
+
+ThreeMfPlacement ModelReader3mf::placement_of(const XmlTag& tag) {
+  scene_.charge.add(2 * sizeof(ThreeMfPlacement), "the components of the file");
+  const TextPlace here = stream_.place();
+  ThreeMfPlacement placement;
+  placement.stated_in = placement.part = part_;
+  placement.object = whole_number(tag, "objectid");
+  placement.line = static_cast<std::uint32_t>(here.line);
+  placement.column = static_cast<std::uint32_t>(here.column);
+  if (const auto path = tag.attribute(kProduction, "path")) {
+    placement.part = scene_.part_of(threemf_part_name(*path));
+  }
+  if (const auto transform = tag.attribute("transform")) {
+    placement.transform = transform_of(*transform);
+  }
+  return placement;
+}
+
+/// Reads twelve numbers. The identity needs no transform.
+std::uint32_t ModelReader3mf::transform_of(std::string_view text) {
+  ThreeMfTransform m;
+  std::uint64_t limbs = 0;
+  for (Rational& entry : m) {
+    const std::string_view word = take_word(text);
+    if (word.empty()) fail(ErrorCode::Syntax, "a transform needs 12 numbers");
+    read_number(word, "transform", x_);
+    entry = x_.exact();
+    limbs += mpz_size(mpq_numref(entry.mpq())) + mpz_size(mpq_denref(entry.mpq()));
+  }
+  if (!take_word(text).empty()) fail(ErrorCode::Syntax, "a transform has 12 numbers");
+  constexpr std::uint64_t kHeapBytes = 64;  // Two blocks of each number.
+  scene_.charge.add(sizeof m + m.size() * kHeapBytes + limbs * sizeof(mp_limb_t), "the transforms");
+  const Rational determinant = m[0] * (m[4] * m[8] - m[5] * m[7]) -
+                               m[1] * (m[3] * m[8] - m[5] * m[6]) +
+                               m[2] * (m[3] * m[7] - m[4] * m[6]);
+  if (determinant.sign() == 0) {
+    fail(ErrorCode::BadShape, "the transform is singular: it makes the object flat");
+  }
+  static const ThreeMfTransform kIdentity{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  if (m == kIdentity) return ThreeMfPlacement::kNoTransform;
+  scene_.transforms.push_back(std::move(m));
+  return static_cast<std::uint32_t>(scene_.transforms.size() - 1);
+}
+
+std::string_view ModelReader3mf::required(const XmlTag& tag, const char* name) const {
+  const auto value = tag.attribute(name);
+  if (!value) {
+    fail(ErrorCode::Syntax, std::string(tag.name) + " lacks the attribute " + name);
+  }
+  return *value;
+}
+
+std::uint32_t ModelReader3mf::whole_number(const XmlTag& tag, const char* name) {
+  const std::string_view text = required(tag, name);
+  std::uint32_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, code] = std::from_chars(text.data(), last, value);
+  if (code != std::errc() || end != last) {
+    fail(ErrorCode::Syntax, std::string(name) + " is " + quoted(text) + ", not a whole number");
+  }
+  return value;
+}
+
+/// Reads a number. Its place is that of the tag.
+void ModelReader3mf::read_number(std::string_view text, const char* name, ReadNumber& number) {
+  bool is_whole = false;
+  try {
+    TextCursor cursor(text, {});
+    if (cursor.next_line()) {
+      numbers_.read_next(cursor, number);
+      is_whole = cursor.at_line_end();
+    }
+  } catch (const Error& error) {
+    fail(error.code(), std::string(name) + ": " + error.message());
+  }
+  if (!is_whole) fail(ErrorCode::Syntax, std::string(name) + " is " + quoted(text) + ", no number");
+}
+
+/// Returns the value of a hexadecimal digit; 16 if it is none.
+unsigned hex_digit(char c) {
+  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
+  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a') + 10;
+  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A') + 10;
+  return 16;
+}
+
+}  // namespace
+
+std::uint32_t ThreeMfScene::part_of(const std::string& name) {
+  constexpr std::uint64_t kPartBytes = 512;  // The part, twice, and an entry of the map.
+  const auto number = static_cast<std::uint32_t>(parts.size());
+  const auto [entry, is_new] = part_numbers.try_emplace(name, number);
+  if (is_new) {
+    charge.add(kPartBytes + 3 * name.size(), "the parts of the file");
+    parts.push_back({name});
+  }
+  return entry->second;
+}
+
+std::string threemf_text_name(const std::string& file, const std::string& part) {
+  return file + '(' + std::string(part).substr(0, text_prefix(part)) + ')';
+}
+
+std::string threemf_part_name(std::string_view uri) {
+  take_prefix(uri, "/");
+  std::string name;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool is_code = uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) < 16 &&
+                         hex_digit(uri[i + 2]) < 16;
+    name +=
+        is_code ? static_cast<char>(hex_digit(uri[i + 1]) * 16 + hex_digit(uri[i + 2])) : uri[i];
+    if (is_code) i += 2;
+  }
+  return name;
+}
+
+void read_threemf_model(ZipArchive& archive, std::uint32_t part, const ReadOptions& options,
+                        std::size_t archive_bytes, ThreeMfScene& scene, Context& context) {
+  const std::string name = scene.parts[part].name;
+  const auto entry = archive.find(name);
+  if (!entry) {
+    throw Error(ErrorCode::CannotOpen, "the archive lacks the part " + plumb::quoted(name),
+                {options.name});
+  }
+  ModelReader3mf(part, options, archive_bytes, scene, context).read(archive, *entry);
+}
+
+}  // namespace plumb

@@ -1,0 +1,487 @@
+// Reading of DXF: pairs of lines, and the entities that they describe; and the writer.
+//
+// A pair is a line with a code, which says what the next line means. Code 0 begins an entity, and
+// the values up to the next code 0 belong to it. A POLYLINE is followed by entities VERTEX and ends
+// with SEQEND. Values are kept as they come, and an entity is made of them at its end, so their
+// order does not matter; only the values of corners belong together.
+//
+// Format: Autodesk, DXF Reference (AutoCAD 2012); docs/formats.md, section DXF.
+// Tested by tests/io/dxf_test.cpp.
+#include "plumb/io/plane/dxf.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "plumb/io/plane/dxf_curves.h"
+#include "plumb/io/plane/shape_text.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/record_reader.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+constexpr std::string_view kDxfBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(kDxfBlanks), line.size()));
+  return line.substr(0, line.find_last_not_of(kDxfBlanks) + 1);
+}
+
+/// The units that $INSUNITS numbers.
+constexpr std::array<const char*, 7> kDxfUnits{"",           "inch",       "foot", "mile",
+                                               "millimetre", "centimetre", "metre"};
+
+class DxfReader {
+ public:
+  DxfReader(std::string_view text, const ReadOptions& options, Context& context)
+      : text_(text),
+        rest_(text),
+        options_(options),
+        numbers_(context.limits(), false, text.size()),
+        context_(context),
+        charge_(context) {}
+
+  PlaneFile read() {
+    if (text_.starts_with("AutoCAD Binary DXF")) {
+      fail(ErrorCode::UnknownFormat, "binary DXF; save the drawing as text (ASCII DXF)");
+    }
+    while (next_pair()) take_pair();
+    if (!has_end_) fail(ErrorCode::CountMismatch, "the drawing ends without EOF");
+    ShapeCollector shapes(context_, text_.size());
+    add_dxf_rings(drawing_, text_, options_, options_.rings == RingRule::Odd, shapes, context_);
+    add_notes(shapes);
+    return shapes.take();
+  }
+
+ private:
+  /// A value of the current entity.
+  struct Value {
+    int code;
+    double number;
+  };
+
+  // ---------------------------------------------------------------- pairs
+
+  /// Returns the next line and moves behind it.
+  std::string_view take_line() {
+    ++line_;
+    const std::size_t end = rest_.find('\n');
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == rest_.npos ? rest_.size() : end + 1);
+    return line;
+  }
+
+  /// Reads the next pair; returns false behind the end of the drawing.
+  bool next_pair() {
+    constexpr std::size_t kPairsPerCheckpoint = 4096;
+    if (has_end_) return false;
+    if (pairs_++ % kPairsPerCheckpoint == 0) {
+      context_.checkpoint("read", text_.size() - rest_.size(), text_.size());
+    }
+    where_ = rest_.data();
+    if (trimmed(rest_).empty()) return false;
+    const std::string_view code = trimmed(take_line());
+    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), code_);
+    if (error != std::errc() || end != code.data() + code.size()) {
+      fail(ErrorCode::Syntax, "expected the code of a group, found " + quoted(code));
+    }
+    if (rest_.empty()) fail(ErrorCode::CountMismatch, "the value of the last group is missing");
+    value_ = trimmed(take_line());
+    return true;
+  }
+
+  double number() {
+    ReadNumber number;
+    try {
+      TextCursor cursor(value_, {});
+      if (!cursor.next_line()) throw Error(ErrorCode::Syntax, "a number is missing");
+      numbers_.read(cursor, cursor.token(), number);
+    } catch (const Error& error) {
+      fail(error.code(), error.message());
+    }
+    return number.is_double() ? number.as_double() : nearest_double(number.exact());
+  }
+
+  void take_pair() {
+    if (code_ == 0) return begin_entity();
+    if (section_.empty() && code_ == 2 && entity_ == "SECTION") {
+      section_ = value_;
+      return;
+    }
+    if (section_ == "HEADER") return take_variable();
+    if (section_ == "ENTITIES") take_value();
+  }
+
+  void take_variable() {
+    if (code_ == 9) variable_ = value_;
+    if (code_ == 70 && variable_ == "$INSUNITS") unit_ = number();
+  }
+
+  /// Keeps a value of the current entity, if an entity that is read can need it.
+  void take_value() {
+    constexpr std::uint64_t kStep = 4096;
+    if (code_ == 8) layer_ = value_;
+    const bool is_number = (code_ >= 10 && code_ < 80) || (code_ >= 210 && code_ < 240);
+    if (!is_read_ || !is_number) return;
+    if (values_.size() == charged_values_) {
+      with_line([&] { charge_.add(2 * kStep * sizeof(Value), "the drawing"); });
+      charged_values_ += kStep;
+    }
+    values_.push_back({code_, number()});
+  }
+
+  // ---------------------------------------------------------------- entities
+
+  void begin_entity() {
+    if (section_ == "ENTITIES") end_entity();
+    entity_ = value_;
+    values_.clear();
+    layer_ = "0";
+    entity_where_ = where_;
+    entity_line_ = line_ - 1;
+    if (entity_ == "ENDSEC" || entity_ == "SECTION") section_ = {};
+    if (entity_ == "EOF") has_end_ = true;
+    is_read_ = section_ == "ENTITIES" && maker_of(entity_) != nullptr;
+    if (section_ == "ENTITIES" && !is_read_) skipped_.insert({entity_, 0}).first->second += 1;
+  }
+
+  using Maker = void (DxfReader::*)();
+  static Maker maker_of(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, Maker>, 9> kMakers{{
+        {"LINE", &DxfReader::make_line},
+        {"LWPOLYLINE", &DxfReader::make_polyline},
+        {"POLYLINE", &DxfReader::begin_polyline},
+        {"VERTEX", &DxfReader::add_vertex},
+        {"SEQEND", &DxfReader::end_polyline},
+        {"ARC", &DxfReader::make_arc},
+        {"CIRCLE", &DxfReader::make_arc},
+        {"ELLIPSE", &DxfReader::make_ellipse},
+        {"SPLINE", &DxfReader::make_spline},
+    }};
+    const auto* const found = std::find_if(kMakers.begin(), kMakers.end(),
+                                           [&](const auto& each) { return each.first == name; });
+    return found == kMakers.end() ? nullptr : found->second;
+  }
+
+  void end_entity() {
+    if (!is_read_) return;
+    is_read_ = false;
+    if (value(67, 0) == 1) {
+      skipped_.insert({"entities of paper space", 0}).first->second += 1;
+      return;
+    }
+    for (const Value& each : values_) {
+      has_heights_ |= (each.code == 30 || each.code == 31 || each.code == 38) && each.number != 0;
+    }
+    (this->*maker_of(entity_))();
+  }
+
+  /// Returns the first value with a code.
+  double value(int code, double otherwise) const {
+    const auto found = std::find_if(values_.begin(), values_.end(),
+                                    [&](const Value& each) { return each.code == code; });
+    return found == values_.end() ? otherwise : found->number;
+  }
+  double required(int code) const {
+    const auto found = std::find_if(values_.begin(), values_.end(),
+                                    [&](const Value& each) { return each.code == code; });
+    if (found == values_.end()) {
+      fail_entity(ErrorCode::CountMismatch, "lacks a value with the code " + std::to_string(code));
+    }
+    return found->number;
+  }
+  Point2 required_point(int code) const { return {required(code), required(code + 10)}; }
+  bool has_flag(unsigned flag) const {
+    const double flags = value(70, 0);
+    return flags >= 0 && flags < 65536 && (static_cast<unsigned>(flags) & flag) != 0;
+  }
+
+  DxfCurve new_curve(DxfKind kind) const {
+    DxfCurve curve;
+    curve.kind = kind;
+    curve.where = entity_where_;
+    curve.first_vertex = curve.end_vertex = static_cast<std::uint32_t>(drawing_.vertices.size());
+    return curve;
+  }
+
+  /// Whether the plane of the entity is the plane of the drawing seen from below.
+  bool is_seen_from_below() const {
+    const double x = value(210, 0), y = value(220, 0), z = value(230, 1);
+    if (x != 0 || y != 0 || z == 0) {
+      fail_entity(ErrorCode::UnknownFormat, "lies in another plane than the drawing");
+    }
+    return z < 0;
+  }
+
+  void push_curve(DxfCurve curve) {
+    with_line([&] { charge_.add(2 * sizeof(DxfCurve), "the drawing"); });
+    curve.end_vertex = static_cast<std::uint32_t>(drawing_.vertices.size());
+    drawing_.curves.push_back(curve);
+    layers_.insert({std::string(layer_), 0}).first->second += 1;
+  }
+
+  void push_vertex(Point2 p, double bulge) {
+    with_line([&] { charge_.add(2 * sizeof(DxfVertex), "the drawing"); });
+    drawing_.vertices.push_back({p, bulge});
+  }
+
+  void make_line() {
+    const DxfCurve curve = new_curve(DxfKind::Polyline);
+    const Point2 from = required_point(10), to = required_point(11);
+    if (from == to) return;  // A line without length.
+    push_vertex(from, 0);
+    push_vertex(to, 0);
+    push_curve(curve);
+  }
+
+  /// Makes a polyline of corners that each begin with the code 10.
+  void make_polyline() {
+    DxfCurve curve = new_curve(DxfKind::Polyline);
+    curve.is_closed = has_flag(1);
+    curve.is_mirrored = is_seen_from_below();
+    for (const Value& each : values_) {
+      if (each.code == 10) push_vertex({each.number, 0}, 0);
+      if (drawing_.vertices.size() == curve.first_vertex) continue;
+      if (each.code == 20) drawing_.vertices.back().p.y = each.number;
+      if (each.code == 42) drawing_.vertices.back().bulge = each.number;
+    }
+    finish_polyline(curve);
+  }
+
+  void finish_polyline(const DxfCurve& curve) {
+    const std::size_t corners = drawing_.vertices.size() - curve.first_vertex;
+    if (corners >= 2) return push_curve(curve);
+    drawing_.vertices.resize(curve.first_vertex);
+    skipped_.insert({"polylines of fewer than two corners", 0}).first->second += 1;
+  }
+
+  void begin_polyline() {
+    constexpr unsigned kMesh = 16 + 64;
+    if (has_flag(kMesh)) {
+      skipped_.insert({"meshes", 0}).first->second += 1;
+      return;
+    }
+    polyline_ = new_curve(DxfKind::Polyline);
+    polyline_.is_closed = has_flag(1);
+    polyline_.is_mirrored = is_seen_from_below();
+    is_in_polyline_ = true;
+  }
+
+  /// Adds a corner. A corner of the frame of a spline is not on the curve.
+  void add_vertex() {
+    constexpr unsigned kOfFrame = 16;
+    if (is_in_polyline_ && !has_flag(kOfFrame)) push_vertex(required_point(10), value(42, 0));
+  }
+
+  void end_polyline() {
+    if (is_in_polyline_) finish_polyline(polyline_);
+    is_in_polyline_ = false;
+  }
+
+  void make_arc() {
+    DxfCurve curve = new_curve(DxfKind::Arc);
+    const double radius = required(40);
+    if (!(radius >= 0)) fail_entity(ErrorCode::BadShape, "has a negative radius");
+    curve.is_mirrored = is_seen_from_below();
+    curve.is_closed = entity_ == "CIRCLE";
+    curve.centre = required_point(10);
+    curve.u = {radius, 0};
+    curve.v = {0, radius};
+    set_angles(curve, curve.is_closed ? 0 : required(50), curve.is_closed ? 360 : required(51));
+    if (radius > 0) push_curve(curve);
+  }
+
+  /// The axes of an ellipse are in the coordinates of the drawing, unlike the centre of an arc.
+  void make_ellipse() {
+    DxfCurve curve = new_curve(DxfKind::Arc);
+    const double ratio = required(40) * (is_seen_from_below() ? -1 : 1);
+    constexpr double kDegrees = 180 / 3.14159265358979323846;
+    curve.centre = required_point(10);
+    curve.u = required_point(11);
+    curve.v = {-ratio * curve.u.y, ratio * curve.u.x};
+    set_angles(curve, value(41, 0) * kDegrees, value(42, 2 * 3.14159265358979323846) * kDegrees);
+    curve.is_closed = std::fabs(curve.to - curve.from - 360) < 1e-6;  // 2 pi is rounded in files.
+    if (curve.is_closed) curve.to = curve.from + 360;
+    if (ratio != 0 && curve.u != Point2{0, 0}) push_curve(curve);
+  }
+
+  void set_angles(DxfCurve& curve, double from, double to) const {
+    constexpr double kMost = 1e6;
+    if (!(std::fabs(from) <= kMost && std::fabs(to) <= kMost)) {
+      fail_entity(ErrorCode::NumberOutOfRange, "has an angle of more than a million degrees");
+    }
+    curve.from = from;
+    curve.to = to;
+    while (curve.to <= curve.from) curve.to += 360;
+    while (curve.to > curve.from + 360) curve.to -= 360;
+  }
+
+  void make_spline() {
+    DxfCurve curve = new_curve(DxfKind::Spline);
+    const double degree = required(71);
+    const bool has_weights = std::any_of(values_.begin(), values_.end(), [](const Value& each) {
+      return each.code == 41 && each.number != 1;
+    });
+    if (!(degree == 1 || degree == 2 || degree == 3) || has_weights) {
+      fail_entity(ErrorCode::UnknownFormat,
+                  "has weights or another degree than 1, 2 or 3; replace it by arcs or lines");
+    }
+    curve.degree = static_cast<std::uint32_t>(degree);
+    curve.is_closed = has_flag(1);
+    curve.first_knot = static_cast<std::uint32_t>(drawing_.knots.size());
+    for (const Value& each : values_) {
+      if (each.code == 10) push_vertex({each.number, 0}, 0);
+      if (each.code == 20 && drawing_.vertices.size() > curve.first_vertex) {
+        drawing_.vertices.back().p.y = each.number;
+      }
+      if (each.code == 40) push_knot(each.number, curve.first_knot);
+    }
+    curve.end_knot = static_cast<std::uint32_t>(drawing_.knots.size());
+    const std::size_t points = drawing_.vertices.size() - curve.first_vertex;
+    if (points <= curve.degree || curve.end_knot - curve.first_knot != points + curve.degree + 1) {
+      fail_entity(ErrorCode::CountMismatch,
+                  "has " + std::to_string(points) + " control points and " +
+                      std::to_string(curve.end_knot - curve.first_knot) +
+                      " knots; there must be as many knots as points, the degree and 1 together");
+    }
+    push_curve(curve);
+  }
+
+  void push_knot(double knot, std::uint32_t first) {
+    if (drawing_.knots.size() > first && knot < drawing_.knots.back()) {
+      fail_entity(ErrorCode::BadShape, "has knots that descend");
+    }
+    with_line([&] { charge_.add(2 * sizeof(double), "the drawing"); });
+    drawing_.knots.push_back(knot);
+  }
+
+  // ---------------------------------------------------------------- notes and errors
+
+  void add_notes(ShapeCollector& shapes) const {
+    constexpr std::size_t kMostNamed = 16;
+    std::size_t named = 0;
+    for (const auto& [name, count] : skipped_) {
+      if (++named > kMostNamed) {
+        shapes.pass_over("other entities");
+        break;
+      }
+      shapes.pass_over(std::string(name.substr(0, text_prefix(name))) + " (" +
+                       std::to_string(count) + ")");
+    }
+    if (has_heights_) shapes.pass_over(kHeights);
+    if (layers_.size() > 1) {
+      std::string names;
+      for (const auto& [name, count] : layers_) {
+        if (names.size() > 200) {
+          names += ", ...";
+          break;
+        }
+        names += (names.empty() ? "" : ", ") + plumb::quoted(name);
+      }
+      shapes.note("all layers are read together: " + names);
+    }
+    const bool is_known = unit_ >= 1 && unit_ < static_cast<double>(kDxfUnits.size());
+    if (is_known) {
+      shapes.note(std::string("the unit of the drawing is the ") +
+                  kDxfUnits[static_cast<std::size_t>(unit_)] + "; the coordinates are not scaled");
+    }
+  }
+
+  template <class Call>
+  void with_line(Call call) const {
+    with_place(*this, call);
+  }
+
+ public:
+  /// Throws at the line that was read last.
+  [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
+    throw Error(code, message, {options_.name, std::max<std::size_t>(line_, 1), 1});
+  }
+
+ private:
+  /// Throws at the first line of the entity.
+  [[noreturn]] void fail_entity(ErrorCode code, const std::string& message) const {
+    throw Error(code, "the " + std::string(entity_) + ' ' + message,
+                {options_.name, entity_line_, 1});
+  }
+
+  std::string_view text_;
+  std::string_view rest_;
+  const ReadOptions& options_;
+  NumberReader numbers_;
+  Context& context_;
+  MemoryCharge charge_;
+  std::size_t line_ = 0;
+  std::size_t pairs_ = 0;
+  const char* where_ = nullptr;
+  int code_ = 0;
+  std::string_view value_;
+  std::string_view section_;
+  std::string_view variable_;
+  double unit_ = 0;
+  bool has_end_ = false;
+  // The current entity.
+  std::string_view entity_;
+  std::string_view layer_ = "0";
+  const char* entity_where_ = nullptr;
+  std::size_t entity_line_ = 0;
+  bool is_read_ = false;
+  std::vector<Value> values_;
+  std::uint64_t charged_values_ = 0;
+  bool is_in_polyline_ = false;
+  DxfCurve polyline_;
+  // All entities.
+  DxfCurves drawing_;
+  bool has_heights_ = false;
+  std::map<std::string_view, std::size_t> skipped_;
+  std::map<std::string, std::size_t> layers_;
+};
+
+}  // namespace
+
+bool begins_like_dxf(std::string_view text) {
+  take_prefix(text, "\xEF\xBB\xBF");
+  if (text.starts_with("AutoCAD Binary DXF")) return true;
+  const std::size_t end = text.find('\n');
+  if (end == text.npos) return false;
+  const std::string_view code = trimmed(text.substr(0, end));
+  text.remove_prefix(end + 1);
+  const std::string_view value = trimmed(text.substr(0, text.find('\n')));
+  return code == "999" || (code == "0" && value == "SECTION");
+}
+
+PlaneFile read_dxf(std::string_view text, const ReadOptions& options, Context& context) {
+  const RoundToNearest rounding;
+  take_prefix(text, "\xEF\xBB\xBF");
+  return DxfReader(text, options, context).read();
+}
+
+void write_dxf(std::ostream& stream, const PlaneShapes& shapes, Context& context) {
+  TextOutput out(stream, context);
+  out << "  0\nSECTION\n  2\nHEADER\n  9\n$ACADVER\n  1\nAC1015\n  0\nENDSEC\n"
+      << "  0\nSECTION\n  2\nENTITIES\n";
+  for (std::size_t r = 0; r < shapes.ring_count(); ++r) {
+    const auto ring = shapes.ring(r);
+    out << "  0\nLWPOLYLINE\n100\nAcDbEntity\n  8\n0\n100\nAcDbPolyline\n 90\n"
+        << std::uint64_t{ring.size()} << "\n 70\n1\n";
+    for (const std::uint32_t corner : ring) {
+      const Point2 p = shapes.points.approx(corner);
+      out << " 10\n" << p.x << "\n 20\n" << p.y << '\n';
+    }
+  }
+  out << "  0\nENDSEC\n  0\nEOF\n";
+  out.flush();
+}
+
+}  // namespace plumb

@@ -1,0 +1,49 @@
+// Reads and writes drawings in DXF (docs/formats.md, "DXF"), the exchange format of programs that
+// draw plans, as polygons.
+//
+// A drawing has lines and curves without width. Closed ones, and those that join to closed chains,
+// are the rings of one polygon; the even-odd rule of all of them together says what they enclose,
+// so a ring in a ring is a hole.
+//
+// Main flow of read_dxf():
+//  1. records  reads pairs of a code and a value, and collects the curves of section ENTITIES
+//  2. flatten  replaces arcs, ellipses and splines by chords, which are at most the tolerance away
+//              (svg_outline.h)
+//  3. join     joins open curves at their ends. Ends that the file states join only if they are
+//              equal. The end of an arc, an ellipse or a spline is computed, and joins the nearest
+//              other end within the tolerance
+//
+// Curves: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE of degree 1 to 3, no weights.
+// Other entities are left out, and a note names them and the layers. Coordinates are read as the
+// nearest doubles, and are not scaled: a note names the unit. Heights are dropped with a note.
+//
+// Cost: O(n log n) for n points, and O(1) for each pair of ends that are nearer than the tolerance.
+// Errors have the place FILE:LINE: Syntax; NumberOutOfRange; CountMismatch for incomplete entities;
+// BadShape for a chain that is not closed, and for curves in a drawing without extent if no
+// tolerance is given; UnknownFormat for binary DXF, for splines of other kinds and for curves in
+// other planes; ResourceLimit; Cancelled.
+#pragma once
+
+#include <iosfwd>
+#include <string_view>
+
+#include "plumb/base/context.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/io/read_options.h"
+
+namespace plumb {
+
+/// Returns the polygon of a drawing, with notes. Under RingRule::Odd all rings belong to one
+/// polygon, under another rule each ring is a polygon. The memory of the shapes stays charged to
+/// `context`.
+PlaneFile read_dxf(std::string_view text, const ReadOptions& options, Context& context);
+
+/// Whether a text begins like a drawing: with a comment or with the begin of a section.
+bool begins_like_dxf(std::string_view text);
+
+/// Writes a closed LWPOLYLINE for each ring, on layer 0. Lines and points are not written. Numbers
+/// are the nearest doubles, as in format_double(). Throws what `out` throws, and Error{Cancelled}
+/// or Error{ResourceLimit} as the context says.
+void write_dxf(std::ostream& out, const PlaneShapes& shapes, Context& context);
+
+}  // namespace plumb

@@ -1,0 +1,403 @@
+// Flattening and joining of the curves of drawings.
+//
+// SvgOutline flattens: each curve becomes a ring of it, whose points are a chain here. An arc is
+// given in quarters, so that even a coarse tolerance keeps its shape. A spline is cut into Bezier
+// curves, one for each span between knots: control point k of a span [a, b] of degree d is the
+// blossom (polar form) of the spline at d - k times a and k times b.
+//
+// Open chains are the edges of a graph whose nodes are ends that are joined. If an even number of
+// ends meets in each node, the edges can be cut into closed walks, and under the even-odd rule
+// every way of doing so encloses the same points. So the walks are taken as they come.
+//
+// Tested by tests/io/dxf_test.cpp.
+#include "plumb/io/plane/dxf_curves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "plumb/base/internal/degrees.h"
+#include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180;
+constexpr double kQuarterTurn = 90;
+constexpr std::uint32_t kMostDegree = 3;
+
+Point2 on_arc(const DxfCurve& curve, double degrees) {
+  const Point2 turn = unit_vector(degrees);
+  return {curve.centre.x + turn.x * curve.u.x + turn.y * curve.v.x,
+          curve.centre.y + turn.x * curve.u.y + turn.y * curve.v.y};
+}
+
+/// Gives curves to an outline.
+class CurveFlattener {
+ public:
+  CurveFlattener(const DxfCurves& drawing, SvgOutline& outline)
+      : drawing_(drawing), outline_(outline) {}
+
+  /// Adds one ring, unless the curve is a single point.
+  void add(const DxfCurve& curve, const TextCursor& at) {
+    outline_.set_transform(curve.is_mirrored ? SvgTransform{-1, 0, 0, 1, 0, 0} : SvgTransform{});
+    switch (curve.kind) {
+      case DxfKind::Arc:
+        add_arc(curve, at);
+        break;
+      case DxfKind::Spline:
+        add_spline(curve, at);
+        break;
+      default:
+        add_polyline(curve, at);
+    }
+    outline_.end_shape();
+  }
+
+ private:
+  void add_arc(const DxfCurve& curve, const TextCursor& at) {
+    outline_.move_to(at, on_arc(curve, curve.from));
+    double from = curve.from;
+    while (from < curve.to) {
+      const double next = std::min(from + kQuarterTurn, curve.to);
+      outline_.arc_to(at, curve.centre, curve.u, curve.v, from * kRadian, next * kRadian,
+                      on_arc(curve, next));
+      from = next;
+    }
+  }
+
+  void add_polyline(const DxfCurve& curve, const TextCursor& at) {
+    const DxfVertex* const v = drawing_.vertices.data();
+    outline_.move_to(at, v[curve.first_vertex].p);
+    for (std::uint32_t i = curve.first_vertex; i + 1 < curve.end_vertex; ++i) {
+      add_side(v[i], v[i + 1].p, at);
+    }
+    if (curve.is_closed) add_side(v[curve.end_vertex - 1], v[curve.first_vertex].p, at);
+  }
+
+  /// Adds a side of a polyline. The centre of an arc lies on the bisector of its chord.
+  void add_side(const DxfVertex& a, Point2 b, const TextCursor& at) {
+    if (a.bulge == 0 || a.p == b) return outline_.line_to(at, b);
+    const double reach = (1 - a.bulge * a.bulge) / (4 * a.bulge);
+    const Point2 chord{b.x - a.p.x, b.y - a.p.y};
+    const Point2 centre{(a.p.x + b.x) / 2 - reach * chord.y, (a.p.y + b.y) / 2 + reach * chord.x};
+    const Point2 u{a.p.x - centre.x, a.p.y - centre.y};
+    const Point2 v{-u.y, u.x};
+    const double angle = 4 * std::atan(a.bulge);
+    const double quarters = std::max(1.0, std::ceil(std::fabs(angle) / (std::numbers::pi / 2)));
+    for (double q = 0; q < quarters; ++q) {
+      const double from = angle * q / quarters, to = angle * (q + 1) / quarters;
+      const Point2 end{centre.x + std::cos(to) * u.x + std::sin(to) * v.x,
+                       centre.y + std::cos(to) * u.y + std::sin(to) * v.y};
+      outline_.arc_to(at, centre, u, v, from, to, q + 1 < quarters ? end : b);
+    }
+  }
+
+  // ---------------------------------------------------------------- splines
+
+  /// Returns the blossom of the span that begins with knot `span` at `degree` parameters.
+  Point2 blossom(const DxfCurve& curve, std::uint32_t span,
+                 const std::array<double, kMostDegree>& at) const {
+    const std::uint32_t degree = curve.degree;
+    const double* const t = &drawing_.knots[curve.first_knot];
+    std::array<Point2, kMostDegree + 1> d;
+    for (std::uint32_t j = 0; j <= degree; ++j) {
+      d[j] = drawing_.vertices[curve.first_vertex + span - degree + j].p;
+    }
+    for (std::uint32_t r = 1; r <= degree; ++r) {
+      for (std::uint32_t j = degree; j >= r; --j) {
+        const double low = t[span - degree + j], high = t[span + 1 + j - r];
+        const double share = (at[r - 1] - low) / (high - low);
+        d[j] = {d[j - 1].x + share * (d[j].x - d[j - 1].x),
+                d[j - 1].y + share * (d[j].y - d[j - 1].y)};
+      }
+    }
+    return d[degree];
+  }
+
+  void add_spline(const DxfCurve& curve, const TextCursor& at) {
+    const double* const t = &drawing_.knots[curve.first_knot];
+    const std::uint32_t degree = curve.degree;
+    const std::uint32_t points = curve.end_vertex - curve.first_vertex;
+    bool is_first = true;
+    for (std::uint32_t span = degree; span < points; ++span) {
+      if (!(t[span] < t[span + 1])) continue;
+      std::array<Point2, kMostDegree + 1> control;
+      for (std::uint32_t k = 0; k <= degree; ++k) {
+        std::array<double, kMostDegree> where{};
+        for (std::uint32_t i = 0; i < degree; ++i) where[i] = t[span + (i < degree - k ? 0 : 1)];
+        control[k] = blossom(curve, span, where);
+      }
+      if (is_first) outline_.move_to(at, control[0]);
+      is_first = false;
+      add_bezier(control, degree, at);
+    }
+    if (is_first) outline_.move_to(at, drawing_.vertices[curve.first_vertex].p);
+  }
+
+  void add_bezier(const std::array<Point2, kMostDegree + 1>& control, std::uint32_t degree,
+                  const TextCursor& at) {
+    if (degree == 1) return outline_.line_to(at, control[1]);
+    if (degree == 2) return outline_.quadratic_to(at, control[1], control[2]);
+    outline_.cubic_to(at, control[1], control[2], control[3]);
+  }
+
+  const DxfCurves& drawing_;
+  SvgOutline& outline_;
+};
+
+/// An open chain: points of a drawing, and where it was stated.
+struct OpenChain {
+  std::uint32_t ring;
+  const char* where;
+  bool is_computed;  ///< Whether its ends are computed, not stated.
+  std::array<std::uint32_t, 2> nodes{};
+  bool is_used = false;
+};
+
+/// Joins open chains to rings.
+class ChainJoiner {
+ public:
+  ChainJoiner(SvgDrawing& drawing, std::string_view text, const std::string& name, double tolerance,
+              Context& context)
+      : drawing_(drawing), text_(text), name_(name), tolerance_(tolerance), context_(context) {}
+
+  void add(const OpenChain& chain) { chains_.push_back(chain); }
+
+  /// Calls `take` with the points of each ring.
+  template <class Take>
+  void join(Take take) {
+    for (const bool is_computed : {false, true}) {
+      for (OpenChain& chain : chains_) {
+        if (chain.is_computed == is_computed) find_nodes(chain);
+      }
+    }
+    require_even();
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+      if (!chains_[c].is_used) take(walk_from(c));
+    }
+  }
+
+ private:
+  using Key = std::pair<double, double>;
+
+  Point2& end_of(const OpenChain& chain, std::size_t end) {
+    const std::uint32_t begin = drawing_.ring_begin[chain.ring];
+    return drawing_.points[end == 0 ? begin : drawing_.ring_begin[chain.ring + 1] - 1];
+  }
+
+  /// Finds the nodes of the ends of a chain. A computed end moves to its node.
+  void find_nodes(OpenChain& chain) {
+    const auto number = static_cast<std::uint32_t>(&chain - chains_.data());
+    for (std::size_t end = 0; end < 2; ++end) {
+      Point2& p = end_of(chain, end);
+      const Point2 other = end_of(chain, 1 - end);
+      const Key key = chain.is_computed ? nearest_node(p, other) : Key{p.x + 0.0, p.y + 0.0};
+      p = {key.first, key.second};
+      const auto next = static_cast<std::uint32_t>(ends_.size());
+      const auto [node, is_new] = nodes_.try_emplace(key, next);
+      if (is_new) ends_.emplace_back();
+      chain.nodes[end] = node->second;
+      ends_[node->second].push_back(2 * number + static_cast<std::uint32_t>(end));
+    }
+  }
+
+  /// Returns the nearest node within the tolerance; the point itself if there is none. The other
+  /// end of a short curve is no node for it.
+  Key nearest_node(Point2 p, Point2 other) {
+    Key best{p.x + 0.0, p.y + 0.0};
+    double least = tolerance_;
+    constexpr double kLowest = -std::numeric_limits<double>::infinity();
+    for (auto node = nodes_.lower_bound({p.x - tolerance_, kLowest});
+         node != nodes_.end() && node->first.first <= p.x + tolerance_; ++node) {
+      watch();
+      if (node->first == Key{other.x, other.y}) continue;
+      const double distance = std::hypot(node->first.first - p.x, node->first.second - p.y);
+      if (distance > least || (distance == least && least < tolerance_)) continue;
+      least = distance;
+      best = node->first;
+    }
+    return best;
+  }
+
+  void require_even() {
+    std::vector<std::uint32_t> degree(ends_.size());
+    for (std::uint32_t node = 0; node < ends_.size(); ++node) {
+      degree[node] = static_cast<std::uint32_t>(ends_[node].size());
+    }
+    for (const OpenChain& chain : chains_) {
+      for (std::size_t end = 0; end < 2; ++end) {
+        if (degree[chain.nodes[end]] % 2 != 0) fail_open(chain, end, degree[chain.nodes[end]]);
+      }
+    }
+  }
+
+  [[noreturn]] void fail_open(const OpenChain& chain, std::size_t end, std::uint32_t degree) {
+    const Point2 p = end_of(chain, end);
+    const std::string where = "(" + format_double(p.x) + ", " + format_double(p.y) + ")";
+    const auto line = static_cast<std::size_t>(1 + std::count(text_.data(), chain.where, '\n'));
+    std::string message =
+        degree == 1 ? "the chain of lines is open: its end " + where + " meets no other end"
+                    : std::to_string(degree) + " ends of lines meet at " + where +
+                          ", where a closed chain has an even number";
+    if (degree == 1) {
+      const double distance = distance_of_next_end(p);
+      if (std::isfinite(distance)) {
+        message += "; the nearest one is " + format_double(distance) + " away";
+      }
+    }
+    throw Error(ErrorCode::BadShape, std::move(message), {name_, line, 1});
+  }
+
+  double distance_of_next_end(Point2 p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [key, node] : nodes_) {
+      const double distance = std::hypot(key.first - p.x, key.second - p.y);
+      if (distance > 0) least = std::min(least, distance);
+    }
+    return least;
+  }
+
+  /// Walks from a chain until the walk returns to its start. Each node has an even number of ends
+  /// that are not used, so only the start can stop the walk.
+  std::vector<Point2> walk_from(std::uint32_t first) {
+    std::vector<Point2> ring;
+    const std::uint32_t start = chains_[first].nodes[0];
+    std::uint32_t at = 2 * first;
+    for (;;) {
+      OpenChain& chain = chains_[at / 2];
+      chain.is_used = true;
+      append(chain, at % 2 != 0, ring);
+      const std::uint32_t node = chain.nodes[at % 2 == 0 ? 1 : 0];
+      if (node == start) return ring;
+      at = next_unused(node);
+    }
+  }
+
+  std::uint32_t next_unused(std::uint32_t node) {
+    std::vector<std::uint32_t>& ends = ends_[node];
+    while (chains_[ends.back() / 2].is_used) ends.pop_back();
+    return ends.back();
+  }
+
+  /// Appends the points of a chain without the last.
+  void append(const OpenChain& chain, bool is_reversed, std::vector<Point2>& ring) {
+    std::vector<Point2> points(drawing_.ring(chain.ring).begin(), drawing_.ring(chain.ring).end());
+    if (is_reversed) std::reverse(points.begin(), points.end());
+    points.pop_back();
+    ring.insert(ring.end(), points.begin(), points.end());
+  }
+
+  void watch() {
+    constexpr std::size_t kStepsPerCheckpoint = 4096;
+    if (++steps_ % kStepsPerCheckpoint == 0) context_.checkpoint("join", steps_, 0);
+  }
+
+  SvgDrawing& drawing_;
+  std::string_view text_;
+  const std::string& name_;
+  double tolerance_;
+  Context& context_;
+  std::vector<OpenChain> chains_;
+  std::map<Key, std::uint32_t> nodes_;
+  std::vector<std::vector<std::uint32_t>> ends_;  // Per node: chains and their ends.
+  std::size_t steps_ = 0;
+};
+
+/// Adds rings to a collector.
+class RingAdder {
+ public:
+  RingAdder(TextCursor at, bool is_one_polygon, ShapeCollector& shapes)
+      : at_(std::move(at)), is_one_polygon_(is_one_polygon), shapes_(shapes) {}
+
+  template <class Points>
+  void add(const Points& points) {
+    constexpr std::size_t kFewest = 3;
+    if (points.size() < kFewest) return shapes_.pass_over("lines that enclose nothing");
+    const std::uint32_t first = shapes_.position_count();
+    for (const Point2& p : points) add_point(p);
+    add_point(points.front());
+    shapes_.add_ring(first, shapes_.position_count());
+    if (!is_one_polygon_) shapes_.end_polygon();
+  }
+  void finish() { shapes_.end_polygon(); }
+
+ private:
+  void add_point(Point2 p) {
+    x_.set(p.x + 0.0);
+    y_.set(p.y + 0.0);
+    shapes_.add_position(at_, x_, y_);
+  }
+
+  TextCursor at_;
+  bool is_one_polygon_;
+  ShapeCollector& shapes_;
+  ReadNumber x_, y_;
+};
+
+/// Whether the curve is a ring by itself.
+bool is_ring(const DxfCurves& drawing, const DxfCurve& curve) {
+  if (curve.is_closed || curve.kind != DxfKind::Polyline) return curve.is_closed;
+  return drawing.vertices[curve.first_vertex].p == drawing.vertices[curve.end_vertex - 1].p;
+}
+
+}  // namespace
+
+double extent_of(const DxfCurves& drawing) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Point2 low{kFar, kFar}, high{-kFar, -kFar};
+  const auto take = [&](double sign, Point2 p, double reach) {
+    low = {std::min(low.x, sign * p.x - reach), std::min(low.y, p.y - reach)};
+    high = {std::max(high.x, sign * p.x + reach), std::max(high.y, p.y + reach)};
+  };
+  for (const DxfCurve& curve : drawing.curves) {
+    const double sign = curve.is_mirrored ? -1 : 1;
+    if (curve.kind == DxfKind::Arc) {
+      take(sign, curve.centre, std::hypot(curve.u.x, curve.u.y));
+    }
+    for (std::uint32_t i = curve.first_vertex; i < curve.end_vertex; ++i) {
+      take(sign, drawing.vertices[i].p, 0);
+    }
+  }
+  return low.x > high.x ? 0 : std::max(high.x - low.x, high.y - low.y);
+}
+
+void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOptions& options,
+                   bool is_one_polygon, ShapeCollector& shapes, Context& context) {
+  constexpr double kThousandth = 1e-3;
+  const double by_itself = extent_of(drawing) * kThousandth;
+  std::optional<double> tolerance = options.curve_tolerance;
+  if (!tolerance && by_itself > 0 && std::isfinite(by_itself)) tolerance = by_itself;
+  SvgOutline outline(text, tolerance, context);
+  CurveFlattener flattener(drawing, outline);
+  TextCursor cursor(text, options.name);
+  std::vector<std::uint32_t> curve_of_ring;
+  for (std::uint32_t c = 0; c < drawing.curves.size(); ++c) {
+    cursor.move_to(drawing.curves[c].where);
+    flattener.add(drawing.curves[c], cursor);
+    while (curve_of_ring.size() < outline.ring_count()) curve_of_ring.push_back(c);
+  }
+  SvgDrawing flat = outline.take();
+  ChainJoiner joiner(flat, text, options.name, tolerance.value_or(0), context);
+  RingAdder rings(cursor, is_one_polygon, shapes);
+  MemoryCharge charge(context);
+  for (std::uint32_t r = 0; r < flat.ring_count(); ++r) {
+    const DxfCurve& curve = drawing.curves[curve_of_ring[r]];
+    if (is_ring(drawing, curve)) {
+      rings.add(flat.ring(r));
+    } else {
+      constexpr std::uint64_t kChainBytes = 256;  // The chain, two nodes and their ends.
+      charge.add(kChainBytes, "the chains of lines");
+      joiner.add({r, curve.where, curve.kind != DxfKind::Polyline});
+    }
+  }
+  joiner.join([&rings](const std::vector<Point2>& ring) { rings.add(ring); });
+  rings.finish();
+}
+
+}  // namespace plumb

@@ -1,0 +1,56 @@
+// The lines and curves of a drawing, and how open ones join to rings: for the reader of DXF.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/io/plane/shape_text.h"
+#include "plumb/io/read_options.h"
+#include "plumb/io/svg/svg_outline.h"
+#include "plumb/predicates/point.h"
+
+namespace plumb {
+
+/// The kind of a curve.
+enum class DxfKind : std::uint8_t { Polyline, Arc, Spline };
+
+/// A corner of a polyline, or a control point of a spline.
+struct DxfVertex {
+  Point2 p;
+  double bulge = 0;  ///< The tangent of a quarter of the angle of the arc to the next corner.
+};
+
+/// A line or a curve, as it is stated.
+struct DxfCurve {
+  DxfKind kind = DxfKind::Polyline;
+  bool is_closed = false;
+  bool is_mirrored = false;  ///< Whether x is negative: the curve is seen from below.
+  std::uint32_t first_vertex = 0, end_vertex = 0;  ///< Of a polyline or a spline.
+  std::uint32_t first_knot = 0, end_knot = 0;      ///< Of a spline.
+  std::uint32_t degree = 3;                        ///< Of a spline.
+  Point2 centre, u, v;                             ///< Of an arc: centre + cos t u + sin t v.
+  double from = 0, to = 0;                         ///< Degrees, from < to; a closed arc has 360.
+  const char* where = nullptr;                     ///< Where the text states it.
+};
+
+/// The curves of a drawing, in flat arrays.
+struct DxfCurves {
+  std::vector<DxfCurve> curves;
+  std::vector<DxfVertex> vertices;
+  std::vector<double> knots;
+};
+
+/// Returns the larger side of a box that contains all curves.
+double extent_of(const DxfCurves& drawing);
+
+/// Adds the rings of all curves to `shapes`: flattens them and joins open ones. `is_one_polygon`
+/// says whether all rings belong to one polygon. Errors: see read_dxf().
+void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOptions& options,
+                   bool is_one_polygon, ShapeCollector& shapes, Context& context);
+
+}  // namespace plumb

@@ -1,0 +1,76 @@
+// The 3MF reader on arbitrary bytes.
+//
+// The first byte chooses exact decimals or nearest doubles. If the rest begins like a ZIP archive,
+// it is the file. Otherwise it is the texts of parts, separated by bytes of 30, of which the target
+// makes an archive: the model, another model, and the settings of two slicers. Either the reader
+// throws an Error that names the file or a part of it, or the mesh it read is sound, and written as
+// exact OFF and as 3MF it is read again as it was.
+
+#include <array>
+#include <sstream>
+#include <vector>
+
+#include "mesh_laws.h"
+#include "plumb/io/mesh/threemf.h"
+#include "plumb/io/mesh/threemf_archive.h"
+
+namespace plumb::fuzz {
+namespace {
+
+constexpr std::string_view kRelationships =
+    "<Relationships><Relationship Target=\"/3D/a.model\" "
+    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
+constexpr std::array<const char*, 4> kParts{"3D/a.model", "3D/b.model",
+                                            "Metadata/model_settings.config",
+                                            "Metadata/Slic3r_PE_model.config"};
+
+std::string archive_of(std::string_view texts) {
+  std::vector<ZipEntry> entries{{"_rels/.rels", kRelationships}};
+  for (const char* const name : kParts) {
+    const std::size_t end = texts.find('\x1e');
+    entries.push_back({name, texts.substr(0, end)});
+    if (end == texts.npos) break;
+    texts.remove_prefix(end + 1);
+  }
+  std::ostringstream out;
+  write_zip(out, entries);
+  return out.str();
+}
+
+void judge_threemf(std::string_view bytes, bool exact_decimals) {
+  constexpr std::uint64_t kMostBytes = 64U << 20U;  // Objects can be placed many times.
+  Limits limits;
+  limits.max_memory_bytes = kMostBytes;
+  Context context(limits);
+  try {
+    const MeshFile file = read_threemf(bytes, {kFileName, exact_decimals}, context);
+    oracle_reached();
+    require_sound_points(file.mesh);
+    require_sound_faces(file.mesh);
+    require(has_triangles_only(file.mesh), "faces are triangles");
+    require_round(file.mesh, MeshFormat::ExactOff);
+    if (file.mesh.face_count() > 0) require_round(file.mesh, MeshFormat::ThreeMf);
+  } catch (const Error& error) {
+    require(error.place().file.starts_with(kFileName), "an error names the file");
+    require(
+        error.place().file.size() == std::string_view(kFileName).size() || error.place().line > 0,
+        "an error in a part has a line");
+  }
+}
+
+}  // namespace
+}  // namespace plumb::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace plumb;
+  fuzz::begin_input();
+  if (size == 0 || !has_threemf()) return 0;
+  const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  const bool exact_decimals = (data[0] & 1U) != 0;
+  if (begins_like_zip(bytes)) {
+    fuzz::judge_threemf(bytes, exact_decimals);
+  } else {
+    fuzz::judge_threemf(fuzz::archive_of(bytes), exact_decimals);
+  }
+  return 0;
+}

@@ -1,0 +1,298 @@
+// DXF and SVG as sets of the plane. Areas of curves are compared with formulas, within what the
+// tolerance allows; straight drawings are compared exactly with sets of the same corners; written
+// files are read again.
+#include "plumb/io/plane/dxf.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "plane_sets.h"
+#include "plumb/io/plane_io.h"
+#include "plumb/plane/plane_measure.h"
+#include "plumb/predicates/error.h"
+#include "plumb/predicates/rounding.h"
+
+namespace plumb::dxf_test {
+namespace {
+
+/// A pair: a code and a value.
+std::string pair(int code, const std::string& value) {
+  return " " + std::to_string(code) + "\n" + value + "\n";
+}
+
+std::string drawing(const std::string& entities, const std::string& header = "") {
+  return pair(0, "SECTION") + pair(2, "HEADER") + header + pair(0, "ENDSEC") + pair(0, "SECTION") +
+         pair(2, "ENTITIES") + entities + pair(0, "ENDSEC") + pair(0, "EOF");
+}
+
+/// An entity whose values are listed as "code value code value ...".
+std::string entity(const std::string& name, const std::string& values) {
+  std::string text = pair(0, name);
+  std::istringstream words(values);
+  std::string code, value;
+  while (words >> code >> value) text += pair(std::stoi(code), value);
+  return text;
+}
+
+std::string line(const std::string& a, const std::string& b, const std::string& c,
+                 const std::string& d) {
+  return entity("LINE", "10 " + a + " 20 " + b + " 11 " + c + " 21 " + d);
+}
+
+PlaneRead read(const std::string& text, PlaneFormat format = PlaneFormat::Dxf,
+               std::optional<double> tolerance = {}, RingRule rule = RingRule::Odd) {
+  Context context;
+  ReadOptions options{"some.file"};
+  options.curve_tolerance = tolerance;
+  options.rings = rule;
+  return read_plane_set(text, format, options, context);
+}
+
+Nef2 wkt(const std::string& text) { return read(text, PlaneFormat::Wkt).set; }
+
+double area_of(const Nef2& set) { return nearest_double(marked_area(set.complex()).value()); }
+
+bool has_note(const PlaneRead& read, const std::string& part) {
+  return std::any_of(read.notes.begin(), read.notes.end(),
+                     [&](const std::string& note) { return note.find(part) != note.npos; });
+}
+
+const std::string kSquare =
+    entity("LWPOLYLINE", "90 4 70 1 10 0 20 0 10 4 20 0 10 4 20 4 10 0 20 4");
+
+TEST(DxfReader, reads_straight_drawings_exactly) {
+  const Nef2 square = wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+  EXPECT_EQ(read(drawing(kSquare)).set, square);
+  const std::string old = pair(0, "POLYLINE") + pair(70, "1") + entity("VERTEX", "10 0 20 0") +
+                          entity("VERTEX", "10 4 20 0") + entity("VERTEX", "10 4 20 4") +
+                          entity("VERTEX", "10 0 20 4") + pair(0, "SEQEND");
+  EXPECT_EQ(read(drawing(old)).set, square);
+  // Lines in any order and direction.
+  const std::string lines = line("4", "4", "4", "0") + line("0", "0", "4", "0") +
+                            line("0", "4", "4", "4") + line("0", "4", "0.0", "-0.0");
+  EXPECT_EQ(read(drawing(lines)).set, square);
+  std::string crlf;
+  for (const char c : drawing(lines)) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(read(crlf).set, square);
+}
+
+TEST(DxfReader, a_ring_in_a_ring_is_a_hole) {
+  const std::string inner =
+      entity("LWPOLYLINE", "90 4 70 1 10 1 20 1 10 2 20 1 10 2 20 2 10 1 20 2");
+  const Nef2 frame = wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))");
+  EXPECT_EQ(read(drawing(kSquare + inner)).set, frame);
+  EXPECT_EQ(read(drawing(inner + kSquare)).set, frame);
+  const Nef2 filled = wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+  EXPECT_EQ(read(drawing(inner + kSquare), PlaneFormat::Dxf, {}, RingRule::NonZero).set, filled);
+}
+
+TEST(DxfReader, chains_that_touch_at_a_point_are_rings) {
+  const std::string two = line("0", "0", "1", "0") + line("1", "0", "1", "1") +
+                          line("1", "1", "0", "0") + line("1", "1", "2", "1") +
+                          line("2", "1", "2", "2") + line("2", "2", "1", "1");
+  EXPECT_EQ(read(drawing(two)).set,
+            wkt("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), ((1 1, 2 1, 2 2, 1 1)))"));
+}
+
+/// Chords lie inside a convex curve of length `length`, at most `tolerance` away from it.
+void expect_area(const Nef2& set, double area, double length, double tolerance) {
+  EXPECT_LE(area_of(set), area * (1 + 1e-12));
+  EXPECT_GE(area_of(set), area - length * tolerance);
+}
+
+TEST(DxfReader, keeps_curves_within_the_tolerance) {
+  constexpr double kPi = std::numbers::pi;
+  const std::string circle = drawing(entity("CIRCLE", "10 5 20 -7 40 3"));
+  const std::string ellipse = drawing(entity("ELLIPSE", "10 1 20 2 11 0 21 4 40 0.5"));
+  const std::string half_disc = drawing(entity("LWPOLYLINE", "90 2 70 1 10 0 20 0 10 4 20 0 42 1"));
+  // One control point at the middle: the parabola encloses two thirds of the triangle.
+  const std::string parabola =
+      drawing(entity("SPLINE", "71 2 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 2 20 4 10 4 20 0") +
+              line("0", "0", "4", "0"));
+  std::size_t last = 0;
+  for (const double tolerance : {0.1, 1e-3, 1e-5}) {
+    const auto at = [&](const std::string& text) {
+      return read(text, PlaneFormat::Dxf, tolerance).set;
+    };
+    expect_area(at(circle), 9 * kPi, 6 * kPi, tolerance);
+    expect_area(at(ellipse), 8 * kPi, 20, tolerance);
+    expect_area(at(half_disc), 2 * kPi, 2 * kPi, tolerance);
+    expect_area(at(parabola), 16.0 / 3, 10, tolerance);
+    const std::size_t vertices = at(circle).counts().vertices;
+    EXPECT_GT(vertices, last);
+    last = vertices;
+  }
+  EXPECT_EQ(read(circle).set, read(circle, PlaneFormat::Dxf, 6e-3).set);  // A thousandth.
+}
+
+TEST(DxfReader, a_cubic_spline_with_inner_knots_is_its_bezier_curves) {
+  // The spline has the Bezier points (0,0) (0,2) (1,3) (2,3) and (2,3) (3,3) (4,2) (4,0).
+  const std::string spline = drawing(entity("SPLINE",
+                                            "71 3 40 0 40 0 40 0 40 0 40 1 40 2 40 2 40 2 40 2 "
+                                            "10 0 20 0 10 0 20 2 10 2 20 4 10 4 20 2 10 4 20 0") +
+                                     line("4", "0", "0", "0"));
+  const std::string path =
+      "<svg viewBox=\"0 0 4 4\"><path d=\"M0 4C0 2 1 1 2 1C3 1 4 2 4 4Z\"/></svg>";
+  const Nef2 a = read(spline, PlaneFormat::Dxf, 1e-4).set;
+  const Nef2 b = read(path, PlaneFormat::Svg, 1e-4).set;
+  EXPECT_EQ(a.counts().vertices, b.counts().vertices);
+  EXPECT_NEAR(area_of(a), area_of(b), 1e-12);
+}
+
+TEST(DxfReader, joins_ends_of_arcs_to_lines) {
+  // The computed ends of the arc are off by rounding, and by what six digits of the angle leave.
+  const std::string slot = line("0.3", "0.1", "0.3", "1.1") +
+                           entity("ARC", "10 0.8 20 1.1 40 0.5 50 0 51 180.000003") +
+                           line("1.3", "1.1", "1.3", "0.1") + line("1.3", "0.1", "0.3", "0.1");
+  const PlaneRead result = read(drawing(slot), PlaneFormat::Dxf, 1e-4);
+  EXPECT_EQ(result.set.counts().faces, 2U);
+  expect_area(result.set, 1 + std::numbers::pi / 8, 2, 2e-4);
+}
+
+TEST(DxfReader, a_drawing_seen_from_below_is_mirrored) {
+  const std::string below = entity("LWPOLYLINE", "90 3 70 1 230 -1 10 0 20 0 10 4 20 0 10 0 20 4");
+  EXPECT_EQ(read(drawing(below)).set, wkt("POLYGON ((0 0, -4 0, 0 4, 0 0))"));
+}
+
+TEST(DxfReader, names_what_it_does_not_read) {
+  const PlaneRead result =
+      read(drawing(kSquare + entity("TEXT", "10 0 20 0 40 2") + entity("TEXT", "10 0") +
+                       entity("CIRCLE", "8 holes 10 2 20 2 40 1 30 7"),
+                   pair(9, "$INSUNITS") + pair(70, "1")));
+  EXPECT_TRUE(has_note(result, "TEXT (2)"));
+  EXPECT_TRUE(has_note(result, "heights (Z)"));
+  EXPECT_TRUE(has_note(result, "'0', 'holes'"));
+  EXPECT_TRUE(has_note(result, "the inch"));
+}
+
+TEST(DxfReader, refuses_what_is_wrong_with_its_line) {
+  struct Case {
+    std::string text;
+    std::size_t line;
+    std::string message;
+  };
+  const std::string open =
+      line("0", "0", "4", "0") + line("4", "0", "4", "4") + line("4", "4", "0", "0.001");
+  const Case cases[] = {
+      {"x\ny\n", 1, "code of a group, found 'x'"},
+      {"AutoCAD Binary DXF\r\n", 1, "binary DXF"},
+      {pair(0, "SECTION") + pair(2, "ENTITIES"), 4, "without EOF"},
+      {pair(0, "SECTION") + " 2", 3, "value of the last group"},
+      {drawing(entity("LINE", "10 0 20 0 11 a 21 0")), 18, "expected a number, found 'a'"},
+      {drawing(entity("LINE", "10 0 20 0 11 1e999 21 0")), 18, "largest double"},
+      {drawing(entity("LINE", "10 0 20 0 11 1")), 11, "LINE lacks a value with the code 21"},
+      {drawing(open), 11, "(0, 0) meets no other end; the nearest one is 0.001 away"},
+      {drawing(kSquare + line("9", "9", "8", "8")), 33, "meets no other end"},
+      {drawing(entity("ARC", "10 0 20 0 40 -1 50 0 51 9")), 11, "negative radius"},
+      {drawing(entity("CIRCLE", "10 0 20 0 40 1 210 1")), 11, "another plane"},
+      {drawing(entity("SPLINE", "71 5 10 0 20 0")), 11, "SPLINE has weights or another degree"},
+      {drawing(entity("SPLINE", "71 2 40 0 10 0 20 0")), 11, "1 control points and 1 knots"},
+      {drawing(entity("SPLINE", "71 1 40 3 40 2 10 0 20 0")), 11, "knots that descend"},
+  };
+  for (const Case& c : cases) {
+    try {
+      read(c.text);
+      ADD_FAILURE() << "was read: " << c.message;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().file, "some.file");
+      EXPECT_EQ(error.place().line, c.line) << error.what();
+      EXPECT_NE(error.message().find(c.message), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(DxfReader, a_fine_tolerance_ends_at_a_limit) {
+  try {
+    read(drawing(entity("CIRCLE", "10 0 20 0 40 1e9")), PlaneFormat::Dxf, 1e-9);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit) << error.what();
+  }
+}
+
+std::string written(const Nef2& set, PlaneLosses* losses = nullptr) {
+  const PlaneText text(set, PlaneFormat::Dxf);
+  if (losses != nullptr) *losses = text.losses();
+  std::ostringstream out;
+  text.write(out);
+  return out.str();
+}
+
+TEST(DxfWriter, writes_what_is_read_again) {
+  for (const char* text :
+       {"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 1 4, 4 4, 4 1, 1 1), (5 5, 5 6, 6 6, 5 5))",
+        "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), ((1 1, 2 1, 2 2, 1 1)), ((0.1 7, 0.3 8, 0 8, 0.1 "
+        "7)))",
+        "POLYGON EMPTY"}) {
+    const Nef2 set = wkt(text);
+    PlaneLosses losses;
+    EXPECT_EQ(read(written(set, &losses)).set, set) << text;
+    EXPECT_FALSE(losses.any());
+  }
+}
+
+TEST(DxfWriter, says_that_lines_and_points_are_left_out) {
+  const Nef2 set = wkt("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 1 1, 0 0)), POINT (5 5))");
+  PlaneLosses losses;
+  EXPECT_EQ(read(written(set, &losses)).set, wkt("POLYGON ((0 0, 1 0, 1 1, 0 0))"));
+  EXPECT_TRUE(losses.thin);
+  EXPECT_TRUE(losses.any());
+  EXPECT_EQ(losses.sentences().size(), 1U);
+}
+
+// ---------------------------------------------------------------- SVG as a set
+
+TEST(SvgSet, each_shape_encloses_by_its_own_rule) {
+  const auto star = [](const std::string& attributes) {
+    return read("<svg viewBox=\"0 0 9 9\"><path " + attributes +
+                    " d=\"M0 9H9V0H0Z M3 6H6V3H3Z\"/></svg>",
+                PlaneFormat::Svg)
+        .set;
+  };
+  const Nef2 full = wkt("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))");
+  const Nef2 frame = wkt("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 6 3, 6 6, 3 6, 3 3))");
+  EXPECT_EQ(star(""), full);
+  EXPECT_EQ(star("fill-rule=\"evenodd\""), frame);
+  EXPECT_EQ(star("style=\"fill:red; fill-rule: evenodd\""), frame);
+  EXPECT_EQ(star("fill-rule=\"evenodd\" style=\"fill-rule:nonzero\""), full);
+  const std::string group =
+      "<svg viewBox=\"0 0 9 9\"><g fill-rule=\"evenodd\"><path d=\"M0 9H9V0H0Z M3 6H6V3H3Z\"/></g>"
+      "<rect x=\"4\" y=\"4\" width=\"1\" height=\"1\"/></svg>";
+  EXPECT_EQ(read(group, PlaneFormat::Svg).set,
+            wkt("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 6 3, 6 6, 3 6, 3 3)), "
+                "((4 4, 5 4, 5 5, 4 5, 4 4)))"));
+}
+
+TEST(SvgSet, stands_on_the_lower_left_corner_in_millimetres) {
+  const auto square = [](const std::string& attributes) {
+    return read("<svg " + attributes + "><rect width=\"4\" height=\"2\"/></svg>", PlaneFormat::Svg)
+        .set;
+  };
+  EXPECT_EQ(square("viewBox=\"0 0 10 10\""), wkt("POLYGON ((0 8, 4 8, 4 10, 0 10, 0 8))"));
+  EXPECT_EQ(square("viewBox=\"-1 -1 10 10\" width=\"10mm\""),
+            wkt("POLYGON ((1 7, 5 7, 5 9, 1 9, 1 7))"));
+  EXPECT_EQ(square("viewBox=\"0 0 10 10\" width=\"2cm\" height=\"2cm\""),
+            wkt("POLYGON ((0 16, 8 16, 8 20, 0 20, 0 16))"));
+}
+
+TEST(PlaneFormats, drawings_are_known_by_name_and_text) {
+  EXPECT_EQ(plane_format_of("a.dxf"), PlaneFormat::Dxf);
+  EXPECT_EQ(plane_format_of("a.svg"), PlaneFormat::Svg);
+  EXPECT_EQ(guess_plane_format(drawing("")), PlaneFormat::Dxf);
+  EXPECT_EQ(guess_plane_format("999\ncomment\n  0\nSECTION\n"), PlaneFormat::Dxf);
+  EXPECT_EQ(guess_plane_format("\n<svg/>"), PlaneFormat::Svg);
+  EXPECT_EQ(guess_plane_format("<?xml version=\"1.0\"?><svg/>"), PlaneFormat::Svg);
+  EXPECT_EQ(guess_plane_format("<http://a/CRS84> POINT (1 2)"), PlaneFormat::Wkt);
+  EXPECT_THROW(PlaneText(Nef2(), PlaneFormat::Svg), Error);
+  EXPECT_TRUE(has_note(read(drawing("")), "no point, line or polygon"));
+}
+
+}  // namespace
+}  // namespace plumb::dxf_test
