@@ -405,11 +405,10 @@ Nef3 boolean_op(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
 
 Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
                 const SpaceSelector& select_b, MarkFunction f, Context& context) {
-  return SourceCarrier::put(
-      SourceCarrier::joined(SourceCarrier::of(a), SourceCarrier::of(b)),
-      Nef3::from_minimal_unchecked(combine_any(selected(a.complex(), select_a, context),
-                                               selected(b.complex(), select_b, context), f,
-                                               context)));
+  return SourceCarrier::put(SourceCarrier::joined(SourceCarrier::of(a), SourceCarrier::of(b)),
+                            Nef3::from_minimal_unchecked(
+                                combine_any(selected(a.complex(), select_a, context),
+                                            selected(b.complex(), select_b, context), f, context)));
 }
 
 // A frame is needed only if the plane divides volume 0 into parts of different marks: only then a
@@ -429,8 +428,8 @@ Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunctio
                                                            : PlaneSet::OpenBelow;
   SpaceComplex result = boolean_op_with_plane(std::move(first), p, h, f, tables, context);
   return SourceCarrier::put(SourceCarrier::of(a),
-                            Nef3::from_minimal_unchecked(with_tidy_tables(
-                                without_idle_frame(std::move(result), context))));
+                            Nef3::from_minimal_unchecked(
+                                with_tidy_tables(without_idle_frame(std::move(result), context))));
 }
 
 namespace {
