@@ -420,6 +420,40 @@ TEST(MeshWithAttributes, HalfSpacesHaveNoSource) {
   EXPECT_EQ(without, 4);
 }
 
+// The id of a half-space is that of its cut, also where the half-space was moved or subtracted, and
+// where the cut lies in the plane of a face of the box.
+TEST(MeshWithAttributes, HalfSpacesCanHaveIds) {
+  const auto half_space = [](const Plane3& plane, std::uint32_t id) {
+    MeshSource source{"cut", {}, {}};
+    source.plane = plane;
+    source.attributes.face_id = {id};
+    return from_source(std::make_shared<const MeshSource>(std::move(source)));
+  };
+  Dice dice(1);
+  const Nef3 box = from_source(random_source(fanned(box_mesh({0, 0, 0}, {4, 4, 4})), dice));
+  const auto area_of = [](const Nef3& set, std::uint32_t source, std::uint32_t id, bool flipped) {
+    const MeshWithAttributes made = mesh_with_attributes(set);
+    double area = 0;
+    for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+      if (made.source[f] != FaceSource{source, 0, flipped}) continue;
+      EXPECT_EQ(made.attributes.face_id[f], id);
+      const Point3 n = cross(corners_of(made.mesh, f));
+      area += std::sqrt(dot(n, n)) / 2;
+    }
+    return area;
+  };
+  // The plane y + z = 4 cuts the cube along diagonals.
+  const Nef3 half = half_space({0, 1, 1, -3}, 77).translated({0, 1, 0});
+  EXPECT_NEAR(area_of(box * half, 1, 77, false), 16 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(area_of(box - half, 1, 77, true), 16 * std::sqrt(2.0), 1e-12);
+  const Nef3 below = half_space({0, 0, 1, -4}, 88);
+  EXPECT_EQ(area_of(below * box, 0, 88, false), 16);
+  EXPECT_EQ(area_of(box * below, 1, 88, false), 0);
+  MeshSource bad{"bad", box_mesh({0, 0, 0}, {1, 1, 1}), {}};
+  bad.plane = Plane3{0, 0, 1, 0};
+  EXPECT_THROW(require_consistent(bad), Error);
+}
+
 // A material of the box is a face of the box, and keeps its plane and side through the chain.
 TEST(MeshWithAttributes, MaterialsFollowTheirSourcesThroughChains) {
   const SharedSource a = plain_source(box_mesh({0, 0, 0}, {4, 4, 4}));

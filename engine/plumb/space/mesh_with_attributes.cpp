@@ -272,6 +272,7 @@ class Interpolation {
 
   void fill_corner(std::size_t corner, const BoundaryPiece& from) {
     const SourceTriangle& triangle = sources_[from.triangle];
+    if (sources_.is_plane(triangle)) return;
     const CornerWeights weights =
         weights_at(result_.mesh.points[result_.mesh.corners[corner]], triangle, from.is_joined);
     const auto& channels = sources_.sources()[triangle.source].source->attributes.channels;

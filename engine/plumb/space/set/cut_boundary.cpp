@@ -193,6 +193,10 @@ class PlaneCutter {
     collect_vertices();
     std::vector<SpacePoint> all = places_;
     for (const std::uint32_t t : triangles_) {
+      if (state_.sources.is_plane(state_.sources[t])) {
+        all.insert(all.end(), 3, all.front());  // A plane has no corners.
+        continue;
+      }
       for (std::size_t i = 0; i < 3; ++i) all.push_back(state_.sources.place(state_.sources[t], i));
     }
     FlatPoints shown(state_.tables.points);
@@ -228,6 +232,11 @@ class PlaneCutter {
                                       vertices_.begin());
   }
 
+  /// Whether triangle t of the plane stands for all of the plane.
+  bool is_plane(std::uint32_t t) const {
+    return state_.sources.is_plane(state_.sources[triangles_[t]]);
+  }
+
   void add_segment(std::uint32_t from, std::uint32_t to, std::uint32_t owner, EdgeId edge) {
     segments_.push_back({from, to});
     owner_.push_back(owner);
@@ -249,6 +258,7 @@ class PlaneCutter {
     }
     const auto first = static_cast<std::uint32_t>(vertices_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (is_plane(t)) continue;
       for (std::uint32_t i = 0; i < 3; ++i) {
         add_segment(index_of_point_[first + 3 * t + i],
                     index_of_point_[first + 3 * t + (i + 1) % 3], side_count() + t, {});
@@ -271,9 +281,13 @@ class PlaneCutter {
     return label;
   }
 
-  /// Finds the facets and triangles that contain each face, from face 0, which none contains.
+  /// Finds the facets and triangles that contain each face, from face 0, which only whole planes
+  /// contain.
   void label_faces() {
     label_.assign(flat().face_count(), {});
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (is_plane(t)) label_[0].push_back(side_count() + t);
+    }
     std::vector<std::uint8_t> is_known(label_.size(), 0);
     std::vector<FaceId> work{FaceId(0)};
     is_known[0] = 1;
@@ -518,7 +532,8 @@ bool is_whole(const CutState& state, FacetId f, std::uint32_t& triangle) {
   const auto near = state.sources.in_plane(state.complex.facet_plane[f]);
   triangle = near.empty() ? kNone : near.front();
   if (near.empty()) return true;
-  return near.size() == 1 && is_in_triangle(state, f, state.sources[triangle]);
+  const SourceTriangle& first = state.sources[triangle];
+  return near.size() == 1 && (state.sources.is_plane(first) || is_in_triangle(state, f, first));
 }
 
 void add_whole(CutState& state, const FacetSide& side, std::uint32_t triangle) {
