@@ -32,6 +32,9 @@ struct ReadOptions {
   bool exact_decimals = false;
   NamedFiles named_files = NamedFiles::Below;  ///< Which other files the file may name.
   RingRule rings = RingRule::Odd;  ///< For polygons of the plane; ignored for all other contents.
+  /// For meshes: whether MeshFile::attributes is filled. Otherwise colours, materials, groups and
+  /// all other numbers of faces and corners are passed over.
+  bool attributes = false;
 };
 
 /// How a writer rounds coordinates that its format cannot hold.
