@@ -37,6 +37,7 @@
 #include "plumb/space/query/volumes.h"
 #include "plumb/space/set/compare_complexes.h"
 #include "plumb/space/set/nef3_state.h"
+#include "plumb/space/set/source_carrier.h"
 #include "plumb/space/set/transform.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/space/valid_mesh.h"
@@ -150,7 +151,7 @@ Nef3 Nef3::with_marks(const SpaceMarks& marks, Context& context) const {
   set(changed.edge_mark, marks.edge);
   set(changed.facet_mark, marks.facet);
   set(changed.volume_mark, marks.volume);
-  return from_complex(std::move(changed), context);
+  return SourceCarrier::put(sources_, from_complex(std::move(changed), context));
 }
 
 Nef3 Nef3::with_origins(std::span<const std::uint32_t> facet_origin) const {
@@ -159,7 +160,7 @@ Nef3 Nef3::with_origins(std::span<const std::uint32_t> facet_origin) const {
     throw Error(ErrorCode::BadArgument, "one origin is needed for each facet");
   }
   changed.facet_origin.assign(facet_origin.begin(), facet_origin.end());
-  return Nef3(std::move(changed));
+  return SourceCarrier::put(sources_, Nef3(std::move(changed)));
 }
 
 Nef3 Nef3::with_bounded_volumes(Context& context) const {
@@ -168,7 +169,7 @@ Nef3 Nef3::with_bounded_volumes(Context& context) const {
   for (std::size_t v = 0; v < c.volume_count(); ++v) {
     if (is_far[v] == 0) c.volume_mark[v] = 1;
   }
-  return from_complex(std::move(c), context);
+  return SourceCarrier::put(sources_, from_complex(std::move(c), context));
 }
 
 // ---------------------------------------------------------------- reading
@@ -307,19 +308,19 @@ Nef3 Nef3::complement(Context& context) const {
            &c.vertex_mark, &c.edge_mark, &c.facet_mark, &c.volume_mark}) {
     for (Mark& m : *marks) m = m == kBeyond ? m : static_cast<Mark>(1 - m);
   }
-  return Nef3(std::move(c));
+  return SourceCarrier::put(sources_, Nef3(std::move(c)));
 }
 
 Nef3 Nef3::interior(Context& context) const {
   SpaceComplex c = complex();
   fill_boundary(c, 0);
-  return from_complex(std::move(c), context);
+  return SourceCarrier::put(sources_, from_complex(std::move(c), context));
 }
 
 Nef3 Nef3::closure(Context& context) const {
   SpaceComplex c = complex();
   fill_boundary(c, 1);
-  return from_complex(std::move(c), context);
+  return SourceCarrier::put(sources_, from_complex(std::move(c), context));
 }
 
 // In a minimal complex all vertices, edges and facets are boundary points.
@@ -327,7 +328,7 @@ Nef3 Nef3::boundary(Context& context) const {
   SpaceComplex c = complex();
   fill_boundary(c, 1);
   fill(c.volume_mark, 0);
-  return from_complex(std::move(c), context);
+  return SourceCarrier::put(sources_, from_complex(std::move(c), context));
 }
 
 Nef3 Nef3::exterior(Context& context) const { return complement(context).interior(context); }
@@ -335,7 +336,8 @@ Nef3 Nef3::exterior(Context& context) const { return complement(context).interio
 Nef3 Nef3::regularization(Context& context) const { return interior(context).closure(context); }
 
 Nef3 Nef3::transformed(const AffineMap3& map, Context& context) const {
-  return Nef3(plumb::transformed(complex(), map, context));
+  return SourceCarrier::put(SourceCarrier::mapped(sources_, map),
+                            Nef3(plumb::transformed(complex(), map, context)));
 }
 
 Nef3 Nef3::translated(const RationalPoint3& by, Context& context) const {
@@ -389,17 +391,24 @@ std::optional<Nef3> Nef3::combined_apart(Nef3& a, Nef3& b, MarkFunction f) {
 }
 
 Nef3 boolean_op(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
-  if (const std::optional<Nef3> known = combine_marks(a, b, f)) return *known;
-  if (std::optional<Nef3> both = Nef3::combined_apart(a, b, f)) return std::move(*both);
-  return Nef3::from_minimal_unchecked(
-      combine_any(std::move(a).complex(), std::move(b).complex(), f, context));
+  SourceCarrier::List sources = SourceCarrier::joined(a.sources_, b.sources_);
+  if (std::optional<Nef3> known = combine_marks(a, b, f)) {
+    return SourceCarrier::put(std::move(sources), std::move(*known));
+  }
+  if (std::optional<Nef3> both = Nef3::combined_apart(a, b, f)) {
+    return SourceCarrier::put(std::move(sources), std::move(*both));
+  }
+  return SourceCarrier::put(std::move(sources),
+                            Nef3::from_minimal_unchecked(combine_any(
+                                std::move(a).complex(), std::move(b).complex(), f, context)));
 }
 
 Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
                 const SpaceSelector& select_b, MarkFunction f, Context& context) {
-  return Nef3::from_minimal_unchecked(combine_any(selected(a.complex(), select_a, context),
-                                                  selected(b.complex(), select_b, context), f,
-                                                  context));
+  return SourceCarrier::put(SourceCarrier::joined(SourceCarrier::of(a), SourceCarrier::of(b)),
+                            Nef3::from_minimal_unchecked(
+                                combine_any(selected(a.complex(), select_a, context),
+                                            selected(b.complex(), select_b, context), f, context)));
 }
 
 // A frame is needed only if the plane divides volume 0 into parts of different marks: only then a
@@ -418,8 +427,9 @@ Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunctio
                      : section == Section::ClosedHalfSpace ? PlaneSet::ClosedBelow
                                                            : PlaneSet::OpenBelow;
   SpaceComplex result = boolean_op_with_plane(std::move(first), p, h, f, tables, context);
-  return Nef3::from_minimal_unchecked(
-      with_tidy_tables(without_idle_frame(std::move(result), context)));
+  return SourceCarrier::put(SourceCarrier::of(a),
+                            Nef3::from_minimal_unchecked(
+                                with_tidy_tables(without_idle_frame(std::move(result), context))));
 }
 
 namespace {
@@ -541,8 +551,10 @@ bool operator==(const Nef3& a, const Nef3& b) {
 
 Nef3 united(std::vector<Nef3> sets, Context& context) {
   if (sets.empty()) return Nef3::empty();
+  // The balanced tree takes the sets in another order; their sources keep the order of the sets.
+  SourceCarrier::List sources = SourceCarrier::joined(sets);
   std::vector<PlacedSet> parts = placed(std::move(sets));
-  return combine_all(parts, kUnion, context);
+  return SourceCarrier::put(std::move(sources), combine_all(parts, kUnion, context));
 }
 
 Nef3 union_of(std::span<const Nef3> sets, Context& context) {
@@ -554,7 +566,8 @@ Nef3 intersection_of(std::span<const Nef3> sets, Context& context) {
   std::vector<PlacedSet> parts = placed({sets.begin(), sets.end()});
   const bool are_in_boxes = std::all_of(sets.begin(), sets.end(), is_in_box);
   if (are_in_boxes && !have_common_point(parts)) return Nef3::empty();
-  return combine_all(parts, kIntersection, context);
+  return SourceCarrier::put(SourceCarrier::joined(sets),
+                            combine_all(parts, kIntersection, context));
 }
 
 Nef3 difference_of(const Nef3& a, std::span<const Nef3> others, Context& context) {

@@ -129,6 +129,8 @@ enum class Section : std::uint8_t {
 
 class SpaceLocator;
 class Nef3;
+struct MeshSource;    // source_mesh.h
+struct PlacedSource;  // source_mesh.h
 
 /// Returns the points p for which f(p in a, p in b) holds. If an operand is moved into the call,
 /// the result reuses its memory.
@@ -296,6 +298,16 @@ class Nef3 {
   /// operator == does not compare ids. Throws Error{BadArgument} if the number of ids is not the
   /// number of facets.
   [[nodiscard]] Nef3 with_origins(std::span<const std::uint32_t> facet_origin) const;
+  /// Returns this set with one source: the mesh from which it was made. The sources of a set are
+  /// what mesh_with_attributes() (mesh_with_attributes.h) finds attributes in. The result shares
+  /// the complex of this set. The operations below keep the sources of their operands, in the order
+  /// of the operands and without duplicates. The operator == does not compare sources. Throws
+  /// Error{BadArgument} if the pointer is null or require_consistent() (source_mesh.h) rejects the
+  /// source. Takes O(size of the source).
+  [[nodiscard]] Nef3 with_source(std::shared_ptr<const MeshSource> source) const;
+  /// Returns this set with a list of sources in place of its own. Throws Error{BadArgument} if a
+  /// pointer is null. O(number of sources).
+  [[nodiscard]] Nef3 with_sources(std::span<const PlacedSource> sources) const;
   /// Returns the union of this set and all bounded volumes of its complex. The bounded volumes are
   /// the volumes that the boundary of the set encloses. O(n).
   [[nodiscard]] Nef3 with_bounded_volumes(Context& context = unlimited_context()) const;
@@ -312,6 +324,9 @@ class Nef3 {
   /// Returns the memory of the complex and its tables in bytes, without the index for location.
   /// Copies of the set share this memory. O(planes).
   [[nodiscard]] std::size_t bytes() const;
+  /// Returns the sources of the set, in the order of the operands it was made from. The span is
+  /// valid as long as this set or a copy of it exists. O(1).
+  [[nodiscard]] std::span<const PlacedSource> sources() const;
 
   [[nodiscard]] bool is_empty() const;    ///< Whether the set has no points. O(1).
   [[nodiscard]] bool is_whole() const;    ///< Whether the set is the whole space. O(1).
@@ -428,10 +443,12 @@ class Nef3 {
   struct [[gnu::visibility("hidden")]] State;
   explicit Nef3(SpaceComplex minimal);
   friend Nef3 boolean_op(Nef3 a, Nef3 b, MarkFunction f, Context& context);
+  friend struct SourceCarrier;
   static std::optional<Nef3> combined_apart(Nef3& a, Nef3& b, MarkFunction f);
   const SpaceLocator& locator() const;
 
   std::shared_ptr<State> state_;  // The state is changed only while a single set refers to it.
+  std::shared_ptr<const std::vector<PlacedSource>> sources_;  // Null if there are none.
 };
 
 }  // namespace plumb

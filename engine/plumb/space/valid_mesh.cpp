@@ -39,6 +39,7 @@
 #include "plumb/space/mesh/drop_flat_vertices.h"
 #include "plumb/space/mesh/mesh_vertices.h"
 #include "plumb/space/mesh/snap_near.h"
+#include "plumb/space/set/round_mesh.h"
 #include "plumb/space/weld_points.h"
 
 namespace plumb {
@@ -439,20 +440,19 @@ Topology topology_of(const Draft& draft) {
 }
 
 /// Moves the mesh and its facets to a draft.
-Draft draft_of(MeshOfComplex& made, const SpaceComplex& complex) {
+Draft draft_of(MeshToRound& made) {
   Draft draft;
-  draft.mesh = std::move(made.mesh);
-  draft.facet = std::move(made.facet);
-  draft.solid.reserve(draft.facet.size());
-  for (const FacetId f : draft.facet) draft.solid.push_back(solid_at(complex, f).value());
-  draft.solid_count = static_cast<std::uint32_t>(complex.volume_count());
+  draft.mesh = std::move(made.made.mesh);
+  draft.facet = std::move(made.made.facet);
+  draft.solid = std::move(made.solid);
+  draft.solid_count = static_cast<std::uint32_t>(made.complex->volume_count());
   return draft;
 }
 
 /// Rounds the points of the first draft, and removes flat vertices. Vertices whose coordinates are
 /// doubles stay.
-void round_draft(CoordinateType type, PlacesBefore& before, RoundingRepair& repair, Draft& draft,
-                 Context& context) {
+void round_draft(CoordinateType type, PlacesBefore& before, std::span<const std::uint32_t> kept,
+                 RoundingRepair& repair, Draft& draft, Context& context) {
   auto& points = draft.mesh.points;
   if (type == CoordinateType::Float) before.points = points;
   std::vector<std::uint8_t> is_constructed(points.size(), 0), is_rounded(points.size(), 0);
@@ -472,28 +472,36 @@ void round_draft(CoordinateType type, PlacesBefore& before, RoundingRepair& repa
   }
   check_faces_at(is_rounded, draft);
   if (before.constructed.empty()) return;
+  for (const std::uint32_t v : kept) is_constructed[v] = 0;
   repair.largest_move += drop_flat(is_constructed, type, repair, draft, context);
 }
 
 }  // namespace
 
-ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateType type,
+std::vector<std::uint32_t> solids_at(const SpaceComplex& complex, std::span<const FacetId> facets) {
+  std::vector<std::uint32_t> solids;
+  solids.reserve(facets.size());
+  for (const FacetId f : facets) solids.push_back(solid_at(complex, f).value());
+  return solids;
+}
+
+ValidMesh round_mesh(MeshToRound input, const ToMeshOptions& options, CoordinateType type,
                      Context& context) {
   const RoundToNearest nearest;
-  const SpaceComplex& complex = set.complex();
   ToMeshOptions used = options;
   used.keeps_exact = false;
   // Corners that are doubles lie in one plane, but not when they are floats.
   if (type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
-  ValidMesh result{mesh_of_complex(complex, used, context), {}};
+  ValidMesh result;
+  result.made.report = input.made.report;
   RoundingRepair& repair = result.repair;
 
   constexpr std::uint64_t kBytesPerCorner = 32;  // The mesh of a round and of the one before.
   MemoryCharge memory(context);
-  memory.add(kBytesPerCorner * result.made.mesh.corners.size(), "a rounded mesh");
-  PlacesBefore before{&complex, std::exchange(result.made.rounded, {}), {}};
-  Draft draft = draft_of(result.made, complex);
-  round_draft(type, before, repair, draft, context);
+  memory.add(kBytesPerCorner * input.made.mesh.corners.size(), "a rounded mesh");
+  PlacesBefore before{input.complex, std::move(input.made.rounded), {}};
+  Draft draft = draft_of(input);
+  round_draft(type, before, input.kept, repair, draft, context);
   Damage damage = find_damage(draft, before, used.faces, context);
   const bool has_equal_vertices = damage.has_equal_vertices;
   Topology topology;
@@ -511,6 +519,17 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   result.made.mesh = std::move(draft.mesh);
   result.made.facet = std::move(draft.facet);
   return result;
+}
+
+ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateType type,
+                     Context& context) {
+  const SpaceComplex& complex = set.complex();
+  ToMeshOptions used = options;
+  used.keeps_exact = false;
+  if (type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
+  MeshToRound input{mesh_of_complex(complex, used, context), {}, &complex, {}};
+  input.solid = solids_at(complex, input.made.facet);
+  return round_mesh(std::move(input), options, type, context);
 }
 
 }  // namespace plumb

@@ -1,0 +1,141 @@
+#include "plumb/space/set/source_carrier.h"
+
+#include <algorithm>
+
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+namespace {
+
+bool is_same_source(const PlacedSource& a, const PlacedSource& b) {
+  return a.source == b.source && a.map.matrix == b.map.matrix && a.map.offset == b.map.offset;
+}
+
+/// Returns the map that applies `first` and then `second`.
+AffineMap3 composed(const AffineMap3& second, const AffineMap3& first) {
+  AffineMap3 both;
+  for (std::size_t i = 0; i < 3; ++i) {
+    both.offset[i] = second.offset[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      both.offset[i] += second.matrix[i][k] * first.offset[k];
+      for (std::size_t j = 0; j < 3; ++j) {
+        both.matrix[i][j] += second.matrix[i][k] * first.matrix[k][j];
+      }
+    }
+  }
+  return both;
+}
+
+AffineMap3 identity_map() {
+  const Rational zero = 0, one = 1;
+  return {{{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}}, {zero, zero, zero}};
+}
+
+void require_size(std::size_t size, std::size_t needed, const char* what) {
+  if (size != 0 && size != needed) {
+    throw Error(ErrorCode::BadArgument,
+                std::string("the attributes of a mesh need one entry for each ") + what);
+  }
+}
+
+void require_indices(std::span<const std::uint32_t> indices, std::size_t end, const char* what) {
+  for (const std::uint32_t i : indices) {
+    if (i != MeshAttributes::kNone && i >= end) {
+      throw Error(ErrorCode::BadArgument, std::string("a face of a mesh refers to no ") + what);
+    }
+  }
+}
+
+void require_channel(const MeshAttributes& attributes, std::size_t at, std::size_t corners) {
+  const MeshChannel& channel = attributes.channels[at];
+  if (channel.width == 0) {
+    throw Error(ErrorCode::BadArgument, "a channel needs at least one number for each corner");
+  }
+  require_size(channel.values.size(), corners * channel.width, "number of a corner");
+  for (std::size_t i = 0; i < at; ++i) {
+    if (attributes.channels[i].name == channel.name) {
+      throw Error(ErrorCode::BadArgument, "two channels of a mesh have the same name");
+    }
+  }
+}
+
+}  // namespace
+
+void require_consistent(const MeshSource& source) {
+  const MeshAttributes& attributes = source.attributes;
+  const std::size_t faces = source.mesh.face_count();
+  require_size(attributes.face_material.size(), faces, "face");
+  require_size(attributes.face_group.size(), faces, "face");
+  require_size(attributes.face_id.size(), faces, "face");
+  require_indices(attributes.face_material, attributes.materials.size(), "material");
+  require_indices(attributes.face_group, attributes.groups.size(), "group");
+  for (const std::uint32_t v : source.mesh.corners) {
+    if (v >= source.mesh.points.size()) {
+      throw Error(ErrorCode::BadArgument, "a corner of a mesh refers to no point");
+    }
+  }
+  for (std::size_t i = 0; i < attributes.channels.size(); ++i) {
+    require_channel(attributes, i, source.mesh.corners.size());
+  }
+}
+
+Nef3 from_source(std::shared_ptr<const MeshSource> source, const FromMeshOptions& options,
+                 Context& context) {
+  if (source == nullptr) throw Error(ErrorCode::BadArgument, "a source must not be null");
+  require_consistent(*source);
+  return Nef3::from_mesh(source->mesh, options, context).with_source(std::move(source));
+}
+
+Nef3 Nef3::with_source(std::shared_ptr<const MeshSource> source) const {
+  if (source != nullptr) require_consistent(*source);
+  const PlacedSource placed{std::move(source), identity_map()};
+  return with_sources({&placed, 1});
+}
+
+Nef3 Nef3::with_sources(std::span<const PlacedSource> sources) const {
+  for (const PlacedSource& placed : sources) {
+    if (placed.source == nullptr) {
+      throw Error(ErrorCode::BadArgument, "a source must not be null");
+    }
+  }
+  Nef3 result = *this;
+  result.sources_.reset();
+  if (!sources.empty()) {
+    result.sources_ =
+        std::make_shared<const std::vector<PlacedSource>>(sources.begin(), sources.end());
+  }
+  return result;
+}
+
+std::span<const PlacedSource> Nef3::sources() const {
+  if (sources_ == nullptr) return {};
+  return *sources_;
+}
+
+SourceCarrier::List SourceCarrier::joined(const List& first, const List& second) {
+  if (second == nullptr || first == second) return first;
+  if (first == nullptr) return second;
+  auto both = std::make_shared<std::vector<PlacedSource>>(*first);
+  for (const PlacedSource& placed : *second) {
+    const bool is_known = std::any_of(first->begin(), first->end(), [&](const PlacedSource& other) {
+      return is_same_source(other, placed);
+    });
+    if (!is_known) both->push_back(placed);
+  }
+  return both;
+}
+
+SourceCarrier::List SourceCarrier::joined(std::span<const Nef3> sets) {
+  List list;
+  for (const Nef3& set : sets) list = joined(list, of(set));
+  return list;
+}
+
+SourceCarrier::List SourceCarrier::mapped(const List& list, const AffineMap3& map) {
+  if (list == nullptr) return list;
+  auto result = std::make_shared<std::vector<PlacedSource>>(*list);
+  for (PlacedSource& placed : *result) placed.map = composed(map, placed.map);
+  return result;
+}
+
+}  // namespace plumb

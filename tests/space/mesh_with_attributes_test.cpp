@@ -1,0 +1,527 @@
+// mesh_with_attributes() against oracles: unit squares of a grid for scenes of cubes, brute-force
+// location for scenes in general position, and functions of the point as channels.
+#include "plumb/space/mesh_with_attributes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "generate/meshes.h"
+#include "generate/near_solids.h"
+#include "oracle/valid_mesh_check.h"
+#include "plumb/predicates/error.h"
+#include "plumb/testing/dice.h"
+
+namespace plumb::mesh_with_attributes_test {
+namespace {
+
+using testing::box_mesh;
+using testing::Dice;
+using testing::fanned;
+using testing::grid_cube_mesh;
+using testing::icosphere_mesh;
+
+using SharedSource = std::shared_ptr<const MeshSource>;
+
+/// Returns a source with ids and two channels: the coordinates of the corner and random numbers.
+SharedSource random_source(PolygonMesh mesh, Dice& dice) {
+  MeshSource source{"random", std::move(mesh), {}};
+  MeshAttributes& attributes = source.attributes;
+  MeshChannel place{"place", 3, {}}, noise{"noise", 2, {}};
+  for (const std::uint32_t v : source.mesh.corners) {
+    const Point3& p = source.mesh.points[v];
+    place.values.insert(place.values.end(), {p.x, p.y, p.z});
+    for (int k = 0; k < 2; ++k) noise.values.push_back(static_cast<double>(dice.between(0, 99)));
+  }
+  attributes.channels = {std::move(place), std::move(noise)};
+  for (std::uint32_t f = 0; f < source.mesh.face_count(); ++f) {
+    attributes.face_id.push_back(dice.below(1000));
+  }
+  return std::make_shared<const MeshSource>(std::move(source));
+}
+
+/// Returns a source with materials only, one for each face of the mesh.
+SharedSource plain_source(PolygonMesh mesh) {
+  MeshSource source{"plain", std::move(mesh), {}};
+  for (std::uint32_t f = 0; f < source.mesh.face_count(); ++f) {
+    source.attributes.materials.push_back({"m" + std::to_string(f), {}, {}});
+    source.attributes.face_material.push_back(f);
+  }
+  return std::make_shared<const MeshSource>(std::move(source));
+}
+
+std::array<Point3, 3> corners_of(const PolygonMesh& mesh, std::size_t f) {
+  const auto face = mesh.face(f);
+  return {mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]]};
+}
+
+Point3 cross(const std::array<Point3, 3>& t) {
+  const Point3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z};
+  const Point3 v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};
+  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// Returns the weights of a point in a triangle of space by areas, in doubles.
+std::array<double, 3> weights_in(const std::array<Point3, 3>& t, const Point3& p) {
+  const Point3 n = cross(t);
+  std::array<double, 3> weights{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    weights[i] = dot(cross({p, t[(i + 1) % 3], t[(i + 2) % 3]}), n) / dot(n, n);
+  }
+  return weights;
+}
+
+const MeshChannel& channel(const MeshAttributes& attributes, const std::string& name) {
+  for (const MeshChannel& c : attributes.channels) {
+    if (c.name == name) return c;
+  }
+  throw Error(ErrorCode::BadArgument, "no channel " + name);
+}
+
+/// Checks the sizes of all arrays of a result and the order of its faces.
+void expect_complete(const MeshWithAttributes& made, std::size_t sources) {
+  const std::size_t faces = made.mesh.face_count();
+  ASSERT_EQ(made.source.size(), faces);
+  ASSERT_EQ(made.run_begin.size(), sources + 2);
+  EXPECT_EQ(made.run_begin.front(), 0U);
+  EXPECT_EQ(made.run_begin.back(), faces);
+  for (std::size_t run = 0; run <= sources; ++run) {
+    for (std::uint32_t f = made.run_begin[run]; f < made.run_begin[run + 1]; ++f) {
+      const std::uint32_t source = made.source[f].source;
+      EXPECT_EQ(run == sources ? FaceSource::kNone : run, source);
+    }
+  }
+  for (const MeshChannel& c : made.attributes.channels) {
+    EXPECT_EQ(c.values.size(), made.mesh.corners.size() * c.width);
+  }
+  require_consistent({"", made.mesh, made.attributes});
+}
+
+// ---------------------------------------------------------------- cubes on a grid
+
+constexpr int kSide = 4;     // The side of a cube. A power of two: diagonals cross at doubles.
+constexpr int kExtent = 12;  // Of the grid.
+
+struct CubeScene {
+  std::vector<std::array<int, 3>> low;
+  std::vector<MarkFunction> op;  // The operation that takes in each cube but the first.
+};
+
+bool contains(const std::array<int, 3>& low, const std::array<int, 3>& cell) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (cell[i] < low[i] || cell[i] >= low[i] + kSide) return false;
+  }
+  return true;
+}
+
+bool is_inside(const CubeScene& scene, const std::array<int, 3>& cell) {
+  bool inside = contains(scene.low[0], cell);
+  for (std::size_t i = 1; i < scene.low.size(); ++i) {
+    inside = scene.op[i](inside, contains(scene.low[i], cell));
+  }
+  return inside;
+}
+
+/// The owner of a unit square: its source, whether it is flipped, and its direction.
+using Owner = std::tuple<std::uint32_t, bool, std::size_t, bool>;
+
+/// Returns the number of unit squares of each owner, square by square.
+std::map<Owner, double> squares(const CubeScene& scene) {
+  std::map<Owner, double> area;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int n = 0; n < kExtent * kExtent * kExtent; ++n) {
+      const std::array<int, 3> cell{n % kExtent, n / kExtent % kExtent, n / kExtent / kExtent};
+      std::array<int, 3> below = cell;
+      --below[axis];
+      const bool above_in = is_inside(scene, cell), below_in = is_inside(scene, below);
+      if (above_in == below_in) continue;
+      Owner best{FaceSource::kNone, true, axis, below_in};
+      for (std::uint32_t s = 0; s < scene.low.size(); ++s) {
+        const bool in_above = contains(scene.low[s], cell),
+                   in_below = contains(scene.low[s], below);
+        if (in_above == in_below) continue;
+        const bool is_flipped = in_above != above_in;
+        const bool is_better =
+            std::get<0>(best) == FaceSource::kNone || (std::get<1>(best) && !is_flipped);
+        if (is_better) best = {s, is_flipped, axis, below_in};
+      }
+      area[best] += 1;
+    }
+  }
+  return area;
+}
+
+/// Returns the area of each owner in a mesh. All areas of these scenes are doubles.
+std::map<Owner, double> areas(const MeshWithAttributes& made) {
+  std::map<Owner, double> area;
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const Point3 n = cross(corners_of(made.mesh, f));
+    const std::array<double, 3> c{n.x, n.y, n.z};
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) axis = c[i] != 0 ? i : axis;
+    area[{made.source[f].source, made.source[f].is_flipped, axis, c[axis] > 0}] +=
+        std::fabs(c[axis]) / 2;
+  }
+  return area;
+}
+
+CubeScene random_cubes(Dice& dice, bool has_differences) {
+  CubeScene scene;
+  const std::int64_t count = dice.between(2, 5);
+  for (std::int64_t i = 0; i < count; ++i) {
+    std::array<int, 3> low{};
+    for (int& x : low) x = static_cast<int>(dice.between(1, kExtent - kSide - 1)) / 2 * 2;
+    scene.low.push_back(low);
+    const std::uint32_t kind = has_differences ? dice.below(4) : 0;
+    scene.op.push_back(kind == 3 ? kSymmetricDifference : kind >= 1 ? kDifference : kUnion);
+  }
+  return scene;
+}
+
+PolygonMesh cube_mesh(const std::array<int, 3>& low) {
+  const Point3 at{static_cast<double>(low[0]), static_cast<double>(low[1]),
+                  static_cast<double>(low[2])};
+  return fanned(box_mesh(at, {at.x + kSide, at.y + kSide, at.z + kSide}));
+}
+
+Nef3 set_of(const CubeScene& scene, Dice& dice, std::vector<SharedSource>& sources) {
+  Nef3 set;
+  for (std::size_t i = 0; i < scene.low.size(); ++i) {
+    sources.push_back(random_source(cube_mesh(scene.low[i]), dice));
+    const Nef3 cube = from_source(sources.back());
+    set = i == 0 ? cube : boolean_op(set, cube, scene.op[i]);
+  }
+  return set;
+}
+
+/// Checks the values of a result at its corners: the coordinates exactly where the point is a
+/// double, and the random numbers by weights in doubles.
+void expect_values(const MeshWithAttributes& made, std::span<const SharedSource> sources,
+                   bool is_exact) {
+  const MeshChannel& place = channel(made.attributes, "place");
+  const MeshChannel& noise = channel(made.attributes, "noise");
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const FaceSource from = made.source[f];
+    ASSERT_NE(from.source, FaceSource::kNone);
+    const MeshSource& source = *sources[from.source];
+    EXPECT_EQ(made.attributes.face_id[f], source.attributes.face_id[from.face]);
+    const std::array<Point3, 3> triangle = corners_of(source.mesh, from.face);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point3 p = made.mesh.points[made.mesh.corners[3 * f + i]];
+      const std::array<double, 3> xyz{p.x, p.y, p.z};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double value = place.values[(3 * f + i) * 3 + k];
+        if (is_exact) EXPECT_EQ(value, xyz[k]);
+        EXPECT_NEAR(value, xyz[k], 1e-12);
+      }
+      const std::array<double, 3> weights = weights_in(triangle, p);
+      for (std::size_t k = 0; k < 2; ++k) {
+        double expected = 0;
+        const auto& values = channel(source.attributes, "noise").values;
+        for (std::size_t j = 0; j < 3; ++j) {
+          EXPECT_GE(weights[j], -1e-9) << "the face is not in its source";
+          expected += weights[j] * values[(3 * from.face + j) * 2 + k];
+        }
+        EXPECT_NEAR(noise.values[(3 * f + i) * 2 + k], expected, 1e-7);
+      }
+    }
+  }
+}
+
+TEST(MeshWithAttributes, AreasOfSourcesAddUpExactly) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const CubeScene scene = random_cubes(dice, seed % 3 != 0);
+    std::vector<SharedSource> sources;
+    const Nef3 set = set_of(scene, dice, sources);
+    for (const PieceJoin join : {PieceJoin::None, PieceJoin::SameAttributes}) {
+      const MeshWithAttributes made = mesh_with_attributes(set, {.join = join});
+      expect_complete(made, set.sources().size());
+      EXPECT_EQ(made.repair.rounded_vertices, 0U);
+      EXPECT_EQ(areas(made), squares(scene));
+      expect_values(made, sources, true);
+      EXPECT_EQ(Nef3::from_mesh(made.mesh), set.regularization());
+    }
+  }
+}
+
+// Materials that do not change over the faces of a cube leave no cut along the diagonals.
+TEST(MeshWithAttributes, JoinsPiecesOfEqualAttributes) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const CubeScene scene = random_cubes(dice, true);
+    Nef3 set;
+    for (std::size_t i = 0; i < scene.low.size(); ++i) {
+      MeshSource source{"cube", cube_mesh(scene.low[i]), {}};
+      MeshChannel place{"place", 3, {}};
+      for (const std::uint32_t v : source.mesh.corners) {
+        const Point3& p = source.mesh.points[v];
+        place.values.insert(place.values.end(), {p.x, 2 * p.y, p.z - 1});
+      }
+      source.attributes.channels = {place};
+      const Nef3 cube = from_source(std::make_shared<const MeshSource>(std::move(source)));
+      set = i == 0 ? cube : boolean_op(set, cube, scene.op[i]);
+    }
+    const MeshWithAttributes made = mesh_with_attributes(set);
+    EXPECT_EQ(areas(made), squares(scene));
+    const auto& values = made.attributes.channels.at(made.mesh.face_count() == 0 ? 0 : 0).values;
+    for (std::size_t c = 0; c < made.mesh.corners.size(); ++c) {
+      const Point3& p = made.mesh.points[made.mesh.corners[c]];
+      EXPECT_EQ(values[3 * c], p.x);
+      EXPECT_EQ(values[3 * c + 1], 2 * p.y);
+      EXPECT_EQ(values[3 * c + 2], p.z - 1);
+    }
+    // Vertices are integer points: the diagonals, which cross elsewhere, too, are gone.
+    for (const Point3& p : made.mesh.points) {
+      EXPECT_EQ(p.x + p.y + p.z, std::floor(p.x) + std::floor(p.y) + std::floor(p.z));
+    }
+  }
+  const SharedSource cube = plain_source(box_mesh({0, 0, 0}, {1, 1, 1}));
+  EXPECT_EQ(mesh_with_attributes(from_source(cube)).mesh.face_count(), 12U);
+}
+
+// ---------------------------------------------------------------- general position
+
+TEST(MeshWithAttributes, SpheresInGeneralPositionKeepTheirTriangles) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const auto coordinate = [&] { return static_cast<double>(dice.between(-1000, 1000)) / 1511; };
+    std::vector<SharedSource> sources;
+    Nef3 set;
+    for (int i = 0; i < 3; ++i) {
+      const Point3 centre{coordinate(), coordinate(), coordinate()};
+      sources.push_back(random_source(icosphere_mesh(2, 1 + coordinate() / 3, centre), dice));
+      const Nef3 sphere = from_source(sources.back());
+      set = i == 0 ? sphere : boolean_op(set, sphere, i == 1 ? kUnion : kDifference);
+    }
+    const MeshWithAttributes made = mesh_with_attributes(set);
+    expect_complete(made, 3);
+    expect_values(made, sources, false);
+    EXPECT_EQ(made.mesh.face_count(),
+              valid_mesh(set, {.faces = MeshFaces::Triangles}).made.mesh.face_count());
+    for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+      const FaceSource from = made.source[f];
+      const Point3 n = cross(corners_of(made.mesh, f));
+      const Point3 m = cross(corners_of(sources[from.source]->mesh, from.face));
+      EXPECT_EQ(from.is_flipped, from.source == 2);
+      EXPECT_EQ(dot(n, m) < 0, from.is_flipped);
+    }
+  }
+}
+
+// A set of cubes whose faces are grids of triangles is cut by spheres: facets of many triangles,
+// whose cuts end at edges that other facets share.
+TEST(MeshWithAttributes, GridsCutBySpheresAreValidMeshes) {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const auto coordinate = [&] { return static_cast<double>(dice.between(0, 4000)) / 1013; };
+    std::vector<SharedSource> sources{random_source(grid_cube_mesh(4, {0, 0, 0}), dice),
+                                      random_source(grid_cube_mesh(3, {1, 1, 2}), dice)};
+    const Point3 centre{coordinate(), coordinate(), coordinate()};
+    sources.push_back(random_source(icosphere_mesh(1, 1.7, centre), dice));
+    const Nef3 set = from_source(sources[0]) + from_source(sources[1]) - from_source(sources[2]);
+    const MeshWithAttributes made = mesh_with_attributes(set, {.join = PieceJoin::None});
+    expect_complete(made, 3);
+    expect_values(made, sources, false);
+    MeshReport report;
+    const Nef3 read = Nef3::from_mesh(made.mesh, {.report = &report});
+    EXPECT_FALSE(report.crosses_itself());
+    EXPECT_NEAR(static_cast<double>(*read.volume()), static_cast<double>(*set.volume()), 1e-9);
+  }
+}
+
+// ---------------------------------------------------------------- maps, planes, chains
+
+/// A turn by the angle of a triangle of sides 3, 4 and 5, with a scale of `z` along z.
+AffineMap3 turn_map(const Rational& z) {
+  const Rational c = Rational(3) / 5, s = Rational(4) / 5, zero = 0;
+  return {{{{c, -s, zero}, {s, c, zero}, {zero, zero, z}}}, {Rational(1) / 3, 2, zero}};
+}
+
+TEST(MeshWithAttributes, MapsMoveSourcesAndTurnNormals) {
+  for (const int z : {1, 3, -1, -2}) {
+    SCOPED_TRACE(z);
+    PolygonMesh mesh = icosphere_mesh(2, 1, {0.25, 0.5, 0});
+    MeshSource source{"sphere", mesh, {}};
+    MeshChannel place{"place", 3, {}}, normal{"normal", 3, {}};
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      const Point3 n = cross(corners_of(mesh, f));
+      const double length = std::sqrt(dot(n, n));
+      for (const std::uint32_t v : mesh.face(f)) {
+        const Point3& p = mesh.points[v];
+        place.values.insert(place.values.end(), {p.x, p.y, p.z});
+        normal.values.insert(normal.values.end(), {n.x / length, n.y / length, n.z / length});
+      }
+    }
+    source.attributes.channels = {place, normal};
+    const auto shared = std::make_shared<const MeshSource>(std::move(source));
+    const AffineMap3 map = turn_map(z);
+    const Nef3 box = from_source(plain_source(box_mesh({-3, -3, -9}, {3, 3, 0.125})));
+    const Nef3 set = from_source(shared).transformed(map).transformed(map);
+    const Nef3 carved = box - set;
+    const MeshWithAttributes made = mesh_with_attributes(carved);
+    expect_complete(made, 2);
+    EXPECT_LT(made.run_begin[1], made.run_begin[2]) << "the sphere leaves no faces";
+    EXPECT_EQ(made.run_begin[2], made.run_begin[3]);
+    for (std::uint32_t f = made.run_begin[1]; f < made.run_begin[2]; ++f) {
+      EXPECT_TRUE(made.source[f].is_flipped);
+      const Point3 n = cross(corners_of(made.mesh, f));
+      for (std::size_t c = std::size_t{3} * f; c < 3 * (std::size_t{f} + 1); ++c) {
+        const Point3& p = made.mesh.points[made.mesh.corners[c]];
+        const double* at = &channel(made.attributes, "place").values[3 * c];
+        const auto once = [&](const std::array<double, 3>& x) {
+          return std::array<double, 3>{0.6 * x[0] - 0.8 * x[1] + 1.0 / 3,
+                                       0.8 * x[0] + 0.6 * x[1] + 2, z * x[2]};
+        };
+        const std::array<double, 3> image = once(once({at[0], at[1], at[2]}));
+        EXPECT_NEAR(image[0], p.x, 1e-12);
+        EXPECT_NEAR(image[1], p.y, 1e-12);
+        EXPECT_NEAR(image[2], p.z, 1e-12);
+        const double* m = &channel(made.attributes, "normal").values[3 * c];
+        const double along = n.x * m[0] + n.y * m[1] + n.z * m[2];
+        if (dot(n, n) > 1e-12) EXPECT_NEAR(along / std::sqrt(dot(n, n)), 1, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(MeshWithAttributes, HalfSpacesHaveNoSource) {
+  const SharedSource cube = plain_source(box_mesh({0, 0, 0}, {2, 2, 2}));
+  const Nef3 set = from_source(cube) * Nef3::half_space({0, 0, 1, -1}, Boundary::Closed);
+  const MeshWithAttributes made = mesh_with_attributes(set);
+  expect_complete(made, 1);
+  double without = 0;
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    if (made.source[f].source != FaceSource::kNone) continue;
+    without += cross(corners_of(made.mesh, f)).z / 2;
+    EXPECT_EQ(made.attributes.face_material[f], MeshAttributes::kNone);
+  }
+  EXPECT_EQ(without, 4);
+}
+
+// A material of the box is a face of the box, and keeps its plane and side through the chain.
+TEST(MeshWithAttributes, MaterialsFollowTheirSourcesThroughChains) {
+  const SharedSource a = plain_source(box_mesh({0, 0, 0}, {4, 4, 4}));
+  const SharedSource b = plain_source(icosphere_mesh(1, 1.5, {4, 3.9, 3.8}));
+  const Nef3 set = (!(!from_source(a) + from_source(b))).regularization();
+  const MeshWithAttributes made = mesh_with_attributes(set.closure());
+  expect_complete(made, 2);
+  ASSERT_EQ(made.attributes.materials.size(), 6U + 80U);
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const std::uint32_t first = made.source[f].source == 0 ? 0 : 6;
+    EXPECT_EQ(made.attributes.face_material[f], first + made.source[f].face);
+    EXPECT_EQ(made.source[f].is_flipped, made.source[f].source == 1);
+  }
+}
+
+// ---------------------------------------------------------------- lists of sources
+
+TEST(MeshWithAttributes, ListsOfSourcesHaveNoDuplicates) {
+  const SharedSource a = plain_source(box_mesh({0, 0, 0}, {2, 2, 2}));
+  const SharedSource b = plain_source(box_mesh({1, 1, 1}, {3, 3, 3}));
+  const Nef3 set_a = from_source(a), set_b = from_source(b);
+  const auto names = [](const Nef3& set) {
+    std::vector<const MeshSource*> list;
+    for (const PlacedSource& s : set.sources()) list.push_back(s.source.get());
+    return list;
+  };
+  const std::vector<const MeshSource*> ab{a.get(), b.get()}, ba{b.get(), a.get()};
+  EXPECT_EQ(names(set_a + set_b), ab);
+  EXPECT_EQ(names(set_b - set_a), ba);
+  EXPECT_EQ(names((set_a + set_b) * set_a), ab);
+  const std::array<Nef3, 4> sets{set_b, set_a, set_b, set_a};
+  EXPECT_EQ(names(union_of(sets)), ba);
+  EXPECT_EQ(names(intersection_of(sets)), ba);
+  EXPECT_EQ(names(difference_of(set_a, sets)), ab);
+  EXPECT_EQ((set_a + set_a.translated({1, 0, 0})).sources().size(), 2U);
+  EXPECT_EQ((set_a + set_a.translated({1, 0, 0}).translated({-1, 0, 0})).sources().size(), 1U);
+  EXPECT_EQ(set_a, Nef3::from_mesh(a->mesh));
+  EXPECT_TRUE(set_a.with_sources({}).sources().empty());
+  EXPECT_EQ(names((!!set_a).interior().closure().boundary().exterior()), names(set_a));
+}
+
+TEST(MeshWithAttributes, SetsWithoutSourcesGiveTheValidMesh) {
+  const Nef3 set = Nef3::from_mesh(icosphere_mesh(2, 1, {0, 0, 0})) +
+                   Nef3::from_mesh(box_mesh({0, 0, 0}, {1, 1, 1}));
+  const MeshWithAttributes made = mesh_with_attributes(set);
+  expect_complete(made, 0);
+  EXPECT_TRUE(made.attributes.empty());
+  EXPECT_EQ(made.mesh.face_count(),
+            valid_mesh(set, {.faces = MeshFaces::Triangles}).made.mesh.face_count());
+}
+
+TEST(MeshWithAttributes, RejectsWhatDoesNotFit) {
+  const auto is_rejected = [](MeshSource source) {
+    try {
+      static_cast<void>(from_source(std::make_shared<const MeshSource>(std::move(source))));
+    } catch (const Error& error) {
+      return error.code() == ErrorCode::BadArgument;
+    }
+    return false;
+  };
+  const PolygonMesh box = box_mesh({0, 0, 0}, {1, 1, 1});
+  const std::vector<double> values(box.corners.size());
+  EXPECT_TRUE(is_rejected({"", box, {.channels = {{"a", 2, values}}}}));
+  EXPECT_TRUE(is_rejected({"", box, {.channels = {{"a", 0, {}}}}}));
+  EXPECT_TRUE(is_rejected({"", box, {.channels = {{"a", 1, values}, {"a", 1, values}}}}));
+  EXPECT_TRUE(is_rejected({"", box, {.face_material = {0, 0, 0, 0, 0, 0}}}));
+  EXPECT_TRUE(is_rejected({"", box, {.face_id = {1, 2}}}));
+  EXPECT_FALSE(is_rejected({"", box, {.channels = {{"a", 1, values}}}}));
+  EXPECT_THROW(static_cast<void>(from_source(nullptr)), Error);
+  EXPECT_THROW(static_cast<void>(mesh_with_attributes(Nef3::whole())), Error);
+}
+
+// ---------------------------------------------------------------- repairs
+
+// Rounding damages these scenes. The mesh is valid nevertheless, and numbers stay between those of
+// the corners of the source triangle.
+TEST(MeshWithAttributes, RepairedMeshesAreValid) {
+  std::uint64_t repaired = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    std::vector<SharedSource> sources;
+    const std::vector<std::uint8_t> bytes = testing::random_near_solids(dice, 3);
+    Nef3 set;
+    for (std::size_t at = 0; at + testing::kNearSolidRecord <= bytes.size();
+         at += testing::kNearSolidRecord) {
+      const std::span record = std::span(bytes).subspan(at, testing::kNearSolidRecord);
+      const Nef3 next = testing::apply_near_solid(Nef3::empty(), record);
+      if (next.is_empty()) continue;
+      sources.push_back(
+          random_source(next.to_polygons({.faces = MeshFaces::Triangles}).mesh, dice));
+      set = boolean_op(set, from_source(sources.back()),
+                       at == 0 || dice.below(2) == 0 ? kUnion : kDifference);
+    }
+    const MeshWithAttributes made = mesh_with_attributes(set, {.join = PieceJoin::None});
+    expect_complete(made, set.sources().size());
+    repaired += made.repair.rounds > 0 ? 1 : 0;
+    MeshReport report;
+    static_cast<void>(Nef3::from_mesh(made.mesh, {.report = &report}));
+    EXPECT_FALSE(report.crosses_itself());
+    EXPECT_TRUE(report.degenerate.empty());
+    if (made.mesh.face_count() == 0) continue;
+    for (const double value : channel(made.attributes, "noise").values) {
+      EXPECT_GE(value, 0);
+      EXPECT_LE(value, 99.000001);
+    }
+  }
+  EXPECT_GT(repaired, 0U);
+}
+
+}  // namespace
+}  // namespace plumb::mesh_with_attributes_test
