@@ -591,6 +591,16 @@ TEST(PlyAttributes, TheNumberOfPropertiesIsLimited) {
   EXPECT_TRUE(has_note(file, "p32"));
 }
 
+TEST(PlyAttributes, AChannelIsNoCoordinate) {
+  Random random(5);
+  const PolygonMesh mesh = random_mesh(random);
+  MeshAttributes in;
+  in.channels = {random_channel(random, "x", 1, mesh)};
+  const MeshFile file = read(written(mesh, in, MeshFormat::Ply), MeshFormat::Ply);
+  expect_same_faces(file.mesh, mesh);
+  EXPECT_EQ(corner(file.attributes, "channel_x", 0), corner(in, "x", 0));
+}
+
 TEST(LostAttributes, NamesWhatAFormatDoesNotHold) {
   MeshAttributes all;
   all.channels = {{"color", 4, {}}, {"heat", 1, {}}};

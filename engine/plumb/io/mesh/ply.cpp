@@ -707,6 +707,8 @@ std::string property_name(const MeshChannel& channel, std::size_t part) {
   if (channel.name == "normal" && channel.width == 3) return std::string(kNormal[part]);
   if (channel.name == "texcoord_0" && channel.width == 2) return std::string(kTexture[part]);
   std::string name = channel.name.empty() ? "channel" : channel.name;
+  const bool is_coordinate = name == "x" || name == "y" || name == "z";
+  if (is_coordinate) name = "channel_" + name;
   for (char& c : name) {
     if (static_cast<unsigned char>(c) <= ' ') c = '_';
   }
