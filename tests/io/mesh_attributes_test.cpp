@@ -236,7 +236,7 @@ class RoundTrip : public ::testing::TestWithParam<MeshFormat> {};
 TEST_P(RoundTrip, KeepsWhatIsNotNamedAsLost) {
   const MeshFormat format = GetParam();
   const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
-  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const PolygonMesh mesh = random_mesh(random);
@@ -273,7 +273,7 @@ TEST_P(RoundTrip, KeepsWhatIsNotNamedAsLost) {
 INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, ::testing::ValuesIn(kFormats));
 
 TEST(MeshAttributes, ObjKeepsColoursAndTexturesInItsLibrary) {
-  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
     Random random(seed);
     const PolygonMesh mesh = random_mesh(random);
     const MeshAttributes in = random_attributes(random, mesh);

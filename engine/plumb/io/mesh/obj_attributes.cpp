@@ -261,7 +261,8 @@ void ObjAttributes::read_library_line(std::string_view line, MeshMaterial*& mate
   };
   const bool is_number = !line.empty() && !line.starts_with("spectral") && !line.starts_with("xyz");
   if (keyword == "Kd" && is_number) {
-    for (std::size_t i = 0; i < 3; ++i) color()[i] = number();
+    // A single number is a grey.
+    for (std::size_t i = 0; i < 3; ++i) color()[i] = line.empty() ? color()[0] : number();
   } else if (keyword == "d") {
     color()[3] = number();
   } else if (keyword == "Tr") {
