@@ -10,6 +10,7 @@
 // Tested by tests/io/solid_io_test.cpp and tests/io/nef3_reader_test.cpp.
 #include "plumb/io/solid/solid_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -105,10 +106,23 @@ MeshAttributes outline_of(const Nef3& set) {
   return all;
 }
 
-/// Whether files of a format hold attributes of any kind.
-bool holds_attributes(MeshFormat format) {
-  return format == MeshFormat::Off || format == MeshFormat::ExactOff || format == MeshFormat::Obj ||
-         format == MeshFormat::Ply || format == MeshFormat::PlyText;
+/// Whether a file of this format holds anything of these attributes. If it does not, the faces stay
+/// polygons.
+bool holds_any(const MeshAttributes& outline, MeshFormat format) {
+  const bool is_off = format == MeshFormat::Off || format == MeshFormat::ExactOff;
+  const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
+  const bool is_obj = format == MeshFormat::Obj;
+  if (!is_off && !is_ply && !is_obj) return false;
+  const bool has_color =
+      std::any_of(outline.materials.begin(), outline.materials.end(),
+                  [](const MeshMaterial& material) { return material.color.has_value(); });
+  const bool has_usual =
+      std::any_of(outline.channels.begin(), outline.channels.end(), [](const MeshChannel& channel) {
+        return channel.name == "color" || channel.name == "normal" || channel.name == "texcoord_0";
+      });
+  if (has_color || has_usual) return true;
+  if (is_ply) return !outline.face_id.empty() || !outline.channels.empty();
+  return is_obj && !(outline.face_material.empty() && outline.face_group.empty());
 }
 
 }  // namespace
@@ -134,7 +148,7 @@ void SolidText::add_attributes(OutputRounding rounding, Context& context) {
     return;
   }
   dropped_ = lost_attributes(outline, *format_.mesh);
-  if (!holds_attributes(*format_.mesh)) return;
+  if (!holds_any(outline, *format_.mesh)) return;
   if (rounding == OutputRounding::Nearest || *format_.mesh == MeshFormat::ExactOff) {
     dropped_ = "colours, ids and other attributes are not written with --raw and in off-exact";
     return;
