@@ -95,10 +95,14 @@ inline Limits mesh_limits_for(std::size_t bytes) {
 }
 
 inline std::optional<MeshFile> mesh_of(std::string_view bytes, MeshFormat format,
-                                       bool exact_decimals) {
-  Context context(mesh_limits_for(bytes.size()));
+                                       bool exact_decimals, bool attributes) {
+  Limits limits = mesh_limits_for(bytes.size());
+  if (attributes) limits.max_memory_bytes *= 64;  // A corner of two bytes may have 32 numbers.
+  Context context(limits);
+  ReadOptions options{kFileName, exact_decimals};
+  options.attributes = attributes;
   try {
-    return read_mesh(bytes, format, {kFileName, exact_decimals}, context);
+    return read_mesh(bytes, format, options, context);
   } catch (const Error& error) {
     require(error.code() != ErrorCode::ResourceLimit || exact_decimals,
             "memory charged is in proportion to the input");
@@ -107,19 +111,65 @@ inline std::optional<MeshFile> mesh_of(std::string_view bytes, MeshFormat format
   }
 }
 
-/// A reader on arbitrary bytes: the first says how decimals are read, the rest is the file.
+/// Every array of attributes is empty or complete, and refers to what there is.
+inline void require_sound_attributes(const MeshFile& file) {
+  const MeshAttributes& all = file.attributes;
+  const auto require_faces = [&](const std::vector<std::uint32_t>& of_faces, std::size_t entries) {
+    require(of_faces.empty() || of_faces.size() == file.mesh.face_count(), "one entry per face");
+    for (const std::uint32_t entry : of_faces) {
+      require(entry < entries || entry == MeshAttributes::kNone, "entries are in the list");
+    }
+  };
+  require_faces(all.face_material, all.materials.size());
+  require_faces(all.face_group, all.groups.size());
+  require_faces(all.face_id, MeshAttributes::kNone);
+  for (const MeshChannel& channel : all.channels) {
+    require(channel.width > 0, "channels have numbers");
+    require(channel.values.size() == channel.width * file.mesh.corners.size(),
+            "channels have an entry per corner");
+    for (const double value : channel.values) require(std::isfinite(value), "numbers are finite");
+  }
+}
+
+/// Written with its attributes and read again, a mesh has the same faces and channels.
+inline void require_attributes_round(const MeshFile& file, MeshFormat format) {
+  if (file.mesh.face_count() == 0) return;
+  Context context;
+  std::ostringstream out;
+  try {
+    write_mesh(out, file.mesh, file.attributes, format);
+  } catch (const Error& error) {
+    require(error.code() == ErrorCode::NumberOutOfRange, "only far coordinates cannot be written");
+    return;
+  }
+  if (!lost_attributes(file.attributes, format).empty()) return;
+  ReadOptions options{"written"};
+  options.attributes = true;
+  const MeshFile copy = read_mesh(out.str(), format, options, context);
+  require_sound_attributes(copy);
+  require(copy.mesh.face_begin == file.mesh.face_begin, "faces stay in order");
+  if (format == MeshFormat::Ply) return;  // Names of properties may come to form one channel.
+  require(copy.attributes.channels.size() == file.attributes.channels.size(), "channels stay");
+}
+
+/// A reader on arbitrary bytes: the first says how decimals are read and whether attributes are,
+/// the rest is the file.
 /// `formats` are those it can be written in again, the first the one it is read as.
 inline void judge_mesh_reader(std::initializer_list<MeshFormat> formats, const std::uint8_t* data,
                               std::size_t size) {
   begin_input();
   if (size == 0) return;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  const auto file = mesh_of(bytes, *formats.begin(), (data[0] & 1U) != 0);
+  const bool attributes = (data[0] & 2U) != 0;
+  const auto file = mesh_of(bytes, *formats.begin(), (data[0] & 1U) != 0, attributes);
   if (!file) return;
   oracle_reached();
   require_sound_points(file->mesh);
   require_sound_faces(file->mesh);
+  require_sound_attributes(*file);
   for (const MeshFormat format : formats) require_round(file->mesh, format);
+  const bool can_hold = *formats.begin() != MeshFormat::Stl && *formats.begin() != MeshFormat::Gltf;
+  if (attributes && can_hold) require_attributes_round(*file, *formats.begin());
 }
 
 }  // namespace plumb::fuzz

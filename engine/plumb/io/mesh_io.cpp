@@ -14,6 +14,7 @@
 #include <ostream>
 #include <utility>
 
+#include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/glb.h"
 #include "plumb/io/mesh/gltf.h"
 #include "plumb/io/mesh/mesh_formats.h"
@@ -101,14 +102,27 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
   }
 }
 
-MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const ReadOptions& options,
-                      Context& context) {
-  const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
-  if (format != MeshFormat::Gltf || path == "-") return read_mesh(bytes, format, options, context);
+namespace {
+
+/// Reads a file whose folder is known, so that it may name other files.
+MeshFile read_placed_mesh(const std::string& path, std::string_view bytes, MeshFormat format,
+                          const ReadOptions& options, Context& context) {
+  const bool names_files =
+      format == MeshFormat::Gltf || (format == MeshFormat::Obj && options.attributes);
+  if (!names_files || path == "-") return read_mesh(bytes, format, options, context);
   const auto load = [&](const std::string& name) {
     return read_input(named_file(path, name, options.named_files), context);
   };
+  if (format == MeshFormat::Obj) return read_obj(bytes, options, context, load);
   return read_gltf(bytes, load, options, context);
+}
+
+}  // namespace
+
+MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const ReadOptions& options,
+                      Context& context) {
+  const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
+  return read_placed_mesh(path, bytes, format, options, context);
 }
 
 std::string lack_of_faces(const MeshFile& file) {
@@ -130,7 +144,7 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
                         ReadOptions options, Context& context) {
   options.name = input_name(path);
   const std::string bytes = read_input(path, context);
-  MeshFile file = format ? read_mesh(bytes, *format, options, context)
+  MeshFile file = format ? read_placed_mesh(path, bytes, *format, options, context)
                          : read_mesh_of(path, bytes, options, context);
   context.release_memory(bytes.size());
   return file;
@@ -159,18 +173,102 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
   }
 }
 
-void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
-                     std::optional<MeshFormat> format) {
-  // A .gltf file is text, which is not written.
+void write_mesh(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes,
+                MeshFormat format, const std::string& library) {
+  require_complete(attributes, mesh);
+  switch (format) {
+    case MeshFormat::Off:
+      return write_off(out, mesh, attributes);
+    case MeshFormat::ExactOff:
+      return write_off(out, mesh, attributes, MeshNumbers::Exact);
+    case MeshFormat::Obj:
+      return write_obj(out, mesh, attributes, library);
+    case MeshFormat::Ply:
+      return write_ply_binary(out, mesh, attributes);
+    case MeshFormat::PlyText:
+      return write_ply_text(out, mesh, attributes);
+    default:
+      return write_mesh(out, mesh, format);
+  }
+}
+
+void write_material_library(std::ostream& out, const MeshAttributes& attributes) {
+  write_obj_library(out, attributes);
+}
+
+std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format) {
+  std::vector<std::string> lost;
+  const auto add = [&](bool is_lost, const std::string& what) {
+    if (is_lost && std::find(lost.begin(), lost.end(), what) == lost.end()) lost.push_back(what);
+  };
+  const bool is_off = format == MeshFormat::Off || format == MeshFormat::ExactOff;
+  const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
+  const bool is_obj = format == MeshFormat::Obj;
+  if (!attributes.face_material.empty()) {
+    for (const MeshMaterial& material : attributes.materials) {
+      add(material.color && !is_off && !is_ply && !is_obj, "colours of faces");
+      const bool is_index = is_off && is_off_color_index(material);
+      add(!material.name.empty() && !is_obj && !is_index, "names of materials");
+      add(!material.texture.empty() && !is_obj, "textures");
+    }
+  }
+  add(!attributes.face_group.empty() && !is_obj, "groups");
+  add(!attributes.face_id.empty() && !is_ply, "ids of faces");
+  for (const MeshChannel& channel : attributes.channels) {
+    const bool is_color = channel.name == "color" && (channel.width == 3 || channel.width == 4);
+    const bool is_usual = is_color || (channel.name == "normal" && channel.width == 3) ||
+                          (channel.name == "texcoord_0" && channel.width == 2);
+    add(!is_ply && !((is_off || is_obj) && is_usual), "channel '" + channel.name + "'");
+    add(is_obj && is_color && channel.width == 4, "opacity of vertices");
+  }
+  std::string sentence;
+  for (const std::string& what : lost) {
+    sentence +=
+        (sentence.empty() ? "not written, because the format does not hold them: " : ", ") + what;
+  }
+  return sentence;
+}
+
+namespace {
+
+/// Returns the format that is given or that the extension names. A .gltf file is text, which is not
+/// written.
+MeshFormat format_to_write(const std::string& path, std::optional<MeshFormat> format) {
   if (!format && !path.ends_with(".gltf")) format = mesh_format_of(path);
-  if (!format) {
-    throw Error(ErrorCode::UnknownFormat,
-                "the extension names no format that is written: .off, .obj, .stl, .ply, .glb, "
-                ".3mf",
-                {path});
+  if (format) return *format;
+  throw Error(ErrorCode::UnknownFormat,
+              "the extension names no format that is written: .off, .obj, .stl, .ply, .glb, "
+              ".3mf",
+              {path});
+}
+
+}  // namespace
+
+void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
+                     const MeshAttributes& attributes, std::optional<MeshFormat> format) {
+  const MeshFormat used = format_to_write(path, format);
+  const bool has_library = used == MeshFormat::Obj && !attributes.face_material.empty();
+  std::optional<OutputFile> library;
+  std::string name;
+  if (has_library) {
+    const std::filesystem::path file = std::filesystem::path(path).replace_extension(".mtl");
+    name = file.filename().string();
+    library.emplace(file.string());
+    write_material_library(library->stream(), attributes);
+    library->finish();
   }
   OutputFile file(path);
-  write_mesh(file.stream(), mesh, *format);
+  write_mesh(file.stream(), mesh, attributes, used, name);
+  file.finish();
+  if (library) library->commit();
+  file.commit();
+}
+
+void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
+                     std::optional<MeshFormat> format) {
+  const MeshFormat used = format_to_write(path, format);
+  OutputFile file(path);
+  write_mesh(file.stream(), mesh, used);
   file.finish();
   file.commit();
 }

@@ -22,6 +22,7 @@
 #include "plumb/base/context.h"
 #include "plumb/io/read_options.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/mesh_attributes.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
@@ -38,6 +39,9 @@ struct MeshFile {
   /// How many faces of the file are not in `mesh` because two of their corners are equal. If there
   /// are any, the faces of `mesh` have other numbers than in the file.
   std::size_t faces_left_out = 0;
+  /// The attributes of `mesh`, if ReadOptions::attributes asks for them and the file has any.
+  /// OFF, OBJ and PLY files can have them.
+  MeshAttributes attributes = {};
 };
 
 /// Formats of mesh files. For some formats there are several forms, such as text and binary STL. A
@@ -87,8 +91,8 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
 
 /// Returns the mesh of the file `path`. The caller has already read the bytes of the file. The
 /// extension of `path` determines the format. If the extension names no format, the format is
-/// guessed by guess_mesh_format(). If the file is a glTF file that refers to other files, these
-/// files are read from the folder of `path`. Throws as read_mesh() does.
+/// guessed by guess_mesh_format(). If the file is a glTF file that refers to other files, or an OBJ
+/// file whose attributes are wanted, these files are read from the folder of `path`. Throws as read_mesh() does.
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
 
@@ -113,6 +117,24 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
 ///   - Error{UnknownFormat} if the format is ThreeMf and plumb is built without libzip or expat
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
+/// Writes a mesh with those of its attributes that the format holds. docs/formats.md lists them for
+/// each format, and lost_attributes() names the others. In OFF and PLY, and in OBJ for colours of
+/// vertices, a vertex whose corners differ is written several times, at the same point. Sets that
+/// are made from the file are the same, because they have one vertex for equal points. If the
+/// format is Obj and `library` is not empty, the file names it as its material library, which
+/// write_material_library() writes. Throws the errors of write_mesh(). Also throws, before the
+/// first byte is written, Error{BadArgument} if an array of the attributes is neither empty nor
+/// complete.
+void write_mesh(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes,
+                MeshFormat format, const std::string& library = {});
+
+/// Writes the materials of a mesh as a material library of OBJ: a text in the format MTL.
+void write_material_library(std::ostream& out, const MeshAttributes& attributes);
+
+/// Returns a sentence that names the attributes that a file of this format does not hold, or an
+/// empty text if it holds all of them. Colours of materials that are nearest to bytes are held.
+std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format);
+
 /// Writes a mesh to the file `path`. If `format` is not given, the extension of `path` determines
 /// the format: .off, .obj, .stl, .ply, .glb or .3mf. The file is created, or an existing file is
 /// replaced, only after all bytes have been written. Throws:
@@ -126,6 +148,12 @@ void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
 /// same as for the function above.
 void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                      std::optional<MeshFormat> format = {});
+
+/// Writes a PolygonMesh with attributes to a file, as write_mesh() does. If the format is Obj and
+/// there are materials, the file `path` with the extension .mtl gets the material library. The
+/// format, the replacement of the files, and the errors are the same as for the functions above.
+void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
+                     const MeshAttributes& attributes, std::optional<MeshFormat> format = {});
 
 /// Returns the mesh with its coordinates rounded as write_mesh() rounds them. A reader of the
 /// written file will get this mesh. A reader of STL or glTF also merges equal vertices. Throws as

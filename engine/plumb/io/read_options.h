@@ -37,6 +37,9 @@ struct ReadOptions {
   /// for drawings (SVG, DXF) that are read as sets of the plane. Requires a positive number.
   /// Without a value it is a thousandth of the larger side of the drawing.
   std::optional<double> curve_tolerance = {};
+  /// For meshes: whether MeshFile::attributes is filled. Otherwise colours, materials, groups and
+  /// all other numbers of faces and corners are passed over.
+  bool attributes = false;
 };
 
 /// How a writer rounds coordinates that its format cannot hold.

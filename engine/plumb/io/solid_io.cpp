@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "plumb/io/mesh_io.h"
@@ -22,6 +23,7 @@
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
+#include "plumb/space/source_mesh.h"
 #include "plumb/space/space_audit.h"
 #include "plumb/space/weld_points.h"
 
@@ -124,6 +126,29 @@ void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& na
 
 }  // namespace
 
+namespace {
+
+/// Returns the mesh and those of its attributes that are kept; null if there are none.
+std::shared_ptr<const MeshSource> source_of(MeshFile& file, KeptAttributes kept,
+                                            const std::string& name) {
+  MeshAttributes& attributes = file.attributes;
+  if (kept == KeptAttributes::Colours) {
+    attributes.face_id.clear();
+    attributes.face_group.clear();
+    attributes.groups.clear();
+    std::erase_if(attributes.channels,
+                  [](const MeshChannel& channel) { return channel.name != "color"; });
+  } else if (kept == KeptAttributes::Ids) {
+    attributes.face_material.clear();
+    attributes.materials.clear();
+    attributes.channels.clear();
+  }
+  if (attributes.empty()) return nullptr;
+  return std::make_shared<const MeshSource>(MeshSource{name, file.mesh, std::move(attributes)});
+}
+
+}  // namespace
+
 bool is_nef_file(const std::string& path, std::string_view bytes) {
   if (std::filesystem::path(path).extension() == ".nef") return true;
   take_prefix(bytes, "\xEF\xBB\xBF");
@@ -132,13 +157,15 @@ bool is_nef_file(const std::string& path, std::string_view bytes) {
 
 SolidRead read_solid(const std::string& path, const std::string& bytes,
                      const SolidReadOptions& options, Context& context) {
-  const ReadOptions text{input_name(path), options.exact_decimals};
+  ReadOptions text{input_name(path), options.exact_decimals};
+  text.attributes = options.attributes != KeptAttributes::None;
   if (is_nef_file(path, bytes)) return read_nef_set(bytes, text, context);
   MeshFile file = read_mesh_of(path, bytes, text, context);
   std::vector<std::string> warnings = file.warnings;
   refuse_without_faces(file, options.surface || options.may_be_empty, text.name, warnings);
   std::vector<std::string> notes = std::move(file.notes);
   const bool must_enclose = !options.surface && !options.may_be_empty && file.mesh.face_count() > 0;
+  const auto source = source_of(file, options.attributes, text.name);
   if (options.repair.asks()) mend(file.mesh, options.repair, text.name, notes, context);
   MeshReport report;
   const FromMeshOptions reading{
@@ -146,6 +173,7 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   Nef3 set = set_of(file.mesh, reading, text.name, context);
   if (must_enclose && set.is_empty()) refuse_empty(file.mesh, report, options, text.name);
   describe(report, notes);
+  if (source != nullptr) set = set.with_source(source);
   return {std::move(set), std::move(notes), std::move(warnings)};
 }
 

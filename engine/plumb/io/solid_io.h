@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,14 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// Which attributes of a mesh (mesh_attributes.h) are kept with its set.
+enum class KeptAttributes : std::uint8_t {
+  None,     ///< No attributes. Nothing is paid for them.
+  Colours,  ///< Materials, and the channel "color".
+  Ids,      ///< Ids of faces, and groups.
+  All,      ///< All attributes.
+};
+
 /// Options of the conversion of a file to a set.
 struct SolidReadOptions {
   /// The rule for winding numbers. A volume belongs to the set if the rule accepts its winding
@@ -38,6 +47,9 @@ struct SolidReadOptions {
   /// Whether the set may be empty although the mesh has faces. If it may not be, such a mesh is
   /// refused with the error EnclosesNothing.
   bool may_be_empty = false;
+  /// Which attributes of a mesh are kept. If the mesh has such attributes, the set has the mesh, as
+  /// it was before it was mended, as its source (Nef3::sources()).
+  KeptAttributes attributes = KeptAttributes::None;
 };
 
 /// The error that is thrown if a mesh has faces, but no volume belongs to its set. For example,

@@ -114,6 +114,7 @@ class SetOperation : public CommandBody {
   void declare(CLI::App& app) override {
     declare_operands(app);
     input_.declare(app);
+    if constexpr (requires { input_.declare_keep(app); }) input_.declare_keep(app);
     app.add_flag("--strict", strict_, "Exit 2 if the file would differ from the result");
     rounding_.declare(app, kHasGrid);
     if constexpr (kHasCanonical) {
@@ -126,6 +127,11 @@ class SetOperation : public CommandBody {
     output_.set_rounding(rounding_.read(session));
     session.expect(all_stages(session.options()));
     const Set result = numbered(compute(session), session);
+    if constexpr (requires { result.sources(); }) {
+      if (has_attributes_ && result.sources().empty() && !result.is_empty()) {
+        session.note("the operation keeps no colours, ids and other attributes of faces");
+      }
+    }
     const auto facts = [&] {
       session.begin("measure");
       return Kind::facts(result, session.context()).json();
@@ -146,10 +152,14 @@ class SetOperation : public CommandBody {
   virtual ProgressStages stages() const { return stages_of_sets<Kind>(1, 1); }
   /// Returns the result. Begins a stage "combine" for each operation.
   virtual Set compute(Session& session) = 0;
-  std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) const {
-    return read_sets(input_, files, session);
+  std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) {
+    std::vector<Set> sets = read_sets(input_, files, session);
+    if constexpr (requires { sets[0].sources(); }) {
+      for (const Set& set : sets) has_attributes_ = has_attributes_ || !set.sources().empty();
+    }
+    return sets;
   }
-  Set read(const std::string& file, Session& session) const {
+  Set read(const std::string& file, Session& session) {
     return std::move(read_all({file}, session).front());
   }
   /// Whether nothing but the closure of the result is asked for.
@@ -186,6 +196,7 @@ class SetOperation : public CommandBody {
   RoundingOptions rounding_;
   bool strict_ = false;
   bool canonical_ = false;
+  bool has_attributes_ = false;  // Whether an operand has attributes.
   SetOutput output_;
 };
 

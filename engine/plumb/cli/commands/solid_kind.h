@@ -65,13 +65,17 @@ struct Solid {
   }
   static bool keeps_marks(const SetOutput& output) { return format_of(output).name == "nef"; }
   static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
-    const auto text =
-        std::make_shared<SolidText>(set, format_of(output), output.rounding().rounding, context);
-    return {[text, &context](std::ostream& out) { text->write(out, context); }, text->losses(),
-            text->changes()};
+    const auto text = std::make_shared<SolidText>(
+        set, format_of(output), output.rounding().rounding, context, output.library());
+    ReadyFile file{[text, &context](std::ostream& out) { text->write(out, context); },
+                   text->losses(), text->changes(), text->dropped()};
+    if (text->has_library()) {
+      file.write_library = [text](std::ostream& out) { text->write_library(out); };
+    }
+    return file;
   }
   static Nef3 canonical(const Nef3& set, Context& context) {
-    return plumb::canonical(set, context);
+    return plumb::canonical(set, context).with_sources(set.sources());
   }
   static SolidFacts facts(const Nef3& set, Context& context) { return {set, context}; }
   static std::pair<const char*, bool> locate(const Nef3& set, const std::array<Rational, 3>& p) {

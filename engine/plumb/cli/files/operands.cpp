@@ -233,12 +233,22 @@ void SolidInput::declare(CLI::App& app) {
   repair_.declare(app);
 }
 
+void SolidInput::declare_keep(CLI::App& app) {
+  keep_ = "all";
+  add_choice(app, "--keep", keep_, {"all", "colours", "ids", "none"},
+             "What stays with the faces of meshes (default: all)");
+}
+
 SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
   SolidReadOptions options;
   options.exact_decimals = common.exact_decimals;
   options.surface = surface_;
   options.may_be_empty = allows_empty_;
   options.repair = repair_.options();
+  options.attributes = keep_ == "none"      ? KeptAttributes::None
+                       : keep_ == "colours" ? KeptAttributes::Colours
+                       : keep_ == "ids"     ? KeptAttributes::Ids
+                                            : KeptAttributes::All;
   if (!rule_.empty()) {
     options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
                    : rule_ == "nonzero" ? WindingRule::NonZero

@@ -106,6 +106,8 @@ std::string words_of(const RepairOptions& repair);
 class SolidInput {
  public:
   void declare(CLI::App& app);
+  /// Declares --keep, for commands that write solids. Without it, attributes are passed over.
+  void declare_keep(CLI::App& app);
   /// Returns a set of the plane, if a command accepts both. Throws Error{Usage} if an option says
   /// how meshes are read.
   Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session) const;
@@ -132,6 +134,7 @@ class SolidInput {
   std::string rule_;
   bool surface_ = false;
   bool allows_empty_ = false;
+  std::string keep_ = "none";
   RepairFlags repair_;
 };
 

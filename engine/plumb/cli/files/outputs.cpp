@@ -35,6 +35,10 @@ std::string SetOutput::title() const {
   return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
 }
 
+std::string SetOutput::library() const {
+  return title().empty() ? "" : std::filesystem::path(title()).replace_extension(".mtl").string();
+}
+
 void SetOutput::open_streams(Session& session) {
   const CommonOptions& common = session.options();
   if (!common.out.empty() || !common.format.empty() || !common.json) {
@@ -60,6 +64,10 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
     }
     throw Error(error.code(), error.message(), {name()});
   }
+  if (file_.write_library) {
+    const auto path = std::filesystem::path(path_).replace_extension(".mtl");
+    session.outputs().add(path.string(), file_.write_library);
+  }
   if (!strict) return;
   for (const std::vector<std::string>* const told : {&file_.losses, &file_.changes}) {
     if (told->empty()) continue;
@@ -70,6 +78,7 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
 void SetOutput::deliver(Session& session) {
   session.deliver();
   for (const std::string& loss : file_.losses) session.note(name() + ": warning: " + loss);
+  if (!file_.dropped.empty()) session.note(name() + ": " + file_.dropped);
 }
 
 // Images as PNG. Only the program needs a library for it.

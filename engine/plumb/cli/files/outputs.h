@@ -99,6 +99,9 @@ struct ReadyFile {
   /// What the file will say otherwise, one sentence each, that only --strict minds: that the
   /// closure of the set is written, and that rounding needed a repair.
   std::vector<std::string> changes;
+  std::string dropped = {};  ///< A sentence on attributes that the file does not hold, or empty.
+  /// Writes the material library, a file beside this one; empty if there is none.
+  std::function<void(std::ostream&)> write_library = {};
 };
 
 /// The file or stream for a set, opened before the work: a path that cannot be written costs
@@ -127,6 +130,9 @@ class SetOutput {
   const PlaneWriteOptions& rounding() const { return rounding_; }
   /// Returns which of the formats was asked for, if any.
   std::optional<std::ptrdiff_t> format() const { return format_; }
+  /// Returns the name of a material library beside the file, without folders; empty for standard
+  /// output.
+  std::string library() const;
   /// Returns the name of the file without folders; empty for standard output.
   std::string title() const;
 

@@ -118,7 +118,7 @@ std::optional<std::uint32_t> MeshCollector::needed_missing_point() const {
 }
 
 MeshFile MeshCollector::take() {
-  MeshFile file{std::move(mesh_), {}, {}, 0};
+  MeshFile file{std::move(mesh_), {}, {}, 0, {}};
   add_sentence("passed over: ", passed_, file.notes);
   if (!missing_.empty()) {
     file.notes.push_back("vertices that are not finite, used by no face with area: " +

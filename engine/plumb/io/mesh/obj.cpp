@@ -15,11 +15,14 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh/obj_attributes.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
@@ -73,10 +76,13 @@ std::string_view vertex_of(std::string_view corner) {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const ReadOptions& options, Context& context)
+  ObjReader(std::string_view text, const ReadOptions& options, const ObjLoader& loader,
+            Context& context)
       : cursor_(text, options.name),
         numbers_(context.limits(), options.exact_decimals, text.size()),
         mesh_(context),
+        attributes_(std::in_place, options.attributes, loader, context),
+        loader_(loader),
         context_(context),
         name_(options.name),
         total_bytes_(text.size()) {}
@@ -89,6 +95,7 @@ class ObjReader {
         required_ = *vertex;
         cursor_ = start;
         mesh_.clear();
+        attributes_.emplace(false, loader_, context_);
         read_statements();  // Throws at the vertex.
       }
       require_obj();
@@ -109,6 +116,8 @@ class ObjReader {
   void read_statements();
   void read_statement();
   void read_other(std::string_view keyword);
+  bool keep(std::string_view keyword);
+  std::vector<AttributeNumber> take_numbers();
   void skip(std::string_view keyword);
   void skip_unknown(std::string_view keyword);
   void skip_arguments(bool has_names);
@@ -139,6 +148,8 @@ class ObjReader {
   TextCursor cursor_;
   NumberReader numbers_;
   MeshCollector mesh_;
+  std::optional<ObjAttributes> attributes_;
+  const ObjLoader& loader_;
   Context& context_;
   const std::string& name_;
   std::size_t total_bytes_;
@@ -181,7 +192,41 @@ void ObjReader::read_statement() {
 void ObjReader::read_other(std::string_view keyword) {
   if (keyword == "v" || keyword == "V") return read_vertex();
   if (keyword == "f" || keyword == "F" || keyword == "fo") return read_face();
-  skip(keyword);
+  if (!attributes_->is_wanted() || !keep(keyword)) skip(keyword);
+}
+
+/// Reads a statement of attributes; returns false, and takes nothing, if it is another one.
+bool ObjReader::keep(std::string_view keyword) {
+  if (keyword == "vt" || keyword == "vn") {
+    const std::vector<AttributeNumber> numbers = take_numbers();
+    keyword == "vt" ? attributes_->add_texture(numbers) : attributes_->add_normal(numbers);
+    return true;
+  }
+  const bool has_name =
+      keyword == "usemtl" || keyword == "mtllib" || keyword == "g" || keyword == "o";
+  if (!has_name) return false;
+  const std::string_view line = cursor_.rest().substr(0, cursor_.rest().find('\n'));
+  const std::string_view name = line.substr(0, line.find(" #"));
+  if (keyword == "usemtl") {
+    attributes_->use_material(name);
+  } else if (keyword == "mtllib") {
+    attributes_->use_library(name);
+  } else {
+    attributes_->use_group(name);
+  }
+  skip_arguments(true);
+  return true;
+}
+
+/// Takes the numbers of the rest of a statement, the first few of which are kept.
+std::vector<AttributeNumber> ObjReader::take_numbers() {
+  constexpr std::size_t kMostNumbers = 8;
+  std::vector<AttributeNumber> numbers;
+  while (!at_end()) {
+    const std::string_view token = cursor_.word(kContinuation);
+    if (numbers.size() < kMostNumbers) numbers.push_back(attribute_number(token));
+  }
+  return numbers;
 }
 
 void ObjReader::skip(std::string_view keyword) {
@@ -257,6 +302,13 @@ void ObjReader::read_vertex() {
   } else {
     mesh_.add_point(x_, y_, z_);
   }
+  if (attributes_->is_wanted()) {
+    const std::vector<AttributeNumber> numbers = take_numbers();
+    const std::size_t count = numbers.size();
+    if (count == 1) mesh_.pass_over("weights of vertices");
+    if (count == 2 || count > 4) mesh_.pass_over("other numbers of vertices");
+    return attributes_->add_vertex(numbers);
+  }
   if (!at_end()) skip_rest_of_vertex();
 }
 
@@ -271,6 +323,7 @@ void ObjReader::skip_rest_of_vertex() {
 
 void ObjReader::read_face() {
   while (!at_end()) read_corner();
+  attributes_->end_face(mesh_.face_count());
   mesh_.end_face();
 }
 
@@ -283,11 +336,13 @@ void ObjReader::read_corner() {
   std::uint32_t number = 0;
   if (cursor_.short_number(number) && 0 < number) {
     if (number > mesh_.point_count()) expect_vertex(number, token());
+    if (attributes_->is_wanted()) attributes_->add_corner({});
     return mesh_.add_corner(number - 1);
   }
   if (cursor_.position() == start) cursor_.word(kContinuation);
   const std::string_view vertex = vertex_of(token());
   if (vertex.empty()) cursor_.fail_token(token(), kCorner);
+  if (attributes_->is_wanted()) attributes_->add_corner(token());
   mesh_.add_corner(find_vertex(vertex));
 }
 
@@ -339,6 +394,7 @@ void ObjReader::require_vertices() const {
 
 MeshFile ObjReader::take() {
   MeshFile file = mesh_.take();
+  attributes_->give(file);
   if (named_.empty()) return file;
   std::string note = "passed over: unknown statements ";
   for (const std::string_view& keyword : named_) {
@@ -351,13 +407,14 @@ MeshFile ObjReader::take() {
 
 }  // namespace
 
-MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& context) {
+MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& context,
+                  const ObjLoader& loader) {
   if (text.find_first_not_of(" \t\r\n") == text.npos) {
     WholeFile{options.name}.fail(ErrorCode::CountMismatch, "the file has no content");
   }
   const RoundToNearest rounding;
   return read_lines(text, options, context, [&](std::string_view lines) {
-    return ObjReader(lines, options, context).read();
+    return ObjReader(lines, options, loader, context).read();
   });
 }
 

@@ -3,6 +3,8 @@
 // Corners are v, v/vt, v//vn or v/vt/vn, numbered from 1, or from -1 backwards from the vertex
 // given last; vt and vn may be missing behind their slashes. Faces may precede their vertices. A
 // comment may end a line; a backslash at the end of a line continues the statement on the next one.
+// If ReadOptions::attributes is true, usemtl, mtllib, g, o, vt, vn and the colours of vertices
+// become attributes (obj_attributes.h).
 // All other statements are skipped: with a note, or with a warning if they are geometry. Unknown
 // statements are skipped, too, and a note names them.
 //
@@ -15,14 +17,18 @@
 #include <string_view>
 
 #include "plumb/base/context.h"
+#include "plumb/io/mesh/obj_attributes.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/read_options.h"
 #include "plumb/space/mesh_arrays.h"
 
 namespace plumb {
 
-/// Returns the mesh of an OBJ text. Its memory stays charged to `context`.
-MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& context);
+/// Returns the mesh of an OBJ text. Its memory stays charged to `context`. If attributes
+/// are wanted, `loader` returns the bytes of material libraries; without it their materials have no
+/// colours.
+MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& context,
+                  const ObjLoader& loader = {});
 
 // Writes meshes as OBJ (docs/formats.md, "OBJ").
 

@@ -24,6 +24,8 @@
 #include <string>
 #include <vector>
 
+#include "plumb/io/mesh/attribute_builder.h"
+#include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
@@ -93,6 +95,149 @@ void note_attributes(const OffKeyword& keyword, MeshCollector& mesh) {
   if (keyword.has_texture) mesh.pass_over("texture coordinates");
 }
 
+// ---------------------------------------------------------------- attributes
+
+/// Keeps the numbers behind coordinates and corners if the caller asks for them. On the line of a
+/// vertex they are, in this order, the normal, the colour and the texture coordinates.
+class OffAttributes {
+ public:
+  OffAttributes(bool is_wanted, Context& context)
+      : is_wanted_(is_wanted), charge_(context), builder_(context) {}
+
+  bool is_wanted() const { return is_wanted_; }
+  /// Takes the next number of the record, if attributes are wanted.
+  void add(std::string_view token) {
+    if (is_wanted_) add(attribute_number(token));
+  }
+  void add(double value) {
+    if (is_wanted_) add({std::isfinite(value) ? value : 0, false, std::isfinite(value)});
+  }
+  /// End a record. Require that attributes are wanted.
+  void end_vertex(const OffKeyword& keyword);
+  void end_face();
+  void clear();
+  /// Adds the attributes to the file, and notes for what they do not hold.
+  void give(MeshFile& file);
+
+ private:
+  static constexpr std::size_t kMostNumbers = 9;  // Of a vertex: a normal, a colour, a texture.
+
+  void add(const AttributeNumber& number) {
+    if (!number.is_finite) ++not_finite_;
+    if (count_ < kMostNumbers) numbers_[count_++] = number;
+  }
+  template <class Record>
+  void push(std::vector<Record>& records, const Record& record);
+  StatedColor color_from(std::size_t first, std::size_t end) const;
+  void give_faces(std::vector<std::string>& notes);
+  void give_vertices(const PolygonMesh& mesh);
+
+  bool is_wanted_;
+  MemoryCharge charge_;
+  AttributeBuilder builder_;
+  std::array<AttributeNumber, kMostNumbers> numbers_;
+  std::size_t count_ = 0;
+  std::size_t not_finite_ = 0;
+  std::vector<double> normals_, textures_;
+  std::vector<StatedColor> vertex_colors_, face_colors_;
+};
+
+/// Appends a record and charges its memory if the vector grows.
+template <class Record>
+void OffAttributes::push(std::vector<Record>& records, const Record& record) {
+  constexpr std::size_t kLeast = 64;
+  if (records.size() == records.capacity()) {
+    const std::size_t capacity = std::max(2 * records.size(), kLeast);
+    charge_.add((capacity - records.size()) * sizeof(Record), "the attributes of the mesh");
+    records.reserve(capacity);
+  }
+  records.push_back(record);
+}
+
+StatedColor OffAttributes::color_from(std::size_t first, std::size_t end) const {
+  StatedColor color;
+  for (std::size_t i = first; i < std::min(end, first + kColourNumbers); ++i) {
+    color.add(numbers_[i].value, numbers_[i].is_whole);
+  }
+  return color;
+}
+
+void OffAttributes::end_vertex(const OffKeyword& keyword) {
+  const std::size_t first = keyword.has_normal ? 3 : 0;
+  const std::size_t textures = keyword.has_texture ? 2 : 0;
+  if (keyword.has_normal) {
+    for (std::size_t i = 0; i < 3; ++i) push(normals_, numbers_[i].value);
+  }
+  const std::size_t end = keyword.has_colour ? std::max(count_ - textures, first) : first;
+  if (keyword.has_colour) push(vertex_colors_, color_from(first, end));
+  for (std::size_t i = end; i < end + textures; ++i) push(textures_, numbers_[i].value);
+  count_ = 0;
+}
+
+void OffAttributes::end_face() {
+  push(face_colors_, color_from(0, count_));
+  count_ = 0;
+}
+
+void OffAttributes::clear() {
+  for (auto* numbers : {&normals_, &textures_}) numbers->clear();
+  for (auto* colors : {&vertex_colors_, &face_colors_}) colors->clear();
+  count_ = not_finite_ = 0;
+}
+
+void OffAttributes::give(MeshFile& file) {
+  if (!is_wanted_) return;
+  give_faces(file.notes);
+  give_vertices(file.mesh);
+  if (not_finite_ > 0) {
+    file.notes.push_back("colours, normals or texture coordinates that are no finite numbers, " +
+                         ("read as 0: " + std::to_string(not_finite_)));
+  }
+  file.attributes = builder_.take(file.mesh);
+}
+
+/// A single number is the index of a colour in a table that the file does not have. It becomes the
+/// name of a material without a colour.
+void OffAttributes::give_faces(std::vector<std::string>& notes) {
+  const ColorScale scale(face_colors_);
+  bool has_others = false;
+  for (std::size_t f = 0; f < face_colors_.size(); ++f) {
+    const StatedColor& color = face_colors_[f];
+    if (color.count >= 3) {
+      builder_.set_material(f, builder_.material_of(scale(color)));
+    } else if (color.count == 1 && color.is_whole) {
+      const auto index = static_cast<std::int64_t>(std::clamp(color.parts[0], -1e9, 1e9));
+      builder_.set_material(f, builder_.material_named(std::to_string(index)));
+    } else {
+      has_others |= color.count > 0;
+    }
+  }
+  if (has_others)
+    notes.emplace_back("passed over: colours of faces that are not 1, 3 or 4 numbers");
+}
+
+void OffAttributes::give_vertices(const PolygonMesh& mesh) {
+  const auto has_numbers = [](const StatedColor& color) { return color.count >= 3; };
+  if (std::any_of(vertex_colors_.begin(), vertex_colors_.end(), has_numbers)) {
+    const ColorScale scale(vertex_colors_);
+    const bool has_opacity =
+        std::any_of(vertex_colors_.begin(), vertex_colors_.end(),
+                    [](const StatedColor& color) { return color.count == kColourNumbers; });
+    const std::uint32_t width = has_opacity ? 4 : 3;
+    std::vector<double> values;
+    charge_.add(vertex_colors_.size() * width * sizeof(double), "the attributes of the mesh");
+    values.reserve(vertex_colors_.size() * width);
+    for (const StatedColor& color : vertex_colors_) {
+      const std::array<double, 4> parts =
+          has_numbers(color) ? scale(color) : std::array<double, 4>{1, 1, 1, 1};
+      values.insert(values.end(), parts.begin(), parts.begin() + width);
+    }
+    builder_.add_of_vertices("color", width, values, mesh);
+  }
+  if (!normals_.empty()) builder_.add_of_vertices("normal", 3, normals_, mesh);
+  if (!textures_.empty()) builder_.add_of_vertices("texcoord_0", 2, textures_, mesh);
+}
+
 // ---------------------------------------------------------------- text
 
 // The shortest records: "0 0 0" and "0", each with a blank.
@@ -128,7 +273,9 @@ std::size_t count_lines(std::string_view text) {
 class OffReader {
  public:
   OffReader(std::string_view text, const ReadOptions& options, Context& context)
-      : in_(text, options, context, "the mesh"), mesh_(context) {}
+      : in_(text, options, context, "the mesh"),
+        mesh_(context),
+        attributes_(options.attributes, context) {}
 
   /// Reads the keyword, which may be missing. Returns whether it announces the binary form; the
   /// cursor is then at the first byte of that.
@@ -181,6 +328,7 @@ class OffReader {
 
   RecordReader in_;
   MeshCollector mesh_;
+  OffAttributes attributes_;
   OffKeyword keyword_;
   std::size_t counts_line_ = 0;
   std::uint32_t vertices_ = 0;
@@ -286,6 +434,7 @@ const Error& OffReader::likely_error(std::size_t lines, const std::vector<Error>
 void OffReader::read_as(const Layout& layout) {
   const TextCursor start = cursor();
   mesh_.expect(vertices_, faces_);
+  attributes_.clear();
   found_ = {};
   found_.least = keyword_.fixed_numbers();
   if (keyword_.has_colour) found_.most = found_.least + kColourNumbers;
@@ -343,6 +492,7 @@ void OffReader::read_vertex(bool has_lines) {
   } else if (found_.most > 0 || !cursor().at_line_end()) {
     skip_rest_of_vertex();
   }
+  if (attributes_.is_wanted()) attributes_.end_vertex(keyword_);
 }
 
 /// Drops what follows the coordinates on the line of a vertex.
@@ -352,7 +502,7 @@ void OffReader::skip_rest_of_vertex() {
     if (count == found_.most) {
       in_.end_line("the end of the line after the coordinates of " + in_.record_name());
     }
-    cursor().token();
+    attributes_.add(cursor().token());
   }
   if (count < keyword_.fixed_numbers()) {
     fail(ErrorCode::Syntax, in_.record_name() + " lacks numbers that the first line announces");
@@ -370,7 +520,7 @@ void OffReader::skip_numbers(std::uint32_t count) {
     if (!cursor().find_token()) {
       fail(ErrorCode::Syntax, in_.record_name() + " lacks numbers that the first line announces");
     }
-    cursor().token();
+    attributes_.add(cursor().token());
   }
 }
 
@@ -384,13 +534,16 @@ void OffReader::read_face(const Layout& layout) {
   if (!layout.has_face_lines && corners == 0)
     fail(ErrorCode::Syntax, in_.record_name() + " has no corners");
   if (layout.has_face_colours) skip_face_colour(layout.has_face_lines);
+  if (attributes_.is_wanted()) attributes_.end_face();
 }
 
 /// If faces are no lines, all must have a colour of the same form: otherwise numbers of a layout
 /// that does not fit would be taken for colours.
 void OffReader::skip_face_colour(bool has_lines) {
   std::uint32_t count = 0;
-  for (; count < kColourNumbers && !cursor().at_line_end_or_comment(); ++count) cursor().token();
+  for (; count < kColourNumbers && !cursor().at_line_end_or_comment(); ++count) {
+    attributes_.add(cursor().token());
+  }
   if (has_lines && !cursor().at_line_end_or_comment()) {
     in_.end_line("the end of the line after the corners and colour of " + in_.record_name());
   }
@@ -416,11 +569,14 @@ void OffReader::require_end() {
 }
 
 MeshFile OffReader::take() {
-  note_attributes(keyword_, mesh_);
+  if (!attributes_.is_wanted()) note_attributes(keyword_, mesh_);
   if (found_.has_more_numbers) mesh_.pass_over("numbers behind the coordinates of vertices");
-  if (found_.face_colour.value_or(0) > 0) mesh_.pass_over("colours of faces");
+  if (found_.face_colour.value_or(0) > 0 && !attributes_.is_wanted()) {
+    mesh_.pass_over("colours of faces");
+  }
   if (found_.has_more_counts) mesh_.pass_over("numbers behind the counts");
   MeshFile file = mesh_.take();
+  attributes_.give(file);
   if (!found_.tail.empty()) {
     file.warnings.push_back("what follows the last face was not read: " + found_.tail);
   }
@@ -439,6 +595,7 @@ class OffBinaryReader {
       : in_(bytes, start, std::endian::big, options.name),
         keyword_(keyword),
         mesh_(context),
+        attributes_(options.attributes, context),
         context_(context),
         total_bytes_(bytes.size()) {}
 
@@ -475,6 +632,7 @@ class OffBinaryReader {
   BinaryInput in_;
   OffKeyword keyword_;
   MeshCollector mesh_;
+  OffAttributes attributes_;
   Context& context_;
   std::size_t total_bytes_;
   std::size_t first_vertex_ = 0;  // Its byte.
@@ -514,7 +672,9 @@ void OffBinaryReader::read_vertex(std::uint32_t index) {
   } else {
     mesh_.add_missing_point();
   }
-  in_.skip(more_numbers() * kNumberBytes);
+  if (!attributes_.is_wanted()) return in_.skip(more_numbers() * kNumberBytes);
+  for (std::uint32_t i = 0; i < more_numbers(); ++i) attributes_.add(double{in_.take<float>()});
+  attributes_.end_vertex(keyword_);
 }
 
 /// Vertices need not be finite if no face needs them.
@@ -553,14 +713,17 @@ void OffBinaryReader::read_face(std::uint32_t index) {
   }
   mesh_.end_face();
   const std::uint32_t colours = take_count(index, 0);
-  in_.skip(colours * kNumberBytes);
   has_face_colour_ |= colours > 0;
+  if (!attributes_.is_wanted()) return in_.skip(colours * kNumberBytes);
+  for (std::uint32_t i = 0; i < colours; ++i) attributes_.add(double{in_.take<float>()});
+  if (attributes_.is_wanted()) attributes_.end_face();
 }
 
 MeshFile OffBinaryReader::take() {
-  note_attributes(keyword_, mesh_);
-  if (has_face_colour_) mesh_.pass_over("colours of faces");
+  if (!attributes_.is_wanted()) note_attributes(keyword_, mesh_);
+  if (has_face_colour_ && !attributes_.is_wanted()) mesh_.pass_over("colours of faces");
   MeshFile file = mesh_.take();
+  attributes_.give(file);
   if (in_.bytes_left() > 0) {
     file.warnings.push_back(
         "what follows the last face was not read: " + std::to_string(in_.bytes_left()) +
@@ -587,29 +750,149 @@ MeshFile read_off(std::string_view text, const ReadOptions& options, Context& co
 
 namespace {
 
-void write_vertices(TextOutput& out, const PolygonMesh& mesh, MeshNumbers numbers) {
-  auto exact = mesh.exact.begin();
-  if (numbers == MeshNumbers::Nearest) exact = mesh.exact.end();
-  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
-    if (exact != mesh.exact.end() && exact->first == i) {
-      const RationalPoint3& p = (exact++)->second;
-      out << format_exact(p.x) << ' ' << format_exact(p.y) << ' ' << format_exact(p.z);
+void write_point(TextOutput& out, const PolygonMesh& mesh, std::uint32_t i, MeshNumbers numbers,
+                 std::size_t& next_exact) {
+  const bool is_exact = numbers == MeshNumbers::Exact && next_exact < mesh.exact.size() &&
+                        mesh.exact[next_exact].first == i;
+  if (!is_exact) return write_coordinates(out, mesh.points[i]);
+  const RationalPoint3& p = mesh.exact[next_exact++].second;
+  out << format_exact(p.x) << ' ' << format_exact(p.y) << ' ' << format_exact(p.z);
+}
+
+/// Writes the keyword and the counts; `variant` precedes OFF.
+void write_head(TextOutput& out, const char* variant, const PolygonMesh& mesh) {
+  out << variant << "OFF\n" << std::uint64_t{mesh.points.size()} << ' ';
+  out << std::uint64_t{mesh.face_count()} << " 0\n";
+}
+
+// Attributes. Colours are integers from 0 to 255 if these hold all colours of their kind, otherwise
+// numbers from 0 to 1. A reader tells the two apart by a number above 1.
+
+/// How the colours of all faces or of all vertices are written.
+class ColorStyle {
+ public:
+  /// `parts` are the numbers of all colours that are written.
+  explicit ColorStyle(const std::vector<double>& parts)
+      : has_bytes_(are_bytes(parts) && std::any_of(parts.begin(), parts.end(),
+                                                   [](double part) { return byte_of(part) > 1; })) {
+  }
+
+  void write(TextOutput& out, double part) const {
+    if (!has_bytes_) {
+      out << ' ' << part;
     } else {
-      write_coordinates(out, mesh.points[i]);
+      out << ' ' << std::uint64_t{byte_of(part)};
     }
+  }
+
+ private:
+  bool has_bytes_;
+};
+
+/// Returns red, green and blue, and the opacity unless it is 1.
+std::vector<double> parts_of(const std::array<double, 4>& color) {
+  return {color.begin(), color[3] == 1 ? color.end() - 1 : color.end()};
+}
+
+/// Writes the faces with the colours of their materials. A material without a colour whose name is
+/// an index of a colour is written as this index.
+void write_colored_faces(TextOutput& out, const PolygonMesh& mesh,
+                         const MeshAttributes& attributes) {
+  std::vector<double> parts;
+  for (const MeshMaterial& material : attributes.materials) {
+    if (!material.color) continue;
+    const std::vector<double> more = parts_of(*material.color);
+    parts.insert(parts.end(), more.begin(), more.end());
+  }
+  const ColorStyle style(parts);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    out << std::uint64_t{face.size()};
+    for (const std::uint32_t v : face) out << ' ' << v;
+    const std::uint32_t index = attributes.face_material[f];
+    if (index != MeshAttributes::kNone) {
+      const MeshMaterial& material = attributes.materials[index];
+      if (material.color) {
+        for (const double part : parts_of(*material.color)) style.write(out, part);
+      } else if (is_off_color_index(material)) {
+        out << ' ' << material.name;
+      }
+    }
+    out << '\n';
+  }
+}
+
+/// The channels of vertices that OFF can hold.
+struct OffChannels {
+  const MeshChannel* normal;
+  const MeshChannel* color;
+  const MeshChannel* texture;
+
+  std::vector<const MeshChannel*> all() const {
+    std::vector<const MeshChannel*> list;
+    for (const MeshChannel* channel : {normal, color, texture}) {
+      if (channel != nullptr) list.push_back(channel);
+    }
+    return list;
+  }
+  std::string variant() const {
+    return std::string(texture ? "ST" : "") + (color ? "C" : "") + (normal ? "N" : "");
+  }
+};
+
+void write_vertices_with(TextOutput& out, const SplitMesh& split, const OffChannels& channels,
+                         MeshNumbers numbers) {
+  const ColorStyle style(channels.color ? channels.color->values : std::vector<double>{});
+  std::size_t next_exact = 0;
+  for (std::uint32_t i = 0; i < split.mesh.points.size(); ++i) {
+    write_point(out, split.mesh, i, numbers, next_exact);
+    const std::uint32_t corner = split.corner_of_vertex[i];
+    if (channels.normal) write_numbers(out, values_of_vertex(*channels.normal, corner));
+    if (channels.color) {
+      for (const double part : values_of_vertex(*channels.color, corner)) style.write(out, part);
+    }
+    if (channels.texture) write_numbers(out, values_of_vertex(*channels.texture, corner));
     out << '\n';
   }
 }
 
 }  // namespace
 
+bool is_off_color_index(const MeshMaterial& material) {
+  constexpr std::size_t kMostDigits = 9;
+  const std::string& name = material.name;
+  return !material.color && !name.empty() && name.size() <= kMostDigits &&
+         name.find_first_not_of("0123456789") == name.npos;
+}
+
 void write_off(std::ostream& stream, const PolygonMesh& mesh, MeshNumbers numbers) {
   if (numbers == MeshNumbers::Nearest) require_doubles(mesh);
   TextOutput out(stream);
-  out << "OFF\n" << std::uint64_t{mesh.points.size()} << ' ' << std::uint64_t{mesh.face_count()};
-  out << " 0\n";
-  write_vertices(out, mesh, numbers);
+  write_head(out, "", mesh);
+  std::size_t next_exact = 0;
+  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
+    write_point(out, mesh, i, numbers, next_exact);
+    out << '\n';
+  }
   write_face_lines(out, mesh);
+  out.flush();
+}
+
+void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshAttributes& attributes,
+               MeshNumbers numbers) {
+  if (numbers == MeshNumbers::Nearest) require_doubles(mesh);
+  const OffChannels channels{channel_of(attributes, "normal", 3, 3),
+                             channel_of(attributes, "color", 3, 4),
+                             channel_of(attributes, "texcoord_0", 2, 2)};
+  const SplitMesh split = split_vertices(mesh, channels.all());
+  TextOutput out(stream);
+  write_head(out, channels.variant().c_str(), split.mesh);
+  write_vertices_with(out, split, channels, numbers);
+  if (attributes.face_material.empty()) {
+    write_face_lines(out, split.mesh);
+  } else {
+    write_colored_faces(out, split.mesh, attributes);
+  }
   out.flush();
 }
 

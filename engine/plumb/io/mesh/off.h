@@ -9,6 +9,7 @@
 //  3. read_records   reads three coordinates for each vertex, and for each face the number of
 //                    corners and the corners from 0. Records are lines, or share lines, or extend
 //                    over lines. Normals, colours and texture coordinates are dropped
+//                    unless ReadOptions::attributes is true
 //  4. require_end    requires that no numbers follow
 //
 // Comments may stand between any two numbers. Cost: O(bytes), also for a file that is refused.
@@ -24,6 +25,7 @@
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/read_options.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/mesh_attributes.h"
 
 namespace plumb {
 
@@ -45,6 +47,13 @@ enum class MeshNumbers : std::uint8_t {
 /// coordinates are rounded. Throws Error{NumberOutOfRange} if a vertex that is to be rounded lies
 /// beyond the largest double, and what `out` throws.
 void write_off(std::ostream& out, const PolygonMesh& mesh,
+               MeshNumbers numbers = MeshNumbers::Nearest);
+/// Whether a material stands for an index of a colour: it has no colour, and a number for a name.
+bool is_off_color_index(const MeshMaterial& material);
+
+/// Writes a mesh with the attributes that OFF holds (docs/formats.md). Requires complete attributes
+/// (attribute_writer.h). Throws as above.
+void write_off(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes,
                MeshNumbers numbers = MeshNumbers::Nearest);
 
 }  // namespace plumb

@@ -20,7 +20,10 @@
 #include <string_view>
 #include <utility>
 
+#include "plumb/io/mesh/attribute_builder.h"
+#include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/mesh_formats.h"
+#include "plumb/io/mesh/ply_attributes.h"
 #include "plumb/io/mesh/ply_header.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
@@ -62,9 +65,13 @@ bool has_three_vertices(std::span<const std::uint32_t> face) {
 class PlyGeometry {
  public:
   PlyGeometry(MeshCollector& mesh, const PlyHeader& header, Context& context)
-      : mesh_(mesh), vertices_(header.vertex_count()), charge_(context) {}
+      : mesh_(mesh),
+        vertices_(header.vertex_count()),
+        charge_(context),
+        attributes_(header, context) {}
 
   MeshCollector& mesh() { return mesh_; }
+  PlyAttributes& attributes() { return attributes_; }
   std::uint32_t vertex_count() const { return vertices_; }
 
   /// Whether faces may use vertex v. They may if it has not been read yet.
@@ -88,6 +95,7 @@ class PlyGeometry {
   MeshCollector& mesh_;
   std::uint32_t vertices_;
   MemoryCharge charge_;
+  PlyAttributes attributes_;
   std::vector<bool> is_missing_, is_used_;  // Of each vertex, from the first missing one on.
   std::uint32_t missing_ = 0;
   std::array<std::uint32_t, 2> strip_end_{};  // The last two vertices of the strip.
@@ -144,6 +152,7 @@ void PlyGeometry::end_strip() {
 
 MeshFile PlyGeometry::take(const std::string& passed_over, std::uint64_t stray_bytes) {
   MeshFile file = mesh_.take();
+  attributes_.give(file);
   if (!passed_over.empty()) file.notes.push_back("passed over: " + passed_over);
   if (missing_ > 0) {
     file.notes.push_back("vertices that are not finite, used by no face with area: " +
@@ -194,6 +203,7 @@ class PlyTextReader {
   void read_corner(const PlyElement& element, const PlyProperty& property);
   [[noreturn]] void fail_not_finite(std::uint32_t vertex, const char* where) const;
   void read_coordinate(ReadNumber& number);
+  void read_other(const PlyElement& element, const PlyProperty& property);
   void skip_value();
 
   RecordReader& in_;
@@ -211,6 +221,9 @@ class PlyTextReader {
 void PlyTextReader::read(const PlyElement& element) {
   if (element.properties.empty()) return;
   may_wrap_ = is_free_form_ || element.kind == Kind::Strips;
+  if (element.kind == Kind::Face) {
+    geometry_.attributes().begin_faces(geometry_.mesh().face_count());
+  }
   for (std::uint32_t i = 0; i < element.count; ++i) {
     begin_record(element, i);
     for (const PlyProperty& property : element.properties) read_property(element, property);
@@ -262,13 +275,24 @@ void PlyTextReader::read_property(const PlyElement& element, const PlyProperty& 
   switch (property.role) {
     case Role::Corners:
       return read_corners(element, property);
-    case Role::None: {
-      const std::uint32_t count = property.length ? take_length("the length of a list") : 1;
-      for (std::uint32_t i = 0; i < count; ++i) skip_value();
-      return;
-    }
+    case Role::None:
+      return read_other(element, property);
     default:
       read_coordinate(at_[static_cast<std::size_t>(property.role) - 1]);
+  }
+}
+
+/// Reads a property that is not geometry. Its values are kept if they are attributes.
+void PlyTextReader::read_other(const PlyElement& element, const PlyProperty& property) {
+  PlyAttributes& attributes = geometry_.attributes();
+  const std::uint32_t count = property.length ? take_length("the length of a list") : 1;
+  if (property.is_kept && property.length) attributes.begin_texture_list();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    skip_value();
+    if (!property.is_kept) continue;
+    const AttributeNumber number = attribute_number(value_text());
+    const double value = number.is_finite ? number.value : std::nan("");
+    property.length ? attributes.add_texture(value) : attributes.add(element.kind, value);
   }
 }
 
@@ -380,6 +404,7 @@ class PlyBinaryReader {
 
  private:
   void read_property(const PlyProperty& property);
+  void read_other(const PlyProperty& property);
   void read_corners(const PlyProperty& property);
   void end_record();
   std::uint64_t take_length(const PlyProperty& property);
@@ -414,6 +439,7 @@ void PlyBinaryReader::read(const PlyElement& element) {
   if (element.properties.empty()) return;
   const std::uint64_t least = element.least_bytes(format_);
   kind_ = element.kind;
+  if (kind_ == Kind::Face) geometry_.attributes().begin_faces(geometry_.mesh().face_count());
   for (index_ = 0; index_ < element.count; ++index_) {
     if (index_ % kRecordsPerCheckpoint == 0) {
       context_.checkpoint("read", in_.position(), total_bytes_);
@@ -444,11 +470,20 @@ void PlyBinaryReader::read_property(const PlyProperty& property) {
   if (property.role == Role::Corners) {
     read_corners(property);
   } else if (property.role == Role::None) {
-    const std::uint64_t count = property.length ? take_length(property) : 1;
-    in_.skip(count * size_of(property.type));
+    read_other(property);
   } else {
     at_[static_cast<std::size_t>(property.role) - 1] = take_coordinate(property.type);
   }
+}
+
+/// Reads a property that is not geometry. Its values are kept if they are attributes.
+void PlyBinaryReader::read_other(const PlyProperty& property) {
+  const std::uint64_t count = property.length ? take_length(property) : 1;
+  if (!property.is_kept) return in_.skip(count * size_of(property.type));
+  PlyAttributes& attributes = geometry_.attributes();
+  if (!property.length) return attributes.add(kind_, take(property.type));
+  attributes.begin_texture_list();
+  for (std::uint64_t i = 0; i < count; ++i) attributes.add_texture(take(property.type));
 }
 
 void PlyBinaryReader::read_corners(const PlyProperty& property) {
@@ -559,12 +594,13 @@ class PlyReader {
       : in_(bytes, options, context, "the mesh"),
         bytes_(bytes),
         name_(options.name),
+        keeps_attributes_(options.attributes),
         mesh_(context),
         context_(context) {}
 
   MeshFile read() {
     with_place(in_.cursor(), [this] {
-      header_ = read_ply_header(in_);
+      header_ = read_ply_header(in_, keeps_attributes_);
       expect();
     });
     PlyGeometry geometry(mesh_, header_, context_);
@@ -590,6 +626,7 @@ class PlyReader {
   RecordReader in_;
   std::string_view bytes_;
   const std::string& name_;
+  bool keeps_attributes_;
   MeshCollector mesh_;
   Context& context_;
   PlyHeader header_;
@@ -649,49 +686,198 @@ CornerTypes types_for(const PolygonMesh& mesh) {
   return {longest <= 0xff, mesh.points.size() <= 0x8000'0000U};
 }
 
+// Attributes. Every property is a byte of a colour, a double, or the id of a face.
+
+/// A property of vertices: one number of a channel.
+struct WrittenProperty {
+  const MeshChannel* channel;
+  std::size_t part;  ///< Which number of the channel.
+  bool is_byte;
+  std::string name;
+};
+
+/// Returns the name of a number of a channel.
+std::string property_name(const MeshChannel& channel, std::size_t part) {
+  constexpr std::array<std::string_view, 4> kColor{"red", "green", "blue", "alpha"};
+  constexpr std::array<std::string_view, 3> kNormal{"nx", "ny", "nz"};
+  constexpr std::array<std::string_view, 2> kTexture{"s", "t"};
+  if (channel.name == "color" && (channel.width == 3 || channel.width == 4)) {
+    return std::string(kColor[part]);
+  }
+  if (channel.name == "normal" && channel.width == 3) return std::string(kNormal[part]);
+  if (channel.name == "texcoord_0" && channel.width == 2) return std::string(kTexture[part]);
+  std::string name = channel.name.empty() ? "channel" : channel.name;
+  const bool is_coordinate = name == "x" || name == "y" || name == "z";
+  if (is_coordinate) name = "channel_" + name;
+  for (char& c : name) {
+    if (static_cast<unsigned char>(c) <= ' ') c = '_';
+  }
+  return channel.width == 1 ? name : name + '_' + std::to_string(part);
+}
+
+std::vector<WrittenProperty> properties_of(const MeshAttributes& attributes) {
+  std::vector<WrittenProperty> properties;
+  for (const MeshChannel& channel : attributes.channels) {
+    const bool has_bytes = channel.name == "color" && are_bytes(channel.values);
+    for (std::size_t i = 0; i < channel.width; ++i) {
+      properties.push_back({&channel, i, has_bytes, property_name(channel, i)});
+    }
+  }
+  return properties;
+}
+
+/// The properties of faces.
+struct WrittenFaces {
+  bool has_color = false;
+  bool has_bytes = false;    ///< Whether bytes hold all colours.
+  bool has_opacity = false;  ///< Whether a colour is not opaque.
+  bool has_id = false;
+};
+
+constexpr std::array<double, 4> kNoColor{1, 1, 1, 1};
+
+WrittenFaces faces_of(const MeshAttributes& attributes) {
+  WrittenFaces faces{false, true, false, !attributes.face_id.empty()};
+  if (attributes.face_material.empty()) return faces;
+  for (const MeshMaterial& material : attributes.materials) {
+    if (!material.color) continue;
+    faces.has_color = true;
+    faces.has_bytes = faces.has_bytes && are_bytes(*material.color);
+    faces.has_opacity |= (*material.color)[3] != 1;
+  }
+  return faces;
+}
+
+/// Returns the colour of a face. A face without one is white.
+std::array<double, 4> color_of_face(const MeshAttributes& attributes, std::size_t face) {
+  const std::uint32_t material = attributes.face_material[face];
+  if (material == MeshAttributes::kNone) return kNoColor;
+  return attributes.materials[material].color.value_or(kNoColor);
+}
+
 void write_header(TextOutput& out, std::string_view format, const PolygonMesh& mesh,
-                  CornerTypes types) {
+                  CornerTypes types, const std::vector<WrittenProperty>& properties,
+                  const WrittenFaces& faces) {
   out << "ply\nformat " << format << " 1.0\ncomment plumb\n";
   out << "element vertex " << std::uint64_t{mesh.points.size()};
   out << "\nproperty double x\nproperty double y\nproperty double z\n";
+  for (const WrittenProperty& property : properties) {
+    out << "property " << (property.is_byte ? "uchar " : "double ") << property.name << '\n';
+  }
   out << "element face " << std::uint64_t{mesh.face_count()};
   out << "\nproperty list " << (types.short_length ? "uchar" : "uint");
-  out << (types.is_signed ? " int" : " uint") << " vertex_indices\nend_header\n";
+  out << (types.is_signed ? " int" : " uint") << " vertex_indices\n";
+  if (faces.has_color) {
+    for (const char* name : {"red", "green", "blue", "alpha"}) {
+      if (std::string_view(name) == "alpha" && !faces.has_opacity) continue;
+      out << "property " << (faces.has_bytes ? "uchar " : "double ") << name << '\n';
+    }
+  }
+  if (faces.has_id) out << "property uint face_id\n";
+  out << "end_header\n";
+}
+
+/// Writes numbers as text, each after a blank except the first of a line.
+class PlyTextNumbers {
+ public:
+  explicit PlyTextNumbers(TextOutput& out) : out_(out) {}
+  void number(double value) { separated() << value; }
+  void byte(std::uint32_t value) { separated() << value; }
+  void length(std::uint32_t value, bool /*is_short*/) { separated() << value; }
+  void integer(std::uint32_t value) { separated() << value; }
+  void end_record() {
+    out_ << '\n';
+    is_first_ = true;
+  }
+
+ private:
+  TextOutput& separated() {
+    if (!is_first_) out_ << ' ';
+    is_first_ = false;
+    return out_;
+  }
+
+  TextOutput& out_;
+  bool is_first_ = true;
+};
+
+/// Writes numbers in binary.
+class PlyBinaryNumbers {
+ public:
+  explicit PlyBinaryNumbers(TextOutput& out) : out_(out) {}
+  void number(double value) { put_little_endian(out_, value); }
+  void byte(std::uint32_t value) { out_ << static_cast<char>(value); }
+  void length(std::uint32_t value, bool is_short) { is_short ? byte(value) : integer(value); }
+  void integer(std::uint32_t value) { put_little_endian(out_, value); }
+  void end_record() {}
+
+ private:
+  TextOutput& out_;
+};
+
+template <class Numbers>
+void write_vertex_records(Numbers numbers, const PolygonMesh& mesh,
+                          const std::vector<std::uint32_t>& corner_of_vertex,
+                          const std::vector<WrittenProperty>& properties) {
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const Point3& p = mesh.points[v];
+    for (const double value : {p.x, p.y, p.z}) numbers.number(value);
+    const std::uint32_t corner = properties.empty() ? 0 : corner_of_vertex[v];
+    for (const WrittenProperty& property : properties) {
+      const bool is_used = corner != MeshAttributes::kNone;
+      const double value = is_used ? values_at(*property.channel, corner)[property.part] : 0;
+      property.is_byte ? numbers.byte(byte_of(value)) : numbers.number(value);
+    }
+    numbers.end_record();
+  }
+}
+
+template <class Numbers>
+void write_face_records(Numbers numbers, const PolygonMesh& mesh, CornerTypes types,
+                        const MeshAttributes& attributes, const WrittenFaces& faces) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    numbers.length(static_cast<std::uint32_t>(face.size()), types.short_length);
+    for (const std::uint32_t v : face) numbers.integer(v);
+    if (faces.has_color) {
+      const std::array<double, 4> color = color_of_face(attributes, f);
+      for (std::size_t i = 0; i < (faces.has_opacity ? 4U : 3U); ++i) {
+        faces.has_bytes ? numbers.byte(byte_of(color[i])) : numbers.number(color[i]);
+      }
+    }
+    if (faces.has_id) numbers.integer(attributes.face_id[f]);
+    numbers.end_record();
+  }
+}
+
+template <class Numbers>
+void write_ply(std::ostream& stream, std::string_view format, const PolygonMesh& mesh,
+               const MeshAttributes& attributes) {
+  require_doubles(mesh);
+  const std::vector<WrittenProperty> properties = properties_of(attributes);
+  const WrittenFaces faces = faces_of(attributes);
+  std::vector<const MeshChannel*> channels;
+  for (const MeshChannel& channel : attributes.channels) channels.push_back(&channel);
+  const SplitMesh split = channels.empty() ? SplitMesh{} : split_vertices(mesh, channels);
+  const PolygonMesh& written = channels.empty() ? mesh : split.mesh;
+  const CornerTypes types = types_for(written);
+  TextOutput out(stream);
+  write_header(out, format, written, types, properties, faces);
+  write_vertex_records(Numbers(out), written, split.corner_of_vertex, properties);
+  write_face_records(Numbers(out), written, types, attributes, faces);
+  out.flush();
 }
 
 }  // namespace
 
-void write_ply_text(std::ostream& stream, const PolygonMesh& mesh) {
-  require_doubles(mesh);
-  TextOutput out(stream);
-  write_header(out, "ascii", mesh, types_for(mesh));
-  for (const Point3& p : mesh.points) {
-    write_coordinates(out, p);
-    out << '\n';
-  }
-  write_face_lines(out, mesh);
-  out.flush();
+void write_ply_text(std::ostream& stream, const PolygonMesh& mesh,
+                    const MeshAttributes& attributes) {
+  write_ply<PlyTextNumbers>(stream, "ascii", mesh, attributes);
 }
 
-void write_ply_binary(std::ostream& stream, const PolygonMesh& mesh) {
-  require_doubles(mesh);
-  TextOutput out(stream);
-  const CornerTypes types = types_for(mesh);
-  write_header(out, "binary_little_endian", mesh, types);
-  for (const Point3& p : mesh.points) {
-    for (const double value : {p.x, p.y, p.z}) put_little_endian(out, value);
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    const auto length = static_cast<std::uint32_t>(face.size());
-    if (types.short_length) {
-      out << static_cast<char>(length);
-    } else {
-      put_little_endian(out, length);
-    }
-    for (const std::uint32_t v : face) put_little_endian(out, v);
-  }
-  out.flush();
+void write_ply_binary(std::ostream& stream, const PolygonMesh& mesh,
+                      const MeshAttributes& attributes) {
+  write_ply<PlyBinaryNumbers>(stream, "binary_little_endian", mesh, attributes);
 }
 
 }  // namespace plumb

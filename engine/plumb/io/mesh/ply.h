@@ -1,7 +1,8 @@
 // Reads and writes PLY, text and binary of either byte order (docs/formats.md, "PLY"): vertices
 // with properties x, y and z of any type, faces with a list vertex_indices (or another usual name),
 // and triangle strips (element tristrips), which become triangles. Other properties and elements,
-// in any order, are skipped; a note names them.
+// in any order, are skipped; a note names them. If ReadOptions::attributes is true, properties of
+// vertices and faces become attributes (ply_attributes.h).
 //
 // Main flow of read_ply():
 //  1. read_ply_header   reads what there is; claims are checked against the bytes that follow
@@ -25,6 +26,7 @@
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/read_options.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/mesh_attributes.h"
 
 namespace plumb {
 
@@ -36,8 +38,11 @@ MeshFile read_ply(std::string_view bytes, const ReadOptions& options, Context& c
 /// Writes a mesh as text. read_ply() of it gives the same mesh, except that exact coordinates are
 /// rounded to doubles. Both writers throw Error{NumberOutOfRange} if a vertex lies beyond the
 /// largest double, and what `out` throws.
-void write_ply_text(std::ostream& out, const PolygonMesh& mesh);
+/// Both write the attributes that PLY holds, which must be complete (attribute_writer.h).
+void write_ply_text(std::ostream& out, const PolygonMesh& mesh,
+                    const MeshAttributes& attributes = {});
 /// Writes a mesh in binary, little-endian.
-void write_ply_binary(std::ostream& out, const PolygonMesh& mesh);
+void write_ply_binary(std::ostream& out, const PolygonMesh& mesh,
+                      const MeshAttributes& attributes = {});
 
 }  // namespace plumb

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "plumb/io/mesh/attribute_builder.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/predicates/error.h"
 
@@ -73,7 +74,8 @@ class NameList {
 
 class HeaderReader {
  public:
-  explicit HeaderReader(RecordReader& in) : in_(in), cursor_(in.cursor()) {}
+  HeaderReader(RecordReader& in, bool keeps_attributes)
+      : in_(in), cursor_(in.cursor()), keeps_attributes_(keeps_attributes) {}
 
   PlyHeader read() {
     read_magic();
@@ -97,6 +99,7 @@ class HeaderReader {
   void read_element();
   void read_property();
   void pass_over(std::string_view property);
+  bool is_attribute(const PlyProperty& property) const;
   Role role_of(std::string_view name, bool is_list) const;
   void require_new(Role role, std::string_view name) const;
   void require_mesh() const;
@@ -111,6 +114,7 @@ class HeaderReader {
 
   RecordReader& in_;
   TextCursor& cursor_;
+  bool keeps_attributes_;
   PlyHeader header_;
   bool has_format_ = false;
   std::string_view element_;  // The name of the last element.
@@ -218,8 +222,26 @@ void HeaderReader::read_property() {
   const std::string_view name = take("the name of a property");
   property.role = role_of(name, property.length.has_value());
   require_new(property.role, name);
-  if (property.role == Role::None) pass_over(name);
+  property.name = name;
+  property.is_kept = is_attribute(property);
+  if (property.role == Role::None && !property.is_kept) pass_over(name);
   header_.elements.back().properties.push_back(property);
+}
+
+/// Whether a property of the last element is an attribute of vertices or faces.
+bool HeaderReader::is_attribute(const PlyProperty& property) const {
+  const PlyElement& element = header_.elements.back();
+  const bool has_attributes = element.kind == Kind::Vertex || element.kind == Kind::Face;
+  if (!keeps_attributes_ || !has_attributes || property.role != Role::None) return false;
+  const auto& properties = element.properties;
+  if (property.length) {
+    const auto is_same = [&](const PlyProperty& other) { return other.name == property.name; };
+    return element.kind == Kind::Face && property.name == "texcoord" &&
+           std::none_of(properties.begin(), properties.end(), is_same);
+  }
+  const auto kept = std::count_if(properties.begin(), properties.end(),
+                                  [](const PlyProperty& other) { return other.is_kept; });
+  return static_cast<std::size_t>(kept) < kMostNumbersOfCorner;
 }
 
 /// Notes a property of the last element that no mesh holds, or the element if it is unknown.
@@ -318,6 +340,8 @@ std::uint32_t PlyHeader::vertex_count() const {
   return vertices->count;
 }
 
-PlyHeader read_ply_header(RecordReader& in) { return HeaderReader(in).read(); }
+PlyHeader read_ply_header(RecordReader& in, bool keeps_attributes) {
+  return HeaderReader(in, keeps_attributes).read();
+}
 
 }  // namespace plumb

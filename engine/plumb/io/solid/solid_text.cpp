@@ -10,6 +10,7 @@
 // Tested by tests/io/solid_io_test.cpp and tests/io/nef3_reader_test.cpp.
 #include "plumb/io/solid/solid_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -19,6 +20,8 @@
 #include "plumb/io/nef3_writer.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/mesh_with_attributes.h"
+#include "plumb/space/source_mesh.h"
 #include "plumb/space/to_mesh.h"
 #include "plumb/space/valid_mesh.h"
 
@@ -88,14 +91,72 @@ void describe(const RoundingRepair& repair, std::vector<std::string>& losses,
   }
 }
 
+/// Returns what attributes the sources of a set have: lists without values.
+MeshAttributes outline_of(const Nef3& set) {
+  MeshAttributes all;
+  for (const PlacedSource& placed : set.sources()) {
+    const MeshAttributes& own = placed.source->attributes;
+    all.materials.insert(all.materials.end(), own.materials.begin(), own.materials.end());
+    if (!own.face_material.empty()) all.face_material = {MeshAttributes::kNone};
+    if (!own.face_group.empty()) all.face_group = {MeshAttributes::kNone};
+    if (!own.face_id.empty()) all.face_id = {MeshAttributes::kNone};
+    for (const MeshChannel& channel : own.channels) {
+      all.channels.push_back({channel.name, channel.width, {}});
+    }
+  }
+  return all;
+}
+
+/// Whether a file of this format holds anything of these attributes. If it does not, the faces stay
+/// polygons.
+bool holds_any(const MeshAttributes& outline, MeshFormat format) {
+  const bool is_off = format == MeshFormat::Off || format == MeshFormat::ExactOff;
+  const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
+  const bool is_obj = format == MeshFormat::Obj;
+  if (!is_off && !is_ply && !is_obj) return false;
+  const bool has_color =
+      std::any_of(outline.materials.begin(), outline.materials.end(),
+                  [](const MeshMaterial& material) { return material.color.has_value(); });
+  const bool has_usual =
+      std::any_of(outline.channels.begin(), outline.channels.end(), [](const MeshChannel& channel) {
+        return channel.name == "color" || channel.name == "normal" || channel.name == "texcoord_0";
+      });
+  if (has_color || has_usual) return true;
+  if (is_ply) return !outline.face_id.empty() || !outline.channels.empty();
+  return is_obj && !(outline.face_material.empty() && outline.face_group.empty());
+}
+
 }  // namespace
 
 std::span<const SolidFormat> solid_formats() { return kFormats; }
 
 SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding,
-                     Context& context)
-    : set_(set), format_(format) {
+                     Context& context, std::string library)
+    : set_(set), format_(format), library_(std::move(library)) {
   if (format.mesh) make_mesh(*format.mesh, rounding, context);
+  if (!set.sources().empty()) add_attributes(rounding, context);
+}
+
+bool SolidText::has_library() const {
+  return format_.mesh == MeshFormat::Obj && !library_.empty() && !attributes_.materials.empty();
+}
+
+/// Takes the mesh with the attributes of the sources, if the format holds any of them.
+void SolidText::add_attributes(OutputRounding rounding, Context& context) {
+  const MeshAttributes outline = outline_of(set_);
+  if (!format_.mesh) {
+    dropped_ = lost_attributes(outline, MeshFormat::Stl);
+    return;
+  }
+  dropped_ = lost_attributes(outline, *format_.mesh);
+  if (!holds_any(outline, *format_.mesh)) return;
+  if (rounding == OutputRounding::Nearest || *format_.mesh == MeshFormat::ExactOff) {
+    dropped_ = "colours, ids and other attributes are not written with --raw and in off-exact";
+    return;
+  }
+  MeshWithAttributes made = mesh_with_attributes(set_, {}, context);
+  mesh_ = std::move(made.mesh);
+  attributes_ = std::move(made.attributes);
 }
 
 void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {
@@ -139,8 +200,10 @@ void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& c
 }
 
 void SolidText::write(std::ostream& out, Context& context) const {
-  if (format_.mesh) {
+  if (format_.mesh && attributes_.empty()) {
     write_mesh(out, mesh_, *format_.mesh);
+  } else if (format_.mesh) {
+    write_mesh(out, mesh_, attributes_, *format_.mesh, has_library() ? library_ : std::string());
   } else {
     write_nef3(out, set_.complex(), context);
   }

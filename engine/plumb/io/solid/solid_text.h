@@ -35,8 +35,11 @@ std::span<const SolidFormat> solid_formats();
 class SolidText {
  public:
   /// Throws Error{CannotWrite} if a mesh is to hold a marked volume that reaches infinity, and
-  /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double.
-  SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding, Context& context);
+  /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double. If the set has sources
+  /// with attributes that the format holds, the mesh has them, and its faces are triangles.
+  /// `library` is the name of the material library of OBJ; if it is empty, there is none.
+  SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding, Context& context,
+            std::string library = {});
 
   /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
   /// each.
@@ -44,15 +47,25 @@ class SolidText {
   /// Returns what the file says otherwise without a loss to users of meshes, one sentence each:
   /// that the closure of the set is written, and that rounding needed a repair.
   const std::vector<std::string>& changes() const { return changes_; }
+  /// Returns a sentence on the attributes of the sources that the file does not have, or an empty
+  /// text.
+  const std::string& dropped() const { return dropped_; }
+  /// Whether the file names a material library, which write_library() writes.
+  bool has_library() const;
+  void write_library(std::ostream& out) const { write_material_library(out, attributes_); }
   /// Writes the set; `.nef` with checkpoints.
   void write(std::ostream& out, Context& context) const;
 
  private:
   void make_mesh(MeshFormat format, OutputRounding rounding, Context& context);
+  void add_attributes(OutputRounding rounding, Context& context);
 
   Nef3 set_;
   SolidFormat format_;
   PolygonMesh mesh_;
+  MeshAttributes attributes_;
+  std::string library_;
+  std::string dropped_;
   std::vector<std::string> losses_;
   std::vector<std::string> changes_;
 };
