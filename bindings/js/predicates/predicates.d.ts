@@ -4,7 +4,7 @@
  *
  * The sign of each result is right for all finite doubles: near underflow, near overflow and for any
  * spread of exponents. The magnitude approximates the determinant, as far as the sign allows. If a
- * coordinate is NaN or infinite, the result may be NaN. The functions whose names end in `fast`
+ * coordinate is NaN or infinite, the result is NaN. The functions whose names end in `fast`
  * evaluate the determinant in doubles: their sign may be wrong.
  */
 
