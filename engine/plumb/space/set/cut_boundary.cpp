@@ -508,23 +508,38 @@ class PlaneCutter {
 
 // ---------------------------------------------------------------- all planes
 
-/// Whether all vertices of a facet lie in a triangle of its plane.
+/// Whether two input points have the same coordinates.
+bool is_same_input(const PlaneTable& planes, SpacePoint p, SpacePoint q) {
+  return p.is_input() && q.is_input() && planes.point(p.input()) == planes.point(q.input());
+}
+
+/// Whether all vertices of a facet lie in a triangle of its plane. Vertices that are corners of the
+/// triangle need no arithmetic; in general position most vertices are.
 bool is_in_triangle(const CutState& state, FacetId f, const SourceTriangle& triangle) {
   const SpaceComplex& c = state.complex;
+  std::array<SpacePoint, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = state.sources.place(triangle, i);
+  std::vector<SpacePoint> others;
+  for_each_use(c, f, [&](UseId u) {
+    const SpacePoint p = c.vertex_point[c.use_origin(u)];
+    const bool is_corner = std::any_of(corners.begin(), corners.end(), [&](SpacePoint corner) {
+      return is_same_input(state.tables.planes, p, corner);
+    });
+    if (!is_corner) others.push_back(p);
+  });
+  if (others.empty()) return true;
   FlatPoints shown(state.tables.points);
   shown.reset(FlatView::of_plane(state.tables.planes, triangle.plane));
-  for (std::size_t i = 0; i < 3; ++i) shown.push_back(state.sources.place(triangle, i));
+  for (const SpacePoint p : corners) shown.push_back(p);
   const Sign turn = shown.orient(0, 1, 2);
-  bool is_inside = true;
-  for_each_use(c, f, [&](UseId u) {
-    if (!is_inside) return;
+  for (const SpacePoint p : others) {
     const std::uint32_t v = shown.size();
-    shown.push_back(c.vertex_point[c.use_origin(u)]);
-    for (std::uint32_t i = 0; i < 3 && is_inside; ++i) {
-      is_inside = shown.orient(i, (i + 1) % 3, v) != -turn;
+    shown.push_back(p);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (shown.orient(i, (i + 1) % 3, v) == -turn) return false;
     }
-  });
-  return is_inside;
+  }
+  return true;
 }
 
 /// Whether a facet has one source; `triangle` is then its triangle or kNone.

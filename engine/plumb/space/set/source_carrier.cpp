@@ -1,6 +1,7 @@
 #include "plumb/space/set/source_carrier.h"
 
 #include <algorithm>
+#include <string>
 
 #include "plumb/predicates/error.h"
 
