@@ -221,7 +221,9 @@ void expect_values(const MeshWithAttributes& made, std::span<const SharedSource>
       const std::array<double, 3> xyz{p.x, p.y, p.z};
       for (std::size_t k = 0; k < 3; ++k) {
         const double value = place.values[(3 * f + i) * 3 + k];
-        if (is_exact) EXPECT_EQ(value, xyz[k]);
+        if (is_exact) {
+          EXPECT_EQ(value, xyz[k]);
+        }
         EXPECT_NEAR(value, xyz[k], 1e-12);
       }
       const std::array<double, 3> weights = weights_in(triangle, p);
@@ -246,7 +248,8 @@ TEST(MeshWithAttributes, AreasOfSourcesAddUpExactly) {
     std::vector<SharedSource> sources;
     const Nef3 set = set_of(scene, dice, sources);
     for (const PieceJoin join : {PieceJoin::None, PieceJoin::SameAttributes}) {
-      const MeshWithAttributes made = mesh_with_attributes(set, {.join = join});
+      const MeshWithAttributes made =
+          mesh_with_attributes(set, {.join = join, .type = CoordinateType::Double});
       expect_complete(made, set.sources().size());
       EXPECT_EQ(made.repair.rounded_vertices, 0U);
       EXPECT_EQ(areas(made), squares(scene));
@@ -276,7 +279,7 @@ TEST(MeshWithAttributes, JoinsPiecesOfEqualAttributes) {
     }
     const MeshWithAttributes made = mesh_with_attributes(set);
     EXPECT_EQ(areas(made), squares(scene));
-    const auto& values = made.attributes.channels.at(made.mesh.face_count() == 0 ? 0 : 0).values;
+    const auto& values = channel(made.attributes, "place").values;
     for (std::size_t c = 0; c < made.mesh.corners.size(); ++c) {
       const Point3& p = made.mesh.points[made.mesh.corners[c]];
       EXPECT_EQ(values[3 * c], p.x);
@@ -338,7 +341,9 @@ TEST(MeshWithAttributes, GridsCutBySpheresAreValidMeshes) {
     expect_complete(made, 3);
     expect_values(made, sources, false);
     MeshReport report;
-    const Nef3 read = Nef3::from_mesh(made.mesh, {.report = &report});
+    FromMeshOptions options;
+    options.report = &report;
+    const Nef3 read = Nef3::from_mesh(made.mesh, options);
     EXPECT_FALSE(report.crosses_itself());
     EXPECT_NEAR(static_cast<double>(*read.volume()), static_cast<double>(*set.volume()), 1e-9);
   }
@@ -393,7 +398,9 @@ TEST(MeshWithAttributes, MapsMoveSourcesAndTurnNormals) {
         EXPECT_NEAR(image[2], p.z, 1e-12);
         const double* m = &channel(made.attributes, "normal").values[3 * c];
         const double along = n.x * m[0] + n.y * m[1] + n.z * m[2];
-        if (dot(n, n) > 1e-12) EXPECT_NEAR(along / std::sqrt(dot(n, n)), 1, 1e-6);
+        if (dot(n, n) > 1e-12) {
+          EXPECT_NEAR(along / std::sqrt(dot(n, n)), 1, 1e-6);
+        }
       }
     }
   }
@@ -411,6 +418,40 @@ TEST(MeshWithAttributes, HalfSpacesHaveNoSource) {
     EXPECT_EQ(made.attributes.face_material[f], MeshAttributes::kNone);
   }
   EXPECT_EQ(without, 4);
+}
+
+// The id of a half-space is that of its cut, also where the half-space was moved or subtracted, and
+// where the cut lies in the plane of a face of the box.
+TEST(MeshWithAttributes, HalfSpacesCanHaveIds) {
+  const auto half_space = [](const Plane3& plane, std::uint32_t id) {
+    MeshSource source{"cut", {}, {}};
+    source.plane = plane;
+    source.attributes.face_id = {id};
+    return from_source(std::make_shared<const MeshSource>(std::move(source)));
+  };
+  Dice dice(1);
+  const Nef3 box = from_source(random_source(fanned(box_mesh({0, 0, 0}, {4, 4, 4})), dice));
+  const auto area_of = [](const Nef3& set, std::uint32_t source, std::uint32_t id, bool flipped) {
+    const MeshWithAttributes made = mesh_with_attributes(set);
+    double area = 0;
+    for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+      if (made.source[f] != FaceSource{source, 0, flipped}) continue;
+      EXPECT_EQ(made.attributes.face_id[f], id);
+      const Point3 n = cross(corners_of(made.mesh, f));
+      area += std::sqrt(dot(n, n)) / 2;
+    }
+    return area;
+  };
+  // The plane y + z = 4 cuts the cube along diagonals.
+  const Nef3 half = half_space({0, 1, 1, -3}, 77).translated({0, 1, 0});
+  EXPECT_NEAR(area_of(box * half, 1, 77, false), 16 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(area_of(box - half, 1, 77, true), 16 * std::sqrt(2.0), 1e-12);
+  const Nef3 below = half_space({0, 0, 1, -4}, 88);
+  EXPECT_EQ(area_of(below * box, 0, 88, false), 16);
+  EXPECT_EQ(area_of(box * below, 1, 88, false), 0);
+  MeshSource bad{"bad", box_mesh({0, 0, 0}, {1, 1, 1}), {}};
+  bad.plane = Plane3{0, 0, 1, 0};
+  EXPECT_THROW(require_consistent(bad), Error);
 }
 
 // A material of the box is a face of the box, and keeps its plane and side through the chain.
@@ -475,12 +516,20 @@ TEST(MeshWithAttributes, RejectsWhatDoesNotFit) {
   };
   const PolygonMesh box = box_mesh({0, 0, 0}, {1, 1, 1});
   const std::vector<double> values(box.corners.size());
-  EXPECT_TRUE(is_rejected({"", box, {.channels = {{"a", 2, values}}}}));
-  EXPECT_TRUE(is_rejected({"", box, {.channels = {{"a", 0, {}}}}}));
-  EXPECT_TRUE(is_rejected({"", box, {.channels = {{"a", 1, values}, {"a", 1, values}}}}));
-  EXPECT_TRUE(is_rejected({"", box, {.face_material = {0, 0, 0, 0, 0, 0}}}));
-  EXPECT_TRUE(is_rejected({"", box, {.face_id = {1, 2}}}));
-  EXPECT_FALSE(is_rejected({"", box, {.channels = {{"a", 1, values}}}}));
+  const auto with = [&](const auto& change) {
+    MeshSource source{"", box, {}};
+    change(source.attributes);
+    return source;
+  };
+  using Attributes = MeshAttributes;
+  EXPECT_TRUE(is_rejected(with([&](Attributes& a) { a.channels = {{"a", 2, values}}; })));
+  EXPECT_TRUE(is_rejected(with([&](Attributes& a) { a.channels = {{"a", 0, {}}}; })));
+  EXPECT_TRUE(is_rejected(with([&](Attributes& a) {
+    a.channels = {{"a", 1, values}, {"a", 1, values}};
+  })));
+  EXPECT_TRUE(is_rejected(with([&](Attributes& a) { a.face_material = {0, 0, 0, 0, 0, 0}; })));
+  EXPECT_TRUE(is_rejected(with([&](Attributes& a) { a.face_id = {1, 2}; })));
+  EXPECT_FALSE(is_rejected(with([&](Attributes& a) { a.channels = {{"a", 1, values}}; })));
   EXPECT_THROW(static_cast<void>(from_source(nullptr)), Error);
   EXPECT_THROW(static_cast<void>(mesh_with_attributes(Nef3::whole())), Error);
 }
@@ -511,7 +560,9 @@ TEST(MeshWithAttributes, RepairedMeshesAreValid) {
     expect_complete(made, set.sources().size());
     repaired += made.repair.rounds > 0 ? 1 : 0;
     MeshReport report;
-    static_cast<void>(Nef3::from_mesh(made.mesh, {.report = &report}));
+    FromMeshOptions options;
+    options.report = &report;
+    static_cast<void>(Nef3::from_mesh(made.mesh, options));
     EXPECT_FALSE(report.crosses_itself());
     EXPECT_TRUE(report.degenerate.empty());
     if (made.mesh.face_count() == 0) continue;

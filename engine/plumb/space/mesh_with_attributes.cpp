@@ -272,6 +272,7 @@ class Interpolation {
 
   void fill_corner(std::size_t corner, const BoundaryPiece& from) {
     const SourceTriangle& triangle = sources_[from.triangle];
+    if (sources_.is_plane(triangle)) return;
     const CornerWeights weights =
         weights_at(result_.mesh.points[result_.mesh.corners[corner]], triangle, from.is_joined);
     const auto& channels = sources_.sources()[triangle.source].source->attributes.channels;
@@ -299,14 +300,14 @@ class Interpolation {
       v[i] = channel.values[std::size_t{triangle.corner[i]} * channel.width + k];
     }
     if (v[0] == v[1] && v[1] == v[2]) return v[0];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (weights.rounded[i] == 1) return v[i];
-    }
     const bool is_finite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
     if (weights.exact && is_finite) {
       Rational sum = 0;
       for (std::size_t i = 0; i < 3; ++i) sum += (*weights.exact)[i] * v[i];
       return static_cast<double>(sum);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (weights.rounded[i] == 1) return v[i];
     }
     // A corner of weight 0 takes no part, so that numbers beside an edge do not change its values.
     double sum = 0;

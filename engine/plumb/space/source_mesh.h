@@ -12,6 +12,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -28,6 +29,9 @@ struct MeshSource {
   std::string name;           ///< A name for the user, for instance that of a file. Can be empty.
   PolygonMesh mesh;           ///< The points and faces of the mesh.
   MeshAttributes attributes;  ///< What belongs to its faces and corners. Can be empty.
+  /// If given, the source is the boundary of the half-space below this plane. The mesh is then
+  /// empty, and the attributes have no channels and are those of one face.
+  std::optional<Plane3> plane = {};
 };
 
 /// A source and its place.
@@ -38,11 +42,12 @@ struct PlacedSource {
 
 /// Throws Error{BadArgument} unless each array of the attributes is empty or complete, each channel
 /// has a width of 1 or more, all channels have different names, and each index of a material, a
-/// group or a point is in range.
+/// group or a point is in range. For a plane, also throws if the normal is zero.
 void require_consistent(const MeshSource& source);
 
 /// Returns the set that a mesh bounds, with the mesh as its source. This is Nef3::from_mesh()
-/// followed by Nef3::with_source(). Throws what they throw.
+/// followed by Nef3::with_source(). If the source is a plane, returns the closed half-space below
+/// it. Throws what they throw.
 [[nodiscard]] Nef3 from_source(std::shared_ptr<const MeshSource> source,
                                const FromMeshOptions& options = {},
                                Context& context = unlimited_context());

@@ -161,6 +161,8 @@ class PlaneCutter {
     collect_points();
     collect_segments();
     arrangement_ = arrange(std::move(points2_), segments_, state_.context);
+    // All points are ends of segments, so the subdivision has kept their indices.
+    PLUMB_CHECK(flat().points.inputs.size() == places_.size());
     label_faces();
     choose_triangles();
     join_faces();
@@ -173,9 +175,8 @@ class PlaneCutter {
   const Dcel& dcel() const { return arrangement_->complex.dcel; }
   std::uint32_t side_count() const { return static_cast<std::uint32_t>(sides_.size()); }
 
-  /// Lists the vertices of the facets and the corners of the triangles. Equal points get the same
-  /// index, that of the vertex if there is one.
-  void collect_points() {
+  /// Lists the vertices of the facets.
+  void collect_vertices() {
     const SpaceComplex& c = state_.complex;
     for (const FacetSide& side : sides_) {
       for_each_use(c, side.facet, [&](UseId u) { vertices_.push_back(c.use_origin(u)); });
@@ -185,31 +186,55 @@ class PlaneCutter {
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
     for (const VertexId v : vertices_) places_.push_back(c.vertex_point[v]);
+  }
+
+  /// Lists the different points: the vertices, then corners of triangles at other places.
+  void collect_points() {
+    collect_vertices();
+    std::vector<SpacePoint> all = places_;
     for (const std::uint32_t t : triangles_) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        places_.push_back(state_.sources.place(state_.sources[t], i));
+      if (state_.sources.is_plane(state_.sources[t])) {
+        all.insert(all.end(), 3, all.front());  // A plane has no corners.
+        continue;
       }
+      for (std::size_t i = 0; i < 3; ++i) all.push_back(state_.sources.place(state_.sources[t], i));
     }
     FlatPoints shown(state_.tables.points);
     shown.reset(view_);
-    for (const SpacePoint p : places_) shown.push_back(p);
-    std::vector<std::uint32_t> order(places_.size());
+    for (const SpacePoint p : all) shown.push_back(p);
+    std::vector<std::uint32_t> order(all.size()), first_of(all.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
       const Sign sign = i == j ? Sign::Zero : shown.compare(i, j);
       return sign == Sign::Zero ? i < j : sign == Sign::Negative;
     });
-    same_as_.resize(places_.size());
     for (std::size_t k = 0; k < order.size(); ++k) {
       const bool is_known = k > 0 && shown.compare(order[k - 1], order[k]) == Sign::Zero;
-      same_as_[order[k]] = is_known ? same_as_[order[k - 1]] : order[k];
+      first_of[order[k]] = is_known ? first_of[order[k - 1]] : order[k];
     }
+    // The first of equal points comes before the others, so its index is known by then.
+    index_of_point_.resize(all.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+      const bool is_first = first_of[i] == i;
+      if (is_first && i >= vertices_.size()) places_.push_back(all[i]);
+      const auto last = static_cast<std::uint32_t>(places_.size() - 1);
+      index_of_point_[i] = i < vertices_.size() ? i
+                           : is_first           ? last
+                                                : index_of_point_[first_of[i]];
+    }
+    shown.reset(view_);
+    for (const SpacePoint p : places_) shown.push_back(p);
     points2_ = shown.table();
   }
 
   std::uint32_t index_of(VertexId v) const {
     return static_cast<std::uint32_t>(std::lower_bound(vertices_.begin(), vertices_.end(), v) -
                                       vertices_.begin());
+  }
+
+  /// Whether triangle t of the plane stands for all of the plane.
+  bool is_plane(std::uint32_t t) const {
+    return state_.sources.is_plane(state_.sources[triangles_[t]]);
   }
 
   void add_segment(std::uint32_t from, std::uint32_t to, std::uint32_t owner, EdgeId edge) {
@@ -233,9 +258,10 @@ class PlaneCutter {
     }
     const auto first = static_cast<std::uint32_t>(vertices_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (is_plane(t)) continue;
       for (std::uint32_t i = 0; i < 3; ++i) {
-        add_segment(same_as_[first + 3 * t + i], same_as_[first + 3 * t + (i + 1) % 3],
-                    side_count() + t, {});
+        add_segment(index_of_point_[first + 3 * t + i],
+                    index_of_point_[first + 3 * t + (i + 1) % 3], side_count() + t, {});
       }
     }
   }
@@ -255,9 +281,13 @@ class PlaneCutter {
     return label;
   }
 
-  /// Finds the facets and triangles that contain each face, from face 0, which none contains.
+  /// Finds the facets and triangles that contain each face, from face 0, which only whole planes
+  /// contain.
   void label_faces() {
     label_.assign(flat().face_count(), {});
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (is_plane(t)) label_[0].push_back(side_count() + t);
+    }
     std::vector<std::uint8_t> is_known(label_.size(), 0);
     std::vector<FaceId> work{FaceId(0)};
     is_known[0] = 1;
@@ -452,9 +482,10 @@ class PlaneCutter {
   std::span<const std::uint32_t> triangles_;
   FlatView view_;
 
-  std::vector<VertexId> vertices_;      // The vertices of the facets, ascending.
-  std::vector<SpacePoint> places_;      // Those of the vertices, then those of the triangles.
-  std::vector<std::uint32_t> same_as_;  // The first point equal to each point.
+  std::vector<VertexId> vertices_;  // The vertices of the facets, ascending.
+  std::vector<SpacePoint> places_;  // The different points, those of the vertices first.
+  // For each vertex and each corner of a triangle, its index in places_.
+  std::vector<std::uint32_t> index_of_point_;
   PointTable2 points2_;
   std::vector<SweepSegment> segments_;
   std::vector<std::uint32_t> owner_;  // For each segment, its side or triangle.
@@ -501,7 +532,8 @@ bool is_whole(const CutState& state, FacetId f, std::uint32_t& triangle) {
   const auto near = state.sources.in_plane(state.complex.facet_plane[f]);
   triangle = near.empty() ? kNone : near.front();
   if (near.empty()) return true;
-  return near.size() == 1 && is_in_triangle(state, f, state.sources[triangle]);
+  const SourceTriangle& first = state.sources[triangle];
+  return near.size() == 1 && (state.sources.is_plane(first) || is_in_triangle(state, f, first));
 }
 
 void add_whole(CutState& state, const FacetSide& side, std::uint32_t triangle) {

@@ -59,11 +59,22 @@ void require_channel(const MeshAttributes& attributes, std::size_t at, std::size
   }
 }
 
+void require_plane(const MeshSource& source) {
+  const Plane3& plane = *source.plane;
+  if (plane.a == 0 && plane.b == 0 && plane.c == 0) {
+    throw Error(ErrorCode::BadArgument, "a plane needs a normal that is not zero");
+  }
+  if (source.mesh.face_count() > 0 || !source.attributes.channels.empty()) {
+    throw Error(ErrorCode::BadArgument, "a source that is a plane has neither faces nor channels");
+  }
+}
+
 }  // namespace
 
 void require_consistent(const MeshSource& source) {
   const MeshAttributes& attributes = source.attributes;
-  const std::size_t faces = source.mesh.face_count();
+  if (source.plane) require_plane(source);
+  const std::size_t faces = source.plane ? 1 : source.mesh.face_count();
   require_size(attributes.face_material.size(), faces, "face");
   require_size(attributes.face_group.size(), faces, "face");
   require_size(attributes.face_id.size(), faces, "face");
@@ -83,6 +94,9 @@ Nef3 from_source(std::shared_ptr<const MeshSource> source, const FromMeshOptions
                  Context& context) {
   if (source == nullptr) throw Error(ErrorCode::BadArgument, "a source must not be null");
   require_consistent(*source);
+  if (source->plane) {
+    return Nef3::half_space(*source->plane, Boundary::Closed).with_source(std::move(source));
+  }
   return Nef3::from_mesh(source->mesh, options, context).with_source(std::move(source));
 }
 

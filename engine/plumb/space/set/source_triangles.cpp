@@ -62,6 +62,21 @@ std::vector<SpacePoint> places_of(const PolygonMesh& mesh, const AffineMap3& map
   return places;
 }
 
+/// Returns the places of three points of a plane, counter-clockwise seen from above.
+std::vector<SpacePoint> places_of(const Plane3& plane, const AffineMap3& map, SpaceTables& tables) {
+  const RationalPoint3 n{plane.a, plane.b, plane.c};
+  const Rational scale = -plane.d / (n.x * n.x + n.y * n.y + n.z * n.z);
+  const RationalPoint3 at{n.x * scale, n.y * scale, n.z * scale};
+  // u is orthogonal to n, and v is n x u.
+  const RationalPoint3 u =
+      n.x != 0 || n.y != 0 ? RationalPoint3{-n.y, n.x, 0} : RationalPoint3{1, 0, 0};
+  const RationalPoint3 v{n.y * u.z - n.z * u.y, n.z * u.x - n.x * u.z, n.x * u.y - n.y * u.x};
+  const auto place = [&](const RationalPoint3& by) {
+    return add_point(tables, image(map, {at.x + by.x, at.y + by.y, at.z + by.z}));
+  };
+  return {place({0, 0, 0}), place(u), place(v)};
+}
+
 /// Returns the index of the corner of a face at a point.
 std::uint32_t corner_at(const PolygonMesh& mesh, std::uint32_t face, std::uint32_t point) {
   std::uint32_t corner = mesh.face_begin[face];
@@ -135,8 +150,14 @@ SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, SpaceTab
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
     context.checkpoint("place sources", s, sources.size());
     const PolygonMesh& mesh = sources[s].source->mesh;
-    places_.push_back(places_of(mesh, sources[s].map, tables));
     const std::size_t first = triangles_.size();
+    if (sources[s].source->plane) {
+      places_.push_back(places_of(*sources[s].source->plane, sources[s].map, tables));
+      triangles_.push_back({s, 0, {0, 1, 2}, {}, false});
+      intern_planes(s, first, tables);
+      continue;
+    }
+    places_.push_back(places_of(mesh, sources[s].map, tables));
     for_each_triangle(mesh, context, [&](std::uint32_t f, const std::array<std::uint32_t, 3>& c) {
       triangles_.push_back({s, f, c, {}, false});
     });

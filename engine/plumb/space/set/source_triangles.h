@@ -14,10 +14,12 @@ namespace plumb {
 
 /// A triangle of a source, or of a face of a source that is a polygon.
 struct SourceTriangle {
-  std::uint32_t source;                 ///< The index of its source.
-  std::uint32_t face;                   ///< The face of the source.
-  std::array<std::uint32_t, 3> corner;  ///< Its corners as indices of mesh.corners of the source.
-  PlaneId plane;                        ///< Its plane.
+  std::uint32_t source;  ///< The index of its source.
+  std::uint32_t face;    ///< The face of the source; 0 for a plane.
+  /// Its corners as indices of mesh.corners of the source. For a plane, indices of three of its
+  /// points.
+  std::array<std::uint32_t, 3> corner;
+  PlaneId plane;  ///< Its plane.
   /// Whether the set that the source bounds is on the positive side of the plane.
   bool is_opposite;
 };
@@ -41,7 +43,13 @@ class SourceTriangles {
   std::span<const PlacedSource> sources() const { return sources_; }
   /// Returns the place of corner i of a triangle.
   SpacePoint place(const SourceTriangle& t, std::size_t i) const {
-    return places_[t.source][sources_[t.source].source->mesh.corners[t.corner[i]]];
+    const std::uint32_t corner = t.corner[i];
+    return places_[t.source]
+                  [is_plane(t) ? corner : sources_[t.source].source->mesh.corners[corner]];
+  }
+  /// Whether a triangle stands for its whole plane.
+  bool is_plane(const SourceTriangle& t) const {
+    return sources_[t.source].source->plane.has_value();
   }
 
   /// Whether both triangles, which lie in one plane, have the same source, material, group and id,
