@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -359,6 +361,58 @@ TEST_F(SolidProgram, warns_of_geometry_that_is_not_read_even_if_quiet) {
     quiet.push_back("--quiet");
     EXPECT_EQ(run(quiet).err, warning) << words[1];
   }
+}
+
+/// Returns the box from (o, o, o) to (o + 2, o + 2, o + 2) as OFF, with a colour behind each face.
+std::string colored_box(int o, const std::string& color) {
+  std::string text = "OFF\n8 6 0\n";
+  for (int i = 0; i < 8; ++i) {
+    for (const int bit : {i & 1, i >> 1 & 1, i >> 2}) text += std::to_string(o + 2 * bit) + ' ';
+    text += '\n';
+  }
+  for (const char* face : {"0 2 3 1", "4 5 7 6", "0 1 5 4", "2 6 7 3", "0 4 6 2", "1 3 7 5"}) {
+    text += "4 " + std::string(face) + ' ' + color + '\n';
+  }
+  return text;
+}
+
+/// Returns how many lines of a file end with these words.
+std::ptrdiff_t lines_with(const std::string& path, const std::string& ending) {
+  std::ifstream in(path);
+  std::ptrdiff_t count = 0;
+  for (std::string line; std::getline(in, line);) count += line.ends_with(ending) ? 1 : 0;
+  return count;
+}
+
+TEST_F(SolidProgram, keeps_the_colours_of_faces) {
+  const std::string red = holding(colored_box(0, "255 0 0"), "red.off");
+  const std::string blue = holding(colored_box(1, "0 0 255"), "blue.off");
+  const Words united{"solid", "union", red, blue, "-o"};
+  const auto write = [&](const std::string& name, const Words& more) {
+    Words words = united;
+    words.push_back(file(name));
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult result = run(words);
+    EXPECT_EQ(result.code, 0);
+    return result.err;
+  };
+  EXPECT_EQ(write("u.off", {}), "");
+  EXPECT_GT(lines_with(file("u.off"), " 255 0 0"), 0);
+  EXPECT_GT(lines_with(file("u.off"), " 0 0 255"), 0);
+  EXPECT_EQ(write("u.obj", {}), "");
+  EXPECT_EQ(lines_with(file("u.obj"), "mtllib u.mtl"), 1);
+  EXPECT_EQ(lines_with(file("u.mtl"), "Kd 1 0 0"), 1);
+  EXPECT_EQ(lines_with(file("u.mtl"), "Kd 0 0 1"), 1);
+  EXPECT_EQ(write("u.stl", {}), file("u.stl") +
+                                    ": not written, because the format does not hold "
+                                    "them: colours of faces\n");
+  EXPECT_EQ(write("plain.off", {"--keep", "ids"}), "");
+  EXPECT_EQ(lines_with(file("plain.off"), " 255 0 0"), 0);
+  const std::string notes = write("none.off", {"--keep", "none"});
+  EXPECT_EQ(notes,
+            red + ": passed over: colours of faces\n" + blue + ": passed over: colours of faces\n");
+  const auto measured = [&](const std::string& name) { return volume(info(file(name))); };
+  for (const char* name : {"u.off", "u.obj", "u.stl", "none.off"}) EXPECT_EQ(measured(name), 15);
 }
 
 TEST_F(SolidProgram, files_without_faces_are_refused) {
