@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "plumb/cli/files/certificate.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
 #include "plumb/cli/session/command.h"
@@ -79,6 +80,7 @@ class MapCheck : public CommandBody {
   std::string outer_;
   std::string svg_;
   std::string geojson_;
+  CertificateOption certificate_;
   MapCheckOptions options_;
   MapReport report_;
 };
@@ -98,6 +100,7 @@ void MapCheck::declare(CLI::App& app) {
       ->type_name("N");
   app.add_option("--svg", svg_, "Draw the map and its defects")->type_name("OUT");
   app.add_option("--geojson", geojson_, "Write the defects as GeoJSON")->type_name("OUT");
+  certificate_.declare(app);
 }
 
 ExitCode MapCheck::run(Session& session) {
@@ -115,8 +118,10 @@ ExitCode MapCheck::run(Session& session) {
     session.note(input_name(file_) + ": passed over: " + std::to_string(file.dropped) +
                  (file.dropped == 1 ? " line or point" : " lines and points"));
   }
+  const std::size_t listed_cycles = file.map.cycle_count();
   session.begin("check");
   report_ = check_map(std::move(file.map), options_, context);
+  certify_map(report_, options_, listed_cycles, session.options(), certificate_);
   session.deliver();
   tell_notes(session);
   return report_.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
@@ -129,6 +134,7 @@ void MapCheck::open_outputs(Session& session) {
   };
   if (!svg_.empty()) add(svg_, format_named(kFormats, "svg"));
   if (!geojson_.empty()) add(geojson_, format_named(kFormats, "geojson"));
+  certificate_.open(session);
   add_outputs(session.options(), kFormats, svg_ != "-" && geojson_ != "-", add);
 }
 

@@ -19,6 +19,7 @@
 #include "plumb/cli/commands/csg_command.h"
 #include "plumb/cli/commands/set_command.h"
 #include "plumb/cli/commands/solid_kind.h"
+#include "plumb/cli/files/certificate.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/convex/minkowski.h"
@@ -254,9 +255,11 @@ class SolidCompare : public CommandBody {
     declare_first<Solid>(app, a_);
     declare_second(app, b_);
     input_.declare(app);
+    certificate_.declare(app);
   }
   ExitCode run(Session& session) override {
     require_one_stdin({a_, b_});
+    certificate_.open(session);
     ProgressStages stages = stages_of_sets<Solid>(2, 2);
     stages.push_back(writing());
     session.expect(std::move(stages));
@@ -268,6 +271,7 @@ class SolidCompare : public CommandBody {
     const bool b_in_a = is_equal || b.is_subset_of(a, session.context());
     session.begin("combine");
     const bool is_disjoint = boolean_op(a, b, kIntersection, session.context()).is_empty();
+    certify_comparison(a, b, input_, session, certificate_);
     const Json json{
         {"equal", is_equal}, {"a_in_b", a_in_b}, {"b_in_a", b_in_a}, {"disjoint", is_disjoint}};
     session.answer(json.dump(), [&](std::ostream& out) {
@@ -285,6 +289,7 @@ class SolidCompare : public CommandBody {
   std::string a_;
   std::string b_;
   SolidInput input_;
+  CertificateOption certificate_;
 };
 
 }  // namespace
