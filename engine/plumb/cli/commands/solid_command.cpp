@@ -138,6 +138,7 @@ class Evaluation : public SolidOperation {
   Nef3 compute(Session& session) override {
     const SetExpression expression = parse_set_expression(text_);
     const std::map<std::string, std::string> files = bound_files();
+    require_used(files, expression.names);
     std::vector<std::string> names;
     for (const std::string& name : expression.names) {
       const auto file = files.find(name);
@@ -155,6 +156,15 @@ class Evaluation : public SolidOperation {
 
   ProgressStages stages() const override {
     return stages_of_sets<Solid>(parse_set_expression(text_).names.size(), 1);
+  }
+
+  static void require_used(const std::map<std::string, std::string>& files,
+                           const std::vector<std::string>& names) {
+    for (const auto& [name, file] : files) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+      throw Error(ErrorCode::Usage,
+                  "the expression has no '" + name + "': leave out " + name + "=" + file);
+    }
   }
 
   std::map<std::string, std::string> bound_files() const {
