@@ -41,7 +41,7 @@ class CertificateOption {
 void certify_map(const MapReport& report, const MapCheckOptions& options, std::size_t listed_cycles,
                  const CommonOptions& common, CertificateOption& certificate);
 
-/// Claims with a point what is false of "A lies in B" and "B lies in A", and with a point or a plane
+/// Claims with a point that "A lies in B" or "B lies in A" is false, and with a point or a plane
 /// whether the sets meet.
 void certify_comparison(const Nef3& a, const Nef3& b, const SolidInput& input, Session& session,
                         CertificateOption& certificate);
