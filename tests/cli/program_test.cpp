@@ -107,6 +107,7 @@ TEST(Program, refuses_wrong_usage) {
       {"map", "check", kValid, "--json", "--svg", "-"},
       {"map", "check", kValid, "--json", "--format", "text"},
       {"map", "check", kValid, "--svg"},
+      {"map", "check", kValid, "-o", ""},
   };
   for (const Words& arguments : wrong) {
     SCOPED_TRACE(::testing::PrintToString(arguments));
@@ -126,6 +127,18 @@ TEST(MapCheckProgram, a_valid_map_is_valid_by_every_rule_for_its_outside) {
   for (const char* rule : {"listed", "infer", "ignore"}) {
     EXPECT_EQ(run({"map", "check", kValid, "--outer", rule}).code, 0) << rule;
   }
+}
+
+// Control characters of eight bits begin commands for a terminal, too.
+TEST(Program, prints_no_control_characters_of_names) {
+  for (const std::string control : {"\x1b[31m", "\xc2\x9b31m", "\x9b31m", "\x7f", "\xc2"}) {
+    const RunResult result = run({"map", "check", "none" + control + ".map"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.err.find(control), std::string::npos) << result.err;
+    EXPECT_TRUE(result.err.starts_with("none?")) << result.err;
+  }
+  const std::string name = "caf\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80.map";
+  EXPECT_TRUE(run({"map", "check", name}).err.starts_with(name));
 }
 
 // Not on a terminal: a line for each phase, and nothing that only a terminal understands.

@@ -444,6 +444,7 @@ TEST_F(SolidProgram, wrong_usage_is_refused) {
     refuse({"eval", "A+B", "B=" + kBlock, binding}, "expected NAME=FILE");
   }
   refuse({"eval", "A", "A=" + kBlock, "A=" + kCorner}, "two files for 'A'");
+  refuse({"eval", "A", "A=" + kBlock, "B=" + kCorner}, "the expression has no 'B'");
   refuse({"section", kBlock, "--plane", "0,0,0,1", "--side", "open"}, "all zero");
   refuse({"section", kBlock, "--plane", "1,0,0", "--side", "open"}, "four numbers");
   refuse({"locate", kBlock, "1", "x", "2"}, "Y: expected a number");

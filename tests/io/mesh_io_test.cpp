@@ -198,5 +198,24 @@ TEST(SolidIo, gives_back_the_memory_of_the_bytes) {
   EXPECT_THROW(read_mesh_file("no/such.off", {}, {}, context), Error);
 }
 
+TEST(MeshIo, refuses_corners_that_are_no_points) {
+  for (const std::uint32_t corner : {3U, ~0U}) {
+    const PolygonMesh mesh =
+        testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, corner, 2}});
+    for (const MeshFormat format :
+         {MeshFormat::Off, MeshFormat::ExactOff, MeshFormat::Obj, MeshFormat::Stl,
+          MeshFormat::StlBinary, MeshFormat::Ply, MeshFormat::PlyText, MeshFormat::Gltf}) {
+      std::ostringstream out;
+      try {
+        write_mesh(out, mesh, format);
+        ADD_FAILURE() << "written";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::BadIndex) << error.what();
+      }
+      EXPECT_EQ(out.str(), "");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace plumb::mesh_io_test

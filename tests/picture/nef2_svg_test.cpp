@@ -6,9 +6,13 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <sstream>
+#include <stop_token>
 
 #include "plumb/convex/plane_partition.h"
 #include "plumb/picture/plane/plane_view.h"
+#include "plumb/picture/plane_scene.h"
+#include "plumb/predicates/error.h"
 #include "svg_checks.h"
 
 namespace plumb::nef2_svg_test {
@@ -279,6 +283,23 @@ TEST(PlaneWindow, HoldsEveryVertexAndLine) {
       EXPECT_TRUE(left && right);
     }
   }
+}
+
+// The context bounds the cut, the area and the drawing, not only the convex parts.
+TEST(Nef2Svg, keeps_the_limits_of_its_context) {
+  const Nef2 set = triangle(Boundary::Closed);
+  std::stop_source stop;
+  stop.request_stop();
+  Context stopped({}, stop.get_token());
+  std::ostringstream out;
+  EXPECT_THROW(write_nef2_svg(out, set, {.context = &stopped}), Error);
+  EXPECT_EQ(out.str(), "");
+  EXPECT_THROW((void)scene_of(set, stopped), Error);
+  Context narrow(Limits{.max_memory_bytes = 64});
+  EXPECT_THROW(write_nef2_svg(out, set, {.context = &narrow}), Error);
+  EXPECT_THROW((void)scene_of(set, narrow), Error);
+  Context free;
+  EXPECT_NO_THROW(write_nef2_svg(out, set, {.context = &free}));
 }
 
 }  // namespace

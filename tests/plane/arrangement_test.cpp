@@ -12,6 +12,7 @@
 #include "generate/curve_scenes.h"
 #include "generate/test_share.h"
 #include "oracle/arrangement_check.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::testing::arrangement_test {
 namespace {
@@ -265,6 +266,33 @@ TEST_P(Arrangements, AreThoseOfCurvesClippedToALargeBox) {
     EXPECT_EQ(boxed.complex.edge_count(), open.complex.edge_count() + ends + 4);
     EXPECT_EQ(boxed.complex.face_count(), open.complex.face_count() + 1);
   }
+}
+
+// An index beyond the points is refused before anything is read through it.
+TEST(ArrangementIndices, AreCheckedBeforeUse) {
+  PlanePoints points;
+  for (const double x : {0.0, 1.0, 2.0}) points.inputs.push_back(x, x);
+  const SweepCurve good{0, 1, 0, 1};
+  const auto code_of = [&](const SweepCurve& curve, std::uint32_t isolated) {
+    try {
+      (void)arrange(points, std::vector{good, curve}, std::vector{isolated});
+    } catch (const Error& error) {
+      return error.code();
+    }
+    return ErrorCode::Usage;
+  };
+  for (const std::uint32_t bad : {3U, 1U << 31U}) {
+    EXPECT_EQ(code_of({bad, 1, 0, 1}, 2), ErrorCode::BadIndex);
+    EXPECT_EQ(code_of({0, bad, 0, 1}, 2), ErrorCode::BadIndex);
+    EXPECT_EQ(code_of({0, 1, bad, 1}, 2), ErrorCode::BadIndex);
+    EXPECT_EQ(code_of({0, 1, 0, bad}, 2), ErrorCode::BadIndex);
+    EXPECT_EQ(code_of(good, bad), ErrorCode::BadIndex);
+  }
+  EXPECT_EQ(code_of({0, 1, SweepCurve::kUnbounded, 1}, 2), ErrorCode::BadIndex);
+  EXPECT_EQ(code_of({SweepCurve::kUnbounded, 1, 0, 1}, 2), ErrorCode::Usage);
+  PointTable2 table;
+  table.push_back(0.0, 0.0);
+  EXPECT_THROW((void)arrange(table, std::vector{SweepSegment{0, 1}}), Error);
 }
 
 }  // namespace

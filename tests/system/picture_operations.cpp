@@ -80,19 +80,24 @@ OperationRoom picture_operations() {
       [s] { return digest_of(s->scene) ^ digest_of(s->solids[0]); },
       {
           {"write_map_svg",
-           [s](Context&) { return written([&](Digest& out) { write_map_svg(out, s->map); }); }},
+           [s](Context& own) {
+             return written([&](Digest& out) { write_map_svg(out, s->map, {.context = &own}); });
+           }},
           {"write_overlay_svg",
            [s](Context&) {
              return written([&](Digest& out) { write_overlay_svg(out, s->overlay); });
            }},
           {"write_nef2_svg",
-           [s](Context&) { return written([&](Digest& out) { write_nef2_svg(out, s->set); }); }},
+           [s](Context& own) {
+             return written([&](Digest& out) { write_nef2_svg(out, s->set, {.context = &own}); });
+           }},
           {"write_plane_html",
            [](Context&) {
              return written([&](Digest& out) { write_plane_html(out, "<svg></svg>", "a title"); });
            }},
-          {"scene_of a map", [s](Context&) { return digest_of(scene_of(s->map)); }},
-          {"scene_of a set of the plane", [s](Context&) { return digest_of(scene_of(s->set)); }},
+          {"scene_of a map", [s](Context& own) { return digest_of(scene_of(s->map, own)); }},
+          {"scene_of a set of the plane",
+           [s](Context& own) { return digest_of(scene_of(s->set, own)); }},
           {"scene_of a set of space",
            [s](Context& own) { return digest_of(scene_of(s->solids[1], own)); }},
           {"exploded_scene",

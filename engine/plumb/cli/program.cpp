@@ -323,8 +323,8 @@ ExitCode report_refused_memory() {
 void print_line(std::string_view text) {
   std::array<char, 4096> line{};
   const std::size_t size = std::min(text.size(), line.size());
-  std::replace_copy_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), line.begin(),
-                       is_control, '?');
+  std::copy_n(text.begin(), size, line.begin());
+  hide_controls(std::span(line).first(size));
   std::fprintf(stderr, "%.*s\n", static_cast<int>(size), line.data());
 }
 

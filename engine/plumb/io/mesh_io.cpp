@@ -12,6 +12,7 @@
 #include <array>
 #include <filesystem>
 #include <ostream>
+#include <string>
 #include <utility>
 
 #include "plumb/io/mesh/attribute_writer.h"
@@ -150,7 +151,24 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
   return file;
 }
 
+namespace {
+
+/// Throws Error{BadIndex} if a corner of a face names no point.
+void require_corners(const PolygonMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    for (const std::uint32_t corner : mesh.face(f)) {
+      if (corner < mesh.points.size()) continue;
+      throw Error(ErrorCode::BadIndex, "face " + std::to_string(f) + " has a corner " +
+                                           std::to_string(corner) + ", but there are " +
+                                           std::to_string(mesh.points.size()) + " points, from 0");
+    }
+  }
+}
+
+}  // namespace
+
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
+  require_corners(mesh);
   switch (format) {
     case MeshFormat::ExactOff:
       return write_off(out, mesh, MeshNumbers::Exact);

@@ -111,6 +111,7 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
 /// Writes a mesh to a stream. Exceptions of `out` reach the caller. Throws, before the first byte
 /// is written:
 ///   - Error{NumberOutOfRange} if a coordinate is too large for the doubles or floats of the format
+///   - Error{BadIndex} if a corner of a face is not the index of a point
 ///   - Error{BadArgument} if lists_triangles(format) is true and a face is not a triangle
 ///   - Error{BadArgument} if the format is Gltf and the mesh has no faces
 ///   - Error{CannotWrite} if the format is Gltf and the file would have 2^32 bytes or more

@@ -95,10 +95,15 @@ class MapSheet {
         window_(main_window(report, plane_)) {}
 
   void write(std::ostream& out) {
+    Context& context = options_.context != nullptr ? *options_.context : unlimited_context();
     write_header();
     lay_out_map();
+    context.checkpoint("drawing", 0, closeups_.size() + 1);
     write_map();
-    for (std::size_t i = 0; i < closeups_.size(); ++i) write_closeup(i);
+    for (std::size_t i = 0; i < closeups_.size(); ++i) {
+      context.checkpoint("drawing", i + 1, closeups_.size() + 1);
+      write_closeup(i);
+    }
     write_legend();
     write_list();
     sheet_.write(out, heading(), style());

@@ -7,6 +7,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "plumb/base/context.h"
 #include "plumb/plane/map_check.h"
 
 #pragma GCC visibility push(default)
@@ -17,6 +18,9 @@ struct MapSvgOptions {
   std::string title = {};       ///< The title, such as the name of the file. May be any bytes.
   std::size_t max_listed = 20;  ///< The largest number of defects listed below the map.
   std::size_t max_insets = 6;   ///< The largest number of close-ups, 0 to 6.
+  /// The context, whose checkpoint() is called before the map and before each close-up. Null stands
+  /// for no limits, no stop request and no progress callback.
+  Context* context = nullptr;
 };
 
 /// Writes the picture of a report. The map may be valid or defective. The map may have any finite

@@ -45,10 +45,10 @@ struct PieceCounts {
   std::size_t left_out = 0;  ///< Parts beyond what one file should hold.
 };
 
-/// Draws the marked faces of the pieces. `is_cut` says that pieces may leave the window. `context`,
-/// if any, is checked at each piece.
+/// Draws the marked faces of the pieces. `is_cut` says that pieces may leave the window. The
+/// context is checked at each piece.
 PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window, const View& view,
-                         bool is_cut, Context* context, std::ostream& out);
+                         bool is_cut, Context& context, std::ostream& out);
 
 namespace {
 
@@ -75,13 +75,14 @@ PathData path_of(const Nef2& piece, const PlaneWindow& window, const View& view)
 }  // namespace
 
 PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window, const View& view,
-                         bool is_cut, Context* context, std::ostream& out) {
+                         bool is_cut, Context& context, std::ostream& out) {
   std::size_t points = 0;
   PieceCounts counts;
   out << "<g transform=\"scale(.1)\">\n";
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (context != nullptr) context->checkpoint("drawing pieces", i, pieces.size());
-    const PathData path = path_of(is_cut ? cut_at(pieces[i], window) : pieces[i], window, view);
+    context.checkpoint("drawing pieces", i, pieces.size());
+    const PathData path =
+        path_of(is_cut ? cut_at(pieces[i], window, context) : pieces[i], window, view);
     if (path.empty()) continue;
     points += path.points();
     if (points > kMaxPoints) {
@@ -110,6 +111,8 @@ constexpr std::size_t kMaxDots = 5000;
 // With more, only dots are drawn that say more than the edges do.
 constexpr std::size_t kFewDots = 120;
 constexpr std::size_t kLongNumber = 24;
+constexpr std::size_t kCheckedPoints = 256;  // A point costs some microseconds.
+constexpr const char* kPhase = "drawing";
 
 constexpr const char* kStyle = R"(.inside{fill:#cfe2f3;fill-rule:evenodd}
 .tiny{fill:#cfe2f3}
@@ -155,8 +158,8 @@ Dot dot_of(const PlaneComplex& complex, VertexId v, bool few) {
   return complex.mark(v) ? Dot::Solid : Dot::Hollow;
 }
 
-std::string area_text(const Nef2& set) {
-  const std::optional<Rational> area = set.area();
+std::string area_text(const Nef2& set, Context& context) {
+  const std::optional<Rational> area = set.area(context);
   if (!area) return "infinite area";
   const std::string exact = format_exact(*area);
   if (exact.size() <= kLongNumber) return "area " + exact;
@@ -173,10 +176,10 @@ Badge badge_of(const Nef2& set) {
   return {std::string(set.is_bounded() ? "bounded, " : "unbounded, ") + edges, kPlainBadge};
 }
 
-std::string facts_of(const Nef2& set) {
+std::string facts_of(const Nef2& set, Context& context) {
   const PlaneComplex& c = set.complex();
   return counted(c.vertex_count(), "vertex", "vertices") + ", " + counted(c.edge_count(), "edge") +
-         ", " + counted(c.face_count(), "face") + ", " + area_text(set);
+         ", " + counted(c.face_count(), "face") + ", " + area_text(set, context);
 }
 
 class SetSheet {
@@ -184,15 +187,16 @@ class SetSheet {
   SetSheet(const Nef2& set, const Nef2SvgOptions& options)
       : set_(set),
         options_(options),
+        context_(options.context != nullptr ? *options.context : unlimited_context()),
         fades_(set.complex().has_frame() || set.complex().mark(FaceId(0))),
         window_(set.complex(), fades_ ? kFadingMargin : kBoundedMargin),
-        shown_(cut_at(set, window_)),
+        shown_(cut_at(set, window_, context_)),
         complex_(shown_.complex()) {}
 
   void write(std::ostream& out) {
     const Badge badge = badge_of(set_);
     const std::string title = options_.title.empty() ? "set" : options_.title;
-    std::string facts = facts_of(set_);
+    std::string facts = facts_of(set_, context_);
     if (has_pieces()) facts = counted(options_.pieces.size(), "convex piece") + ", " + facts;
     sheet_.write_header(title, badge, facts);
     place();
@@ -201,7 +205,7 @@ class SetSheet {
     write_faces();
     if (has_pieces()) {
       const PieceCounts counts =
-          write_pieces(options_.pieces, window_, *view_, fades_, options_.context, sheet_.body());
+          write_pieces(options_.pieces, window_, *view_, fades_, context_, sheet_.body());
       has_cuts_ = counts.drawn > 1;
       left_out_ += counts.left_out;
     }
@@ -232,6 +236,7 @@ class SetSheet {
 
   const Nef2& set_;
   const Nef2SvgOptions& options_;
+  Context& context_;
   bool fades_;
   PlaneWindow window_;
   Nef2 shown_;
@@ -256,6 +261,7 @@ void SetSheet::place() {
   sheet_.set_y(frame_.bottom + kTickFont + 18);
   view_.emplace(frame_, Rectangle{-1, -window_.aspect(), 1, window_.aspect()});
   for (const std::uint32_t i : complex_.vertex_point) {
+    if (at_.size() % kCheckedPoints == 0) context_.checkpoint(kPhase, at_.size(), 0);
     at_.push_back(view_->place(window_.at(complex_.points, i)));
     on_border_.push_back(static_cast<std::uint8_t>(window_.borders(complex_.points, i)));
   }
@@ -336,6 +342,7 @@ void SetSheet::write_faces() {
   TinyFaces tiny(frame_);
   for (std::size_t f = 0; f < complex_.face_count(); ++f) {
     if (!complex_.mark(FaceId(f))) continue;
+    context_.checkpoint(kPhase, f, complex_.face_count());
     has_faces_ = true;
     write_face(FaceId(f), path, tiny);
   }
@@ -360,6 +367,7 @@ void SetSheet::write_edges() {
   sheet_.body() << "<g class=\"scaled\" transform=\"scale(.1)\" stroke-width=\""
                 << svg_number(10 * edge_width()) << "\">\n";
   for (const EdgeKind kind : {kSolid, kDashed}) {
+    context_.checkpoint(kPhase, kind, kDashed);
     PathData path;
     left_out_ += append_chains(complex_, kind_, kind, at_, kMaxPoints, path);
     if (path.empty()) continue;

@@ -30,7 +30,8 @@ struct Nef2SvgOptions {
   /// Convex parts of the set. Each part of dimension 2 is drawn in its own colour, and thin lines
   /// separate the parts.
   std::span<const Nef2> pieces = {};
-  /// If this is not null, checkpoint() of this context is called between convex parts.
+  /// The context of the picture. Null stands for no limits, no stop request and no progress
+  /// callback.
   Context* context = nullptr;
 };
 

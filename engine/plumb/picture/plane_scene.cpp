@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kThickness = 1e-3;
 constexpr std::size_t kRegionPaints = 6;
+constexpr const char* kPhase = "drawing";
+constexpr std::size_t kCheckedPoints = 256;  // A point costs some microseconds.
 
 using IndexRing = std::vector<std::uint32_t>;
 
@@ -122,7 +124,7 @@ void add_borders(const MapReport& report, FlatScene& flat) {
   for (const auto& [a, b] : edges) flat.add_line(a, b, Paint::Edge);
 }
 
-void add_regions(const MapReport& report, FlatScene& flat) {
+void add_regions(const MapReport& report, FlatScene& flat, Context& context) {
   const std::vector<std::uint8_t> tints = colour_cycles(report.map);
   const auto ring_of = [&report](std::uint32_t c) {
     const auto cycle = report.map.cycle(c);
@@ -130,6 +132,7 @@ void add_regions(const MapReport& report, FlatScene& flat) {
   };
   for (const MapRegion& region : report.regions) {
     if (!region.outer) continue;
+    context.checkpoint(kPhase, *region.outer, 0);
     std::vector<IndexRing> rings{ring_of(*region.outer)};
     for (const std::uint32_t hole : region.holes) rings.push_back(ring_of(hole));
     const auto first = static_cast<std::size_t>(Paint::Region);
@@ -148,21 +151,23 @@ void add_defects(const MapReport& report, const Plane& plane, FlatScene& flat) {
 
 }  // namespace
 
-Scene scene_of(const Nef2& set) {
+Scene scene_of(const Nef2& set, Context& context) {
   constexpr double kMargin = 0.1, kFadingMargin = 0.34;
   const bool fades = !set.is_bounded();
   const PlaneWindow window(set.complex(), fades ? kFadingMargin : kMargin);
-  const Nef2 shown = cut_at(set, window);
+  const Nef2 shown = cut_at(set, window, context);
   const PlaneComplex& complex = shown.complex();
   FlatScene flat;
   flat.scene().fades = fades;
   flat.scene().half = {1, window.aspect(), kThickness};
   std::vector<unsigned> borders;
   for (const std::uint32_t i : complex.vertex_point) {
+    if (borders.size() % kCheckedPoints == 0) context.checkpoint(kPhase, borders.size(), 0);
     flat.add_point(exact(complex.points, i), window.at(complex.points, i));
     borders.push_back(window.borders(complex.points, i));
   }
   for (std::uint32_t f = 0; f < complex.face_count(); ++f) {
+    context.checkpoint(kPhase, f, complex.face_count());
     const std::vector<IndexRing> rings = numbers_of(face_rings(complex, FaceId(f)));
     if (complex.mark(FaceId(f))) flat.fill(rings, Paint::ClosedFacet);
   }
@@ -171,16 +176,17 @@ Scene scene_of(const Nef2& set) {
   return std::move(flat.scene());
 }
 
-Scene scene_of(const MapReport& report) {
+Scene scene_of(const MapReport& report, Context& context) {
   const Plane plane(report.map);
   FlatScene flat;
   for (std::uint32_t v = 0; v < report.map.points.size(); ++v) {
+    if (v % kCheckedPoints == 0) context.checkpoint(kPhase, v, report.map.points.size());
     flat.add_point(report.map.points.exact(v), plane.at(v));
   }
   const Rectangle& extent = plane.extent();
   flat.scene().half = {std::max(extent.width() / 2, kThickness),
                        std::max(extent.height() / 2, kThickness), kThickness};
-  add_regions(report, flat);
+  add_regions(report, flat, context);
   add_borders(report, flat);
   add_defects(report, plane, flat);
   return std::move(flat.scene());

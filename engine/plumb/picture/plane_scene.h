@@ -2,6 +2,7 @@
 // text. The triangles of such scenes can also be passed to other programs.
 #pragma once
 
+#include "plumb/base/context.h"
 #include "plumb/picture/scene.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/nef2.h"
@@ -11,13 +12,13 @@ namespace plumb {
 
 /// Returns the scene of a set. The scene shows the marked faces, all edges, and the vertices that
 /// cannot be seen from the edges alone. The set is intersected with a window, as in
-/// write_nef2_svg(). Faces are triangulated with exact coordinates. Cost: O(n log n), about 10 us
-/// for each vertex.
-Scene scene_of(const Nef2& set);
+/// write_nef2_svg(). Faces are triangulated with exact coordinates. Throws what the context
+/// throws. Cost: O(n log n), about 10 us for each vertex.
+Scene scene_of(const Nef2& set, Context& context = unlimited_context());
 
 /// Returns the scene of a report. The scene of a valid map shows its regions. The scene of a
-/// defective map shows the listed edges and the defects.
-Scene scene_of(const MapReport& report);
+/// defective map shows the listed edges and the defects. Throws what the context throws.
+Scene scene_of(const MapReport& report, Context& context = unlimited_context());
 
 }  // namespace plumb
 #pragma GCC visibility pop

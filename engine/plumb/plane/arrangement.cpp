@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -211,7 +212,25 @@ bool is_worth_ordering(const SweepInput& scene) {
   return scene.points.crossings.empty() && scene.points.inputs.all_double();
 }
 
+/// Throws Error{BadIndex} if an index of a scene names no point.
+void require_points(const SweepInput& scene) {
+  const auto require = [](std::uint32_t i, std::size_t count) {
+    if (i < count) return;
+    throw Error(ErrorCode::BadIndex, "no point " + std::to_string(i) + ": there are " +
+                                         std::to_string(count) + " points, from 0");
+  };
+  const std::size_t count = scene.points.size();
+  for (const SweepCurve& curve : scene.curves) {
+    for (const std::uint32_t end : {curve.from, curve.to}) {
+      if (end != SweepCurve::kUnbounded) require(end, count);
+    }
+    for (const std::uint32_t i : {curve.a, curve.b}) require(i, scene.points.inputs.size());
+  }
+  for (const std::uint32_t i : scene.stops) require(i, count);
+}
+
 Arrangement arrange(SweepInput scene, Context& context) {
+  require_points(scene);
   const bool is_ordered = is_worth_ordering(scene);
   OrderedInput ordered = is_ordered ? in_sweep_order(scene) : OrderedInput();
   OriginsRule rule(scene.curves.size(), std::move(ordered.curve), context);

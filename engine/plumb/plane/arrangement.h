@@ -137,9 +137,10 @@ struct Arrangement {
 
 /// Returns the arrangement of curves and points. `isolated` contains indices of points that become
 /// vertices even if no curve meets them. Curves of length zero become vertices, too. Requires that
-/// all indices of points are in range, and that the ends of each curve lie on the line of the curve
-/// (SweepCurve). Throws ResourceLimit if a limit of the Context is exceeded, and Cancelled if a
-/// stop is requested.
+/// the ends of each curve lie on the line of the curve (SweepCurve). Throws:
+///   - Error{BadIndex} if an index is not the index of a point, or if a or b of a curve is not the
+///     index of an input point
+///   - ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested
 Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curves,
                     std::span<const std::uint32_t> isolated,
                     Context& context = unlimited_context());

@@ -29,6 +29,7 @@
 namespace plumb {
 namespace {
 
+constexpr int kChordsPerCheckpoint = 1024;   // A chord costs some microseconds.
 constexpr double kChordsPerDistance = 1e-3;  // The default of OffsetOptions::chord_error.
 constexpr std::size_t kCornersPerOffsetCheckpoint = 256;
 constexpr std::uint64_t kBytesPerOffsetCorner = 120;  // Exact coordinates and an index.
@@ -66,8 +67,8 @@ double angle_between(const Vector& a, const Vector& b, double distance) {
 /// Makes the joins of convex corners as offsets from the corner.
 class Joiner {
  public:
-  Joiner(double distance, const OffsetOptions& options)
-      : distance_(distance), options_(options), step_(step(distance, options)) {}
+  Joiner(double distance, const OffsetOptions& options, Context& context)
+      : distance_(distance), options_(options), step_(step(distance, options)), context_(context) {}
 
   /// Returns the points of the join between two normals, without the normals.
   std::vector<Vector> join(const Vector& from, const Vector& to) const {
@@ -113,6 +114,7 @@ class Joiner {
     const Vector up = turned_left(from);
     std::vector<Vector> points;
     for (int i = 1; i < chords; ++i) {
+      if (i % kChordsPerCheckpoint == 0) context_.checkpoint("offset", 0, 0);
       const double a = angle * i / chords;
       const Vector at =
           sum(scaled(from, exact_rational(std::cos(a))), scaled(up, exact_rational(std::sin(a))));
@@ -146,6 +148,7 @@ class Joiner {
   double distance_;
   OffsetOptions options_;
   double step_;
+  Context& context_;
 };
 
 /// The closed chains whose winding numbers count the parts that contain a point.
@@ -155,7 +158,7 @@ class RawChains {
             Context& context)
       : complex_(complex),
         distance_(std::fabs(distance)),
-        joiner_(distance_, options),
+        joiner_(distance_, options, context),
         context_(context),
         charge_(context) {}
 

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/cli/files/certificate.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
@@ -41,15 +42,18 @@ class ConvexCheck : public CommandBody {
   void declare(CLI::App& app) override {
     app.add_option("A", file_, kSolidOrPlaneHelp)->required()->type_name("");
     input_.declare(app);
+    certificate_.declare(app);
   }
 
   ExitCode run(Session& session) override {
+    certificate_.open(session);
     const std::string bytes = read_input(file_, session.context());
     const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
     session.expect({is_plane ? reading_plane() : reading_solid(), checking_convexity(), writing()});
     session.begin("read");
     if (is_plane) return check_plane(bytes, session);
     const ConvexityEvidence found = evidence(bytes, session);
+    certify(found.is_convex, bytes, session);
     Json faces = Json::array();
     for (const FailingFace& failing : found.faces) faces.push_back(failing.face);
     const Json json{
@@ -66,8 +70,9 @@ class ConvexCheck : public CommandBody {
   }
 
  private:
-  ExitCode check_plane(const std::string& bytes, Session& session) const {
+  ExitCode check_plane(const std::string& bytes, Session& session) {
     const Nef2 set = input_.read_plane(file_, bytes, session);
+    certificate_.explain("sets of the plane have no certificate");
     session.begin("convexity");
     const PlaneConvexity found = convexity_of_set(set, session.context());
     Json faces = Json::array();
@@ -122,8 +127,20 @@ class ConvexCheck : public CommandBody {
     return of_set;
   }
 
+  /// The set is made anew, because a mesh may have been tested by its own faces.
+  void certify(bool is_convex, const std::string& bytes, Session& session) {
+    if (!certificate_.is_given()) return;
+    if (is_convex) {
+      certificate_.explain("the set is convex");
+      return;
+    }
+    const SolidRead read = input_.load(file_, bytes, session.options(), session.context());
+    certify_not_convex(read.set, input_, session, certificate_);
+  }
+
   std::string file_;
   SolidInput input_;
+  CertificateOption certificate_;
 };
 
 // ---------------------------------------------------------------- report

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "plumb/cli/commands/map_overlay_options.h"
+#include "plumb/cli/files/certificate.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
 #include "plumb/cli/session/command.h"
@@ -124,6 +125,7 @@ class MapCheck : public CommandBody {
   bool checks_edges_ = false;
   LayerReadOptions read_options_;
   LayerRepairOptions layer_options_;
+  CertificateOption certificate_;
   MapCheckOptions options_;
   Checked checked_;
 };
@@ -152,6 +154,7 @@ void MapCheck::declare(CLI::App& app) {
       ->type_name("N");
   app.add_option("--svg", svg_, "Draw the map and its defects")->type_name("OUT");
   app.add_option("--geojson", geojson_, "Write the defects as GeoJSON")->type_name("OUT");
+  certificate_.declare(app);
 }
 
 ExitCode MapCheck::run(Session& session) {
@@ -162,8 +165,8 @@ ExitCode MapCheck::run(Session& session) {
   session.begin("read");
   require_layer_format(file_);
   const std::string text = read_input(file_, context);
-  const bool is_layer =
-      !checks_edges_ && outer_.empty() && !options_.merge_vertices && begins_like_layer(text);
+  const bool is_layer = !checks_edges_ && outer_.empty() && !options_.merge_vertices &&
+                        !certificate_.is_given() && begins_like_layer(text);
   const ExitCode code = is_layer ? check_layer_file(session, text) : check_map_file(session, text);
   context.release_memory(text.size());
   return code;
@@ -193,8 +196,10 @@ ExitCode MapCheck::check_map_file(Session& session, std::string_view text) {
     note(session, "passed over: " + std::to_string(file.dropped) +
                       (file.dropped == 1 ? " line or point" : " lines and points"));
   }
+  const std::size_t listed_cycles = file.map.cycle_count();
   session.begin("check");
   checked_.map = check_map(std::move(file.map), options_, context);
+  certify_map(checked_.map, options_, listed_cycles, session.options(), certificate_);
   session.deliver();
   tell_notes(session);
   return checked_.map.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
@@ -207,6 +212,7 @@ void MapCheck::open_outputs(Session& session) {
   };
   if (!svg_.empty()) add(svg_, format_named(kFormats, "svg"));
   if (!geojson_.empty()) add(geojson_, format_named(kFormats, "geojson"));
+  certificate_.open(session);
   add_outputs(session.options(), kFormats, svg_ != "-" && geojson_ != "-", add);
 }
 

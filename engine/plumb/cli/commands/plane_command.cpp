@@ -63,8 +63,8 @@ ReadyFile Plane::ready(const Nef2& set, const SetOutput& output, Context& contex
   const auto index = output.format();
   if (index && !kPlaneFormats[static_cast<std::size_t>(*index)].text) {
     require_no_rounding(output);
-    return {[set, title = output.title()](std::ostream& out) {
-              write_nef2_svg(out, set, {.title = title});
+    return {[set, title = output.title(), &context](std::ostream& out) {
+              write_nef2_svg(out, set, {.title = title, .context = &context});
             },
             {},
             {}};
@@ -166,9 +166,10 @@ class PlaneInfo : public SetInfo<Plane> {
  private:
   void prepare(const Nef2& set, const std::string& file, Session& session) override {
     if (svg_.empty()) return;
-    session.outputs().add(svg_, [&set, title = name_of_file(input_name(file))](std::ostream& out) {
-      write_nef2_svg(out, set, {.title = title});
-    });
+    session.outputs().add(
+        svg_, [&set, &session, title = name_of_file(input_name(file))](std::ostream& out) {
+          write_nef2_svg(out, set, {.title = title, .context = &session.context()});
+        });
   }
 
   std::string svg_;

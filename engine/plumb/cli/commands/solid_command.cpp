@@ -19,6 +19,7 @@
 #include "plumb/cli/commands/csg_command.h"
 #include "plumb/cli/commands/set_command.h"
 #include "plumb/cli/commands/solid_kind.h"
+#include "plumb/cli/files/certificate.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/convex/minkowski.h"
@@ -137,6 +138,7 @@ class Evaluation : public SolidOperation {
   Nef3 compute(Session& session) override {
     const SetExpression expression = parse_set_expression(text_);
     const std::map<std::string, std::string> files = bound_files();
+    require_used(files, expression.names);
     std::vector<std::string> names;
     for (const std::string& name : expression.names) {
       const auto file = files.find(name);
@@ -154,6 +156,15 @@ class Evaluation : public SolidOperation {
 
   ProgressStages stages() const override {
     return stages_of_sets<Solid>(parse_set_expression(text_).names.size(), 1);
+  }
+
+  static void require_used(const std::map<std::string, std::string>& files,
+                           const std::vector<std::string>& names) {
+    for (const auto& [name, file] : files) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+      throw Error(ErrorCode::Usage,
+                  "the expression has no '" + name + "': leave out " + name + "=" + file);
+    }
   }
 
   std::map<std::string, std::string> bound_files() const {
@@ -254,9 +265,11 @@ class SolidCompare : public CommandBody {
     declare_first<Solid>(app, a_);
     declare_second(app, b_);
     input_.declare(app);
+    certificate_.declare(app);
   }
   ExitCode run(Session& session) override {
     require_one_stdin({a_, b_});
+    certificate_.open(session);
     ProgressStages stages = stages_of_sets<Solid>(2, 2);
     stages.push_back(writing());
     session.expect(std::move(stages));
@@ -268,6 +281,7 @@ class SolidCompare : public CommandBody {
     const bool b_in_a = is_equal || b.is_subset_of(a, session.context());
     session.begin("combine");
     const bool is_disjoint = boolean_op(a, b, kIntersection, session.context()).is_empty();
+    certify_comparison(a, b, input_, session, certificate_);
     const Json json{
         {"equal", is_equal}, {"a_in_b", a_in_b}, {"b_in_a", b_in_a}, {"disjoint", is_disjoint}};
     session.answer(json.dump(), [&](std::ostream& out) {
@@ -285,6 +299,7 @@ class SolidCompare : public CommandBody {
   std::string a_;
   std::string b_;
   SolidInput input_;
+  CertificateOption certificate_;
 };
 
 }  // namespace

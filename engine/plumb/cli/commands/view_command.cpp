@@ -103,14 +103,14 @@ class View : public CommandBody {
         session.begin("check");
         const MapReport report = check_map(std::move(map), {}, context);
         session.begin("draw");
-        return picture_of(report, picture, title);
+        return picture_of(report, picture, title, context);
       }
       case FileKind::PlaneSet: {
         session.expect({reading_plane(), drawing_plane(), writing()});
         session.begin("read");
         const Nef2 set = read_plane(file, bytes, session);
         session.begin("draw");
-        return picture_of(set, picture, title);
+        return picture_of(set, picture, title, context);
       }
       case FileKind::Solid:
         break;

@@ -115,6 +115,10 @@ class SolidInput {
   bool is_plain() const {
     return rule_.empty() && !surface_ && !allows_empty_ && !repair_.options().asks();
   }
+  /// Whether a mesh is read as the points that its faces wind around: closed and without repairs.
+  bool reads_windings() const { return !surface_ && !allows_empty_ && !repair_.options().asks(); }
+  /// Returns the rule that says which winding numbers are inside: "positive", "nonzero" or "odd".
+  std::string winding_rule() const { return rule_.empty() ? "positive" : rule_; }
   /// Throws Error{Usage} if an option says how meshes are read, for a file that is no mesh.
   void require_plain() const;
   /// Returns a solid with its notes and warnings. May be called from several threads at once. A

@@ -114,11 +114,11 @@ std::string written(const Write& write) {
 /// from the scene.
 template <class Result>
 std::string flat_picture(const Result& result, const std::string& svg, Picture picture,
-                         const std::string& title) {
+                         const std::string& title, Context& context) {
   return written([&](std::ostream& out) {
     switch (picture) {
       case Picture::Png:
-        out << png_bytes(rendered(scene_of(result)));
+        out << png_bytes(rendered(scene_of(result, context)));
         break;
       case Picture::Svg:
         out << svg;
@@ -127,7 +127,7 @@ std::string flat_picture(const Result& result, const std::string& svg, Picture p
         write_plane_html(out, svg, title);
         break;
       case Picture::Glb:
-        write_scene_glb(out, scene_of(result), title);
+        write_scene_glb(out, scene_of(result, context), title);
         break;
     }
   });
@@ -207,18 +207,20 @@ std::string picture_of(const SurfaceDivision& division, const SurfaceResult* res
                     picture);
 }
 
-std::string picture_of(const Nef2& set, Picture picture, const std::string& title) {
+std::string picture_of(const Nef2& set, Picture picture, const std::string& title,
+                       Context& context) {
   const bool has_text = picture == Picture::Svg || picture == Picture::Html;
   std::ostringstream svg;
-  if (has_text) write_nef2_svg(svg, set, {.title = title});
-  return flat_picture(set, svg.str(), picture, title);
+  if (has_text) write_nef2_svg(svg, set, {.title = title, .context = &context});
+  return flat_picture(set, svg.str(), picture, title, context);
 }
 
-std::string picture_of(const MapReport& report, Picture picture, const std::string& title) {
+std::string picture_of(const MapReport& report, Picture picture, const std::string& title,
+                       Context& context) {
   const bool has_text = picture == Picture::Svg || picture == Picture::Html;
   std::ostringstream svg;
-  if (has_text) write_map_svg(svg, report, {.title = title});
-  return flat_picture(report, svg.str(), picture, title);
+  if (has_text) write_map_svg(svg, report, {.title = title, .context = &context});
+  return flat_picture(report, svg.str(), picture, title, context);
 }
 
 }  // namespace plumb::cli

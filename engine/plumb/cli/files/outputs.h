@@ -172,8 +172,10 @@ std::string picture_of(const SurfaceDivision& division, const SurfaceResult* res
                        SurfaceLayer shown, Picture picture, const std::string& title,
                        Context& context);
 /// Returns a picture of a set of the plane.
-std::string picture_of(const Nef2& set, Picture picture, const std::string& title);
+std::string picture_of(const Nef2& set, Picture picture, const std::string& title,
+                       Context& context);
 /// Returns a picture of a map.
-std::string picture_of(const MapReport& report, Picture picture, const std::string& title);
+std::string picture_of(const MapReport& report, Picture picture, const std::string& title,
+                       Context& context);
 
 }  // namespace plumb::cli

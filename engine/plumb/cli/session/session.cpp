@@ -54,7 +54,36 @@ void* gmp_reallocate(void* memory, std::size_t, std::size_t size) {
 }
 void gmp_free(void* memory, std::size_t) { std::free(memory); }
 
+/// Returns the number of bytes of the character of UTF-8 with this first byte; 0 if there is none.
+std::size_t character_bytes(unsigned char first) {
+  if (first < 0x80) return 1;
+  if (first < 0xc2 || first > 0xf4) return 0;
+  return first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+}
+
+/// Returns the number of bytes of the character at the start of the text, if it may be printed; 0
+/// if not.
+std::size_t printable_bytes(std::span<const char> text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t size = character_bytes(byte(0));
+  if (size == 0 || size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
+  }
+  const bool is_control =
+      size == 1 ? byte(0) < 0x20 || byte(0) == 0x7f : byte(0) == 0xc2 && byte(1) < 0xa0;
+  return is_control ? 0 : size;
+}
+
 }  // namespace
+
+void hide_controls(std::span<char> text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t size = printable_bytes(text.subspan(i));
+    if (size == 0) text[i] = '?';
+    i += std::max<std::size_t>(size, 1);
+  }
+}
 
 bool is_stop_requested() { return stop_source().stop_requested(); }
 
@@ -97,6 +126,10 @@ std::string require_positive(const std::string& text) {
   return is_positive ? std::string() : "a positive number is needed, not " + text;
 }
 
+std::string require_name(const std::string& text) {
+  return text.empty() ? "the name of a file is needed, not an empty text" : std::string();
+}
+
 void require_no_stop() {
   if (is_stop_requested()) throw Error(ErrorCode::Cancelled, "cancelled");
 }
@@ -106,6 +139,7 @@ void require_no_stop() {
 void CommonOptions::declare(CLI::App& app) {
   app.add_flag("--json", json, "One JSON object on standard output")->group(kCommonGroup);
   app.add_option("-o,--output", out, "File to write; - is standard output (--format)")
+      ->check(require_name)
       ->type_name("OUT")
       ->group(kCommonGroup);
   app.add_option("--format", format, "Format, whatever the extension of OUT")
@@ -196,7 +230,7 @@ void Session::warn(const std::string& file, const std::string& text) {
 }
 
 void Session::print(std::string line) {
-  std::replace_if(line.begin(), line.end(), is_control, '?');
+  hide_controls(line);
   progress_.print(line);
 }
 

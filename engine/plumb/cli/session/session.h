@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -108,9 +109,10 @@ class Outputs {
   Writer to_stdout_;
 };
 
-/// Whether a byte is a control character. Names in files may contain these; they are printed as
-/// '?', so that no file can send commands to a terminal.
-constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+/// Replaces control characters by '?', so that no file can send commands to a terminal: those of
+/// ASCII, those from U+0080 to U+009F, and bytes that begin or continue no character of UTF-8.
+/// Allocates no memory.
+void hide_controls(std::span<char> text);
 
 /// What a command works with.
 class Session {

@@ -318,10 +318,9 @@ std::vector<PlaneWindow::Tick> PlaneWindow::ticks(bool is_vertical) const {
   return ticks;
 }
 
-Nef2 cut_at(const Nef2& set, const PlaneWindow& window) {
+Nef2 cut_at(const Nef2& set, const PlaneWindow& window, Context& context) {
   constexpr std::uint32_t kCorners[] = {0, 1, 2, 3};
   constexpr std::uint32_t kChain[] = {0, 4};
-  Context context;
   const Nef2 box = Nef2::polygons(window.corners(), kCorners, kChain, WindingRule::NonZero,
                                   Boundary::Open, context);
   return boolean_op(set, box, kIntersection, context);

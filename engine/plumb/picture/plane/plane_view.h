@@ -118,7 +118,8 @@ class PlaneWindow {
   double plain_x_ = 0, plain_y_ = 0, plain_half_ = 1;
 };
 
-/// Returns the part of the set inside the window, which is open. Cost: O(n log n).
-Nef2 cut_at(const Nef2& set, const PlaneWindow& window);
+/// Returns the part of the set inside the window, which is open. Throws what the context throws.
+/// Cost: O(n log n).
+Nef2 cut_at(const Nef2& set, const PlaneWindow& window, Context& context);
 
 }  // namespace plumb
