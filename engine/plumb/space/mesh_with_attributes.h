@@ -21,7 +21,7 @@
 // - If several source triangles cover a piece, those with the same orientation as the boundary come
 //   before those with the opposite one. Among these, the first source in Nef3::sources() wins: the
 //   first operand. Within a source, the face of the least index wins.
-// - A piece of the opposite orientation is flipped, as is the boundary of a set that was subtracted.
+// - A piece of the opposite orientation is flipped. So is the boundary of a subtracted set.
 //   Channels named "normal" are negated there. They are also transformed by the inverse transpose
 //   of the map of their source, and keep their length.
 // - A piece that no source triangle covers, for instance in the plane of a half-space, has no
