@@ -235,7 +235,8 @@ void SolidInput::declare(CLI::App& app) {
 
 void SolidInput::declare_keep(CLI::App& app) {
   keep_ = "all";
-  add_choice(app, "--keep", keep_, {"all", "colours", "ids", "none"},
+  const bool is_taken = app.get_option_no_throw("--keep") != nullptr;
+  add_choice(app, is_taken ? "--attributes" : "--keep", keep_, {"all", "colours", "ids", "none"},
              "What stays with the faces of meshes (default: all)");
 }
 

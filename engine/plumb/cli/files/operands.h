@@ -106,7 +106,8 @@ std::string words_of(const RepairOptions& repair);
 class SolidInput {
  public:
   void declare(CLI::App& app);
-  /// Declares --keep, for commands that write solids. Without it, attributes are passed over.
+  /// Declares --keep, for commands that write solids. Without it, attributes are passed over. Where
+  /// a command has another option of this name, it is called --attributes.
   void declare_keep(CLI::App& app);
   /// Returns a set of the plane, if a command accepts both. Throws Error{Usage} if an option says
   /// how meshes are read.
