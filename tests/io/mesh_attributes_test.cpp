@@ -601,6 +601,56 @@ TEST(PlyAttributes, AChannelIsNoCoordinate) {
   EXPECT_EQ(corner(file.attributes, "channel_x", 0), corner(in, "x", 0));
 }
 
+/// Triangles are sorted by material, so the law compares faces by their corners.
+TEST(GltfAttributes, MaterialsComeBack) {
+  PolygonMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const std::array<std::uint32_t, 3>& face :
+       {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    mesh.add_face(face);
+  }
+  MeshAttributes attributes;
+  attributes.materials = {{"first \"one\"", Color{0.25, 0.5, 1, 1}, ""},
+                          {"glass", Color{0, 1, 0, 0.5}, ""}};
+  attributes.face_material = {1, kNone, 0, 1};
+  const MeshFile file = read(written(mesh, attributes, MeshFormat::Gltf), MeshFormat::Gltf);
+  ASSERT_EQ(file.mesh.face_count(), 4U);
+  ASSERT_EQ(file.attributes.face_material.size(), 4U);
+  const auto is_face = [&](std::size_t f, std::size_t g) {  // Equal up to the first corner.
+    std::vector<Point3> a, b;
+    for (const std::uint32_t v : file.mesh.face(f)) a.push_back(file.mesh.points[v]);
+    for (const std::uint32_t v : mesh.face(g)) b.push_back(mesh.points[v]);
+    for (int turn = 0; turn < 3; ++turn) {
+      if (a == b) return true;
+      std::rotate(a.begin(), a.begin() + 1, a.end());
+    }
+    return false;
+  };
+  std::size_t found = 0;
+  for (std::size_t f = 0; f < 4; ++f) {
+    for (std::size_t g = 0; g < 4; ++g) {
+      if (!is_face(f, g)) continue;
+      ++found;
+      EXPECT_EQ(color_of(file.attributes, f), color_of(attributes, g));
+    }
+  }
+  EXPECT_EQ(found, 4U);
+  EXPECT_EQ(file.attributes.materials[0].name, "first \"one\"");
+  EXPECT_TRUE(
+      read_mesh(written(mesh, attributes, MeshFormat::Gltf), MeshFormat::Gltf).attributes.empty());
+}
+
+TEST(GltfAttributes, AMaterialThatThereIsNotIsRefused) {
+  const std::string bytes = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
+                            R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
+                            R"({"POSITION":0},"material":2}]}],"buffers":[{"byteLength":36,"uri":)"
+                            R"("data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],)"
+                            R"("bufferViews":[{"buffer":0,"byteLength":36}],"accessors":)"
+                            R"([{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}]})";
+  EXPECT_EQ(read_mesh(bytes, MeshFormat::Gltf).mesh.face_count(), 1U);
+  EXPECT_THROW(read(bytes, MeshFormat::Gltf), Error);
+}
+
 TEST(LostAttributes, NamesWhatAFormatDoesNotHold) {
   MeshAttributes all;
   all.channels = {{"color", 4, {}}, {"heat", 1, {}}};

@@ -205,6 +205,8 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes
       return write_ply_binary(out, mesh, attributes);
     case MeshFormat::PlyText:
       return write_ply_text(out, mesh, attributes);
+    case MeshFormat::Gltf:
+      return write_glb(out, mesh, attributes);
     default:
       return write_mesh(out, mesh, format);
   }
@@ -222,11 +224,12 @@ std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format)
   const bool is_off = format == MeshFormat::Off || format == MeshFormat::ExactOff;
   const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
   const bool is_obj = format == MeshFormat::Obj;
+  const bool is_glb = format == MeshFormat::Gltf;
   if (!attributes.face_material.empty()) {
     for (const MeshMaterial& material : attributes.materials) {
-      add(material.color && !is_off && !is_ply && !is_obj, "colours of faces");
+      add(material.color && !is_off && !is_ply && !is_obj && !is_glb, "colours of faces");
       const bool is_index = is_off && is_off_color_index(material);
-      add(!material.name.empty() && !is_obj && !is_index, "names of materials");
+      add(!material.name.empty() && !is_obj && !is_glb && !is_index, "names of materials");
       add(!material.texture.empty() && !is_obj, "textures");
     }
   }

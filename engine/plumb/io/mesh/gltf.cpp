@@ -42,7 +42,10 @@ class GltfReader {
         accessors_(in_, context),
         triangles_(options.name, context),
         context_(context),
-        charge_(context) {}
+        charge_(context),
+        keeps_attributes_(options.attributes) {
+    if (keeps_attributes_) triangles_.keep_materials();
+  }
 
   MeshFile read() {
     std::vector<std::string> notes = check_extensions(in_, context_);
@@ -83,7 +86,10 @@ class GltfReader {
     const bool is_empty = triangles_.triangle_count() == 0;
     MeshFile file = triangles_.take();
     file.notes.insert(file.notes.end(), notes.begin(), notes.end());
-    if (!is_empty) return file;
+    if (!is_empty) {
+      if (keeps_attributes_) add_materials(file.attributes);
+      return file;
+    }
     std::string why;
     for (const std::string& note : file.notes) why += "; " + note;
     in_.fail(ErrorCode::CountMismatch, "meshes", "no triangles are placed" + why);
@@ -227,6 +233,47 @@ class GltfReader {
                       in_.numbers<3>(node, "translation", {0, 0, 0}, where));
   }
 
+  // ---------------------------------------------------------------- materials
+
+  /// Adds the materials of the document, if a triangle has one. Colours are the numbers of the
+  /// file, which are linear.
+  void add_materials(MeshAttributes& attributes) {
+    const auto has_material = [](std::uint32_t m) { return m != MeshAttributes::kNone; };
+    if (std::none_of(attributes.face_material.begin(), attributes.face_material.end(),
+                     has_material)) {
+      attributes.face_material.clear();
+      return;
+    }
+    const std::size_t count = in_.entries("materials").size();
+    for (std::size_t i = 0; i < count; ++i) {
+      watch();
+      charge_.add(sizeof(MeshMaterial), "materials");
+      attributes.materials.push_back(material(i));
+    }
+  }
+  MeshMaterial material(std::size_t index) {
+    const std::string where = GltfDocument::entry("materials", index);
+    const Id entry = in_.item("materials", index);
+    MeshMaterial result{in_.text(entry, "name"), std::array<double, 4>{1, 1, 1, 1}, ""};
+    const auto look = in_.object(entry, "pbrMetallicRoughness");
+    if (!look) return result;
+    result.color = in_.numbers<4>(*look, "baseColorFactor", {1, 1, 1, 1}, where);
+    for (double& part : *result.color) part = std::clamp(part, 0.0, 1.0);
+    if (const auto texture = in_.object(*look, "baseColorTexture")) {
+      result.texture = name_of_texture(in_.count(*texture, "index", {}, where));
+    }
+    return result;
+  }
+  /// Returns the file of a texture; an empty text if its image is in the document.
+  std::string name_of_texture(std::size_t index) {
+    const Id texture = in_.item("textures", index);
+    if (!in_.has(texture, "source")) return {};
+    const std::size_t source =
+        in_.count(texture, "source", {}, GltfDocument::entry("textures", index));
+    std::string uri = in_.text(in_.item("images", source), "uri");
+    return uri.starts_with("data:") ? std::string() : uri;
+  }
+
   // ---------------------------------------------------------------- triangles
 
   static std::string place_of(std::size_t mesh, std::size_t primitive) {
@@ -283,6 +330,13 @@ class GltfReader {
       in_.fail(ErrorCode::CountMismatch, where, std::to_string(count) + " corners of triangles");
     }
     if (count < 3) return {};
+    if (keeps_attributes_ && in_.has(primitive, "material")) {
+      const std::size_t material = in_.count(primitive, "material", {}, where);
+      if (material >= in_.entries("materials").size()) {
+        in_.fail(ErrorCode::BadIndex, where, "a material that there is not");
+      }
+      p.material = static_cast<std::uint32_t>(material);
+    }
     return p;
   }
 
@@ -302,7 +356,8 @@ class GltfReader {
   GltfAccessors accessors_;
   GltfTriangles triangles_;
   Context& context_;
-  MemoryCharge charge_;  // Of lists of primitives.
+  MemoryCharge charge_;  // Of lists of primitives and materials.
+  const bool keeps_attributes_;
   mutable std::size_t watched_ = 0;
   std::vector<Placed> open_;
   std::deque<GltfTransform> above_;                               // Of open nodes.

@@ -186,6 +186,7 @@ void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
     const std::uint32_t a = corner(p.mode == GltfMode::kFan ? 0 : i);
     const std::uint32_t b = corner(i + 1), c = corner(i + 2);
     add_triangle(a, b, c, turns != (p.mode == GltfMode::kStrip && i % 2 == 1));
+    if (keeps_materials_) material_.push_back(p.material);
   }
 }
 
@@ -217,7 +218,10 @@ std::uint64_t GltfTriangles::add_points(const GltfElements& positions, const Glt
 
 MeshFile GltfTriangles::take() {
   MeshFile file = mesh_.take();
-  const std::size_t dropped = weld_vertices(file.mesh, context_);
+  std::vector<std::uint32_t> kept;
+  const std::size_t dropped =
+      weld_vertices(file.mesh, context_, keeps_materials_ ? &kept : nullptr);
+  for (const std::uint32_t f : kept) file.attributes.face_material.push_back(material_[f]);
   if (dropped > 0) {
     file.notes.push_back(std::to_string(dropped) + (dropped == 1 ? " triangle" : " triangles") +
                          " with two equal corners left out");

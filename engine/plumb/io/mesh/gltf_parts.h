@@ -23,6 +23,7 @@
 #include "plumb/io/text/byte_order.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/input_predicates.h"
+#include "plumb/space/mesh_attributes.h"
 
 namespace plumb {
 
@@ -218,6 +219,7 @@ struct GltfPrimitive {
   std::size_t mode;    ///< One of GltfMode.
   GltfElements positions;
   std::optional<GltfElements> indices;
+  std::uint32_t material = MeshAttributes::kNone;  ///< Index into the materials of the document.
 
   std::size_t corner_count() const { return indices ? indices->count : positions.count; }
 };
@@ -229,6 +231,8 @@ class GltfTriangles {
   GltfTriangles(std::string name, Context& context)
       : name_(std::move(name)), context_(context), mesh_(context) {}
 
+  /// Keeps the material of each triangle.
+  void keep_materials() { keeps_materials_ = true; }
   void pass_over(std::string_view what) { mesh_.pass_over(what); }
   /// Returns how many triangles were added.
   std::size_t triangle_count() const { return mesh_.face_count(); }
@@ -236,7 +240,7 @@ class GltfTriangles {
   /// Throws "FILE: where: what": BadIndex, NumberOutOfRange, ResourceLimit; Cancelled.
   void add(const GltfPrimitive& p, const GltfTransform& placed, const std::string& where);
   /// Returns the mesh with equal points made one. Triangles with two equal corners are left out,
-  /// with a note.
+  /// with a note. If materials are kept, attributes.face_material has those of the document.
   MeshFile take();
 
  private:
@@ -250,6 +254,8 @@ class GltfTriangles {
   std::string name_;
   Context& context_;
   MeshCollector mesh_;
+  bool keeps_materials_ = false;
+  std::vector<std::uint32_t> material_;  // Of each triangle, if they are kept.
 };
 
 }  // namespace plumb

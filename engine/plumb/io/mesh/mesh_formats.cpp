@@ -183,8 +183,10 @@ std::vector<std::uint32_t> first_exact_equals(const PolygonMesh& mesh) {
   return std::move(vertices.of_point);
 }
 
-/// Keeps the faces that stay valid when corner v becomes first[v]; returns how many do not.
-std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& first) {
+/// Keeps the faces that stay valid when corner v becomes first[v], and lists them; returns how many
+/// do not.
+std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& first,
+                           std::vector<std::uint32_t>* list) {
   PolygonMesh kept;
   kept.corners.reserve(mesh.corners.size());
   kept.face_begin.reserve(mesh.face_begin.size());
@@ -194,7 +196,9 @@ std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& 
     for (const std::uint32_t v : mesh.face(f)) face.push_back(first[v]);
     const bool is_sound =
         face.front() != face.back() && std::adjacent_find(face.begin(), face.end()) == face.end();
-    if (is_sound) kept.add_face(face);
+    if (!is_sound) continue;
+    kept.add_face(face);
+    if (list != nullptr) list->push_back(static_cast<std::uint32_t>(f));
   }
   const std::size_t dropped = mesh.face_count() - kept.face_count();
   mesh.face_begin = std::move(kept.face_begin);
@@ -233,7 +237,7 @@ void renumber_points(PolygonMesh& mesh) {
 
 }  // namespace
 
-std::size_t weld_vertices(PolygonMesh& mesh, Context& context) {
+std::size_t weld_vertices(PolygonMesh& mesh, Context& context, std::vector<std::uint32_t>* kept) {
   // A number, its place in a set that doubles, and a copy.
   constexpr std::uint64_t kPointBytes = 64;
   constexpr std::uint64_t kExactBytes = 320;  // Three planes and numbers.
@@ -246,7 +250,7 @@ std::size_t weld_vertices(PolygonMesh& mesh, Context& context) {
                  kCornerBytes * (mesh.corners.size() + mesh.face_count()),
              "the vertices of the mesh");
   const std::size_t dropped =
-      renumber_faces(mesh, is_exact ? first_exact_equals(mesh) : first_equals(mesh, context));
+      renumber_faces(mesh, is_exact ? first_exact_equals(mesh) : first_equals(mesh, context), kept);
   renumber_points(mesh);
   return dropped;
 }

@@ -113,6 +113,7 @@ bool holds_any(const MeshAttributes& outline, MeshFormat format) {
   const bool is_off = format == MeshFormat::Off || format == MeshFormat::ExactOff;
   const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
   const bool is_obj = format == MeshFormat::Obj;
+  if (format == MeshFormat::Gltf) return !outline.face_material.empty();
   if (!is_off && !is_ply && !is_obj) return false;
   const bool has_color =
       std::any_of(outline.materials.begin(), outline.materials.end(),
@@ -154,7 +155,9 @@ void SolidText::add_attributes(OutputRounding rounding, Context& context) {
     dropped_ = "colours, ids and other attributes are not written with --raw and in off-exact";
     return;
   }
-  MeshWithAttributes made = mesh_with_attributes(set_, {}, context);
+  AttributeOptions options;
+  if (*format_.mesh == MeshFormat::Gltf) options.type = CoordinateType::Float;
+  MeshWithAttributes made = mesh_with_attributes(set_, options, context);
   mesh_ = std::move(made.mesh);
   attributes_ = std::move(made.attributes);
 }
