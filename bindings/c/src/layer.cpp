@@ -307,8 +307,10 @@ plumb_status plumb_layer_report_write(const plumb_layer_report* report, const pl
     const Layer& before = need(layer, "layer").layer;
     const LayerReport& found = need(report, "report").report;
     const std::string name = text(format, "format");
-    for (const std::uint32_t f : found.features) {
-      if (f >= before.feature_count()) fail_argument("the report is of another layer");
+    for (const auto* const list : {&found.features, &found.emptied}) {
+      for (const std::uint32_t f : *list) {
+        if (f >= before.feature_count()) fail_argument("the report is of another layer");
+      }
     }
     return written([&](std::ostream& stream) {
       if (name == "text") {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "plumb/base/internal/message_text.h"
@@ -48,18 +49,18 @@ Members members_of(const Layer& layer, std::size_t feature, Context& context) {
   if (text.empty()) return members;
   const JsonValues json = values_of(text, feature, context);
   if (!json.is_object(JsonValues::kDocument)) return members;
+  std::unordered_map<std::string, std::size_t> at;
   bool is_name = true;
   std::string name;
   for (const JsonValues::Id value : json.items(JsonValues::kDocument)) {
     if (is_name) {
       name = json.text(value);
     } else {
-      const auto same = std::find_if(members.begin(), members.end(),
-                                     [&](const Member& m) { return m.name == name; });
-      if (same != members.end()) {
-        same->source = json.source(value);
-      } else {
+      const auto [known, is_new] = at.try_emplace(name, members.size());
+      if (is_new) {
         members.push_back({name, json.source(value)});
+      } else {
+        members[known->second].source = json.source(value);
       }
     }
     is_name = !is_name;
@@ -103,7 +104,10 @@ Layer without_json(Layer layer) {
   return layer;
 }
 
-void append_json(Layer& layer, std::string_view id, std::string_view properties) {
+/// Appends the texts of a feature. They stay charged.
+void append_json(Layer& layer, std::string_view id, std::string_view properties, Context& context) {
+  constexpr std::uint64_t kOffsetBytes = 16;
+  context.charge_memory(2 * (id.size() + properties.size()) + kOffsetBytes, "the properties");
   for (const std::string_view text : {id, properties}) {
     layer.json += text;
     layer.json_begin.push_back(layer.json.size());
@@ -159,10 +163,11 @@ void keep_common(GroupText& group, const Members& members, std::string_view id, 
     return;
   }
   if (!is_same_value(group.id, id, feature, context)) group.id = {};
+  std::unordered_map<std::string_view, std::string_view> source;
+  for (const Member& member : members) source.emplace(member.name, member.source);
   std::erase_if(group.members, [&](const Member& kept) {
-    const auto same = std::find_if(members.begin(), members.end(),
-                                   [&](const Member& m) { return m.name == kept.name; });
-    return same == members.end() || !is_same_value(same->source, kept.source, feature, context);
+    const auto same = source.find(kept.name);
+    return same == source.end() || !is_same_value(same->second, kept.source, feature, context);
   });
 }
 
@@ -233,7 +238,7 @@ Layer with_group_properties(Layer shapes, const Layer& layer, const FeatureGroup
     ObjectText object;
     for (const Member& member : group.members) object.add(member.name, member.source);
     for (const std::string& name : sums) object.add(name, group.sums[name].text());
-    append_json(result, group.id, object.take());
+    append_json(result, group.id, object.take(), context);
   }
   return result;
 }
@@ -301,7 +306,7 @@ Layer with_pair_properties(LayerOverlay overlay, const Layer& first, const Layer
     add_id(first, f, first_id);
     add_id(second, g, second_id);
     if (!overlay.area.empty()) object.add(area, format_double(nearest_double(overlay.area[i])));
-    append_json(result, "", object.take());
+    append_json(result, "", object.take(), context);
   }
   return result;
 }

@@ -268,7 +268,8 @@ MeshFormat format_to_write(const std::string& path, std::optional<MeshFormat> fo
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      const MeshAttributes& attributes, std::optional<MeshFormat> format) {
   const MeshFormat used = format_to_write(path, format);
-  const bool has_library = used == MeshFormat::Obj && !attributes.face_material.empty();
+  const bool has_library =
+      used == MeshFormat::Obj && !attributes.face_material.empty() && !path.ends_with(".mtl");
   std::optional<OutputFile> library;
   std::string name;
   if (has_library) {

@@ -129,8 +129,9 @@ void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& na
 namespace {
 
 /// Returns the mesh and those of its attributes that are kept; null if there are none.
-std::shared_ptr<const MeshSource> source_of(MeshFile& file, KeptAttributes kept,
-                                            const std::string& name) {
+/// The source has its points where a weld will move them, since faces are found by their planes.
+std::shared_ptr<const MeshSource> source_of(MeshFile& file, KeptAttributes kept, double weld,
+                                            const std::string& name, Context& context) {
   MeshAttributes& attributes = file.attributes;
   if (kept == KeptAttributes::Colours) {
     attributes.face_id.clear();
@@ -144,7 +145,10 @@ std::shared_ptr<const MeshSource> source_of(MeshFile& file, KeptAttributes kept,
     attributes.channels.clear();
   }
   if (attributes.empty()) return nullptr;
-  return std::make_shared<const MeshSource>(MeshSource{name, file.mesh, std::move(attributes)});
+  PolygonMesh mesh = file.mesh;
+  if (weld > 0) weld_points(mesh, weld, context);
+  return std::make_shared<const MeshSource>(
+      MeshSource{name, std::move(mesh), std::move(attributes)});
 }
 
 }  // namespace
@@ -165,7 +169,7 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   refuse_without_faces(file, options.surface || options.may_be_empty, text.name, warnings);
   std::vector<std::string> notes = std::move(file.notes);
   const bool must_enclose = !options.surface && !options.may_be_empty && file.mesh.face_count() > 0;
-  const auto source = source_of(file, options.attributes, text.name);
+  const auto source = source_of(file, options.attributes, options.repair.weld, text.name, context);
   if (options.repair.asks()) mend(file.mesh, options.repair, text.name, notes, context);
   MeshReport report;
   const FromMeshOptions reading{

@@ -97,12 +97,14 @@ class BorderGraph {
   std::vector<std::uint32_t> waits_;      // For each corner, the last entry that waits for it.
   std::vector<std::uint32_t> waiting_;    // For each entry, the corner that waits.
   std::vector<std::uint32_t> next_;       // For each entry, the entry before it in the same list.
+  std::uint32_t free_ = kNone;            // An entry that is not used, which begins a list.
   std::vector<std::uint8_t> is_blocked_;  // For each corner, whether its last triangle was blocked.
   std::unordered_set<std::uint64_t> fixed_edges_;  // Edges between corners that are not removable.
   std::priority_queue<Waiting> heap_;
   CornerTree tree_;
   std::size_t removable_ = 0;
   std::size_t removed_ = 0;
+  std::size_t steps_ = 0;  // Corners that were looked at.
 };
 
 BorderGraph::BorderGraph(const LabelledComplex& labelled)
@@ -195,7 +197,7 @@ void BorderGraph::simplify(const LayerSimplifyOptions& options, Context& context
     heap_.pop();
     const std::uint32_t v = first.corner;
     if (degree_[v] == 0 || first.version != version_[v]) continue;
-    if (removed_ % kCornersPerCheckpoint == 0) {
+    if (steps_++ % kCornersPerCheckpoint == 0) {
       context.checkpoint("simplify", removed_, removable_ - kept);
     }
     const std::uint32_t blocking = corner_in_triangle(v);
@@ -210,9 +212,14 @@ void BorderGraph::simplify(const LayerSimplifyOptions& options, Context& context
 
 /// Puts v into the list of the corners that wait for the removal of a corner.
 void BorderGraph::wait_for(std::uint32_t v, std::uint32_t blocking) {
-  waiting_.push_back(v);
-  next_.push_back(waits_[blocking]);
-  waits_[blocking] = static_cast<std::uint32_t>(next_.size() - 1);
+  if (free_ == kNone) {
+    free_ = static_cast<std::uint32_t>(next_.size());
+    waiting_.push_back(v);
+    next_.push_back(kNone);
+  }
+  const std::uint32_t entry = std::exchange(free_, next_[free_]);
+  waiting_[entry] = v;
+  next_[entry] = std::exchange(waits_[blocking], entry);
 }
 
 void BorderGraph::remove(std::uint32_t v, double area) {
@@ -227,9 +234,12 @@ void BorderGraph::remove(std::uint32_t v, double area) {
   tree_.remove(v);
   push(u, area);
   push(w, area);
-  for (std::uint32_t i = waits_[v]; i != kNone; i = next_[i]) {
+  for (std::uint32_t i = waits_[v]; i != kNone;) {
     // A corner whose triangle has changed meanwhile is in the heap already.
     if (is_blocked_[waiting_[i]] != 0) push(waiting_[i], area);
+    const std::uint32_t next = std::exchange(next_[i], free_);
+    free_ = i;
+    i = next;
   }
 }
 

@@ -230,7 +230,8 @@ bool is_layer_file(const std::string& path) {
   }
   require_layer_format(path);
   // Only the beginning is read, so a pipe that has a name would lose it.
-  if (extension == ".map" || !std::filesystem::is_regular_file(path)) return false;
+  std::error_code error;
+  if (extension == ".map" || !std::filesystem::is_regular_file(path, error)) return false;
   std::string begin(256, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));

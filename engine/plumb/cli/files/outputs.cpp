@@ -35,7 +35,14 @@ std::string SetOutput::title() const {
   return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
 }
 
+/// A device or a pipe has no file beside it, and a mesh that is called .mtl has none of its own.
 std::string SetOutput::library() const {
+  std::error_code error;
+  const std::filesystem::path path(path_);
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  const bool is_other =
+      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (path.extension() == ".mtl" || is_other) return "";
   return title().empty() ? "" : std::filesystem::path(title()).replace_extension(".mtl").string();
 }
 
@@ -64,7 +71,7 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
     }
     throw Error(error.code(), error.message(), {name()});
   }
-  if (file_.write_library) {
+  if (file_.write_library && !library().empty()) {
     const auto path = std::filesystem::path(path_).replace_extension(".mtl");
     session.outputs().add(path.string(), file_.write_library);
   }

@@ -224,7 +224,12 @@ bool ObjAttributes::load_library(const std::string& name, std::string& why) {
   if (load(name)) return true;
   bool are_loaded = name.find_first_of(kBlanks) != name.npos;
   std::string_view rest = name;
-  while (are_loaded && !rest.empty()) are_loaded = load(std::string(take_first(rest)));
+  constexpr std::size_t kMostLibraries = 64;
+  std::set<std::string> seen;
+  while (are_loaded && !rest.empty() && seen.size() < kMostLibraries) {
+    std::string word(take_first(rest));
+    if (seen.insert(word).second) are_loaded = load(word);
+  }
   return are_loaded;
 }
 

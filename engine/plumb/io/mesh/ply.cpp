@@ -718,7 +718,8 @@ std::string property_name(const MeshChannel& channel, std::size_t part) {
 std::vector<WrittenProperty> properties_of(const MeshAttributes& attributes) {
   std::vector<WrittenProperty> properties;
   for (const MeshChannel& channel : attributes.channels) {
-    const bool has_bytes = channel.name == "color" && are_bytes(channel.values);
+    const bool is_color = channel.name == "color" && (channel.width == 3 || channel.width == 4);
+    const bool has_bytes = is_color && are_bytes(channel.values);
     for (std::size_t i = 0; i < channel.width; ++i) {
       properties.push_back({&channel, i, has_bytes, property_name(channel, i)});
     }

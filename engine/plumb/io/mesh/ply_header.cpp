@@ -115,6 +115,7 @@ class HeaderReader {
   RecordReader& in_;
   TextCursor& cursor_;
   bool keeps_attributes_;
+  std::size_t kept_ = 0;  // Properties of the last element that are kept as single numbers.
   PlyHeader header_;
   bool has_format_ = false;
   std::string_view element_;  // The name of the last element.
@@ -203,6 +204,7 @@ void HeaderReader::read_element() {
     fail(ErrorCode::Syntax, "a second element " + std::string(element_), element_.data());
   }
   header_.elements.push_back({kind, in_.read_count("the number of elements"), {}});
+  kept_ = 0;
 }
 
 /// Reads the type and name of a property of the last element. Only coordinates and lists of corners
@@ -224,6 +226,7 @@ void HeaderReader::read_property() {
   require_new(property.role, name);
   property.name = name;
   property.is_kept = is_attribute(property);
+  kept_ += property.is_kept && !property.length ? 1 : 0;
   if (property.role == Role::None && !property.is_kept) pass_over(name);
   header_.elements.back().properties.push_back(property);
 }
@@ -239,9 +242,7 @@ bool HeaderReader::is_attribute(const PlyProperty& property) const {
     return element.kind == Kind::Face && property.name == "texcoord" &&
            std::none_of(properties.begin(), properties.end(), is_same);
   }
-  const auto kept = std::count_if(properties.begin(), properties.end(),
-                                  [](const PlyProperty& other) { return other.is_kept; });
-  return static_cast<std::size_t>(kept) < kMostNumbersOfCorner;
+  return kept_ < kMostNumbersOfCorner;
 }
 
 /// Notes a property of the last element that no mesh holds, or the element if it is unknown.

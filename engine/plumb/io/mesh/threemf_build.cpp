@@ -120,7 +120,7 @@ class SceneBuilder3mf {
 
   MeshFile build() {
     for (const ThreeMfPlacement& item : scene_.items) place(item);
-    const bool has_build = !scene_.items.empty() || scene_.objects.empty();
+    const bool has_build = !scene_.items.empty() || scene_.has_lost_items || scene_.objects.empty();
     if (!has_build) place_free_objects();
     for (const std::string& what : scene_.passed) out_.pass_over(what);
     for (const std::string& what : scene_.left_out) out_.leave_out(what);

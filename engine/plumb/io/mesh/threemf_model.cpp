@@ -377,12 +377,15 @@ void ModelReader3mf::end_setting() {
     if (name != setting) continue;
     scene_.left_out.emplace(called);
     if (open_.size() < 2) return;
-    if (open_[open_.size() - 2] == ModelElement::Item && !scene_.items.empty() && part_ == 0) {
-      scene_.items.pop_back();
-      open_.back() = ModelElement::Passed;  // The item is gone; other settings do not matter.
-    } else {
+    ModelElement& owner = open_[open_.size() - 2];
+    if (owner == ModelElement::Object) {
       object().type = ThreeMfType::Other;
+      continue;
     }
+    if (part_ == 0 && !scene_.items.empty()) scene_.items.pop_back();
+    scene_.has_lost_items = true;
+    owner = open_.back() = ModelElement::Passed;  // The item is gone; other settings do not matter.
+    return;
   }
 }
 

@@ -72,6 +72,7 @@ struct ThreeMfScene {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> object_of;  ///< (part, id).
   std::vector<ThreeMfPlacement> components;
   std::vector<ThreeMfPlacement> items;  ///< The build of the first part.
+  bool has_lost_items = false;          ///< Whether items were left out because of a setting.
   std::deque<ThreeMfTransform> transforms;
   MeshCollector source;            ///< Points and faces of all objects.
   std::set<std::string> passed;    ///< What no mesh holds, for a note.

@@ -149,6 +149,7 @@ struct XmlStream::Parser {
     Parser& self = of(user);
     self.guarded([&] {
       self.count_name(space == nullptr ? "" : space);
+      self.count_name(prefix == nullptr ? "" : prefix);
       self.listener.declare(prefix == nullptr ? "" : prefix, space == nullptr ? "" : space);
     });
   }

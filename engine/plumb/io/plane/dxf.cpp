@@ -90,7 +90,7 @@ class DxfReader {
       context_.checkpoint("read", text_.size() - rest_.size(), text_.size());
     }
     where_ = rest_.data();
-    if (trimmed(rest_).empty()) return false;
+    if (rest_.find_first_not_of(" \t\r\n") == rest_.npos) return false;
     const std::string_view code = trimmed(take_line());
     const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), code_);
     if (error != std::errc() || end != code.data() + code.size()) {
@@ -145,6 +145,9 @@ class DxfReader {
 
   void begin_entity() {
     if (section_ == "ENTITIES") end_entity();
+    if (is_in_polyline_ && value_ != "VERTEX" && value_ != "SEQEND") {
+      fail(ErrorCode::CountMismatch, "a POLYLINE ends without SEQEND");
+    }
     entity_ = value_;
     values_.clear();
     layer_ = "0";

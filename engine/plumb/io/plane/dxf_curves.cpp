@@ -340,9 +340,17 @@ class RingAdder {
   ReadNumber x_, y_;
 };
 
-/// Whether the curve is a ring by itself.
+/// Whether the curve is a ring by itself. A spline ends at its last control point if its first and
+/// last knots are repeated.
 bool is_ring(const DxfCurves& drawing, const DxfCurve& curve) {
-  if (curve.is_closed || curve.kind != DxfKind::Polyline) return curve.is_closed;
+  if (curve.is_closed) return true;
+  if (curve.kind == DxfKind::Arc) return curve.to - curve.from >= 360;
+  if (curve.kind == DxfKind::Spline) {
+    const auto& knot = drawing.knots;
+    const bool is_clamped = knot[curve.first_knot + 1] == knot[curve.first_knot + curve.degree] &&
+                            knot[curve.end_knot - 2] == knot[curve.end_knot - 1 - curve.degree];
+    if (!is_clamped) return false;
+  }
   return drawing.vertices[curve.first_vertex].p == drawing.vertices[curve.end_vertex - 1].p;
 }
 

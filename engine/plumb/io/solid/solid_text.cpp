@@ -158,6 +158,15 @@ void SolidText::add_attributes(OutputRounding rounding, Context& context) {
   AttributeOptions options;
   if (*format_.mesh == MeshFormat::Gltf) options.type = CoordinateType::Float;
   MeshWithAttributes made = mesh_with_attributes(set_, options, context);
+  std::vector<std::string> losses, changes;
+  describe(made.repair, losses, changes);
+  const auto add_new = [](std::vector<std::string>& list, std::vector<std::string>& told) {
+    for (std::string& text : told) {
+      if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
+    }
+  };
+  add_new(losses_, losses);
+  add_new(changes_, changes);
   mesh_ = std::move(made.mesh);
   attributes_ = std::move(made.attributes);
 }

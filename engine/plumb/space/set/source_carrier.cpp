@@ -86,6 +86,11 @@ void require_consistent(const MeshSource& source) {
       throw Error(ErrorCode::BadArgument, "a corner of a mesh refers to no point");
     }
   }
+  for (const auto& [v, place] : source.mesh.exact) {
+    if (v >= source.mesh.points.size()) {
+      throw Error(ErrorCode::BadArgument, "exact coordinates of a mesh refer to no point");
+    }
+  }
   for (std::size_t i = 0; i < attributes.channels.size(); ++i) {
     require_channel(attributes, i, source.mesh.corners.size());
   }
@@ -102,16 +107,29 @@ Nef3 from_source(std::shared_ptr<const MeshSource> source, const FromMeshOptions
 }
 
 Nef3 Nef3::with_source(std::shared_ptr<const MeshSource> source) const {
-  if (source != nullptr) require_consistent(*source);
   const PlacedSource placed{std::move(source), identity_map()};
   return with_sources({&placed, 1});
 }
+
+namespace {
+
+void require_invertible(const AffineMap3& map) {
+  const auto& m = map.matrix;
+  const Rational determinant(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                             m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                             m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+  if (determinant == 0) throw Error(ErrorCode::BadArgument, "the map of a source is singular");
+}
+
+}  // namespace
 
 Nef3 Nef3::with_sources(std::span<const PlacedSource> sources) const {
   for (const PlacedSource& placed : sources) {
     if (placed.source == nullptr) {
       throw Error(ErrorCode::BadArgument, "a source must not be null");
     }
+    require_consistent(*placed.source);
+    require_invertible(placed.map);
   }
   Nef3 result = *this;
   result.sources_.reset();
@@ -142,8 +160,30 @@ SourceCarrier::List SourceCarrier::joined(const List& first, const List& second)
 
 SourceCarrier::List SourceCarrier::joined(std::span<const Nef3> sets) {
   List list;
-  for (const Nef3& set : sets) list = joined(list, of(set));
-  return list;
+  std::shared_ptr<std::vector<PlacedSource>> all;  // If several sets have sources.
+  std::unordered_multimap<const MeshSource*, std::size_t> known;
+  const auto add = [&](const PlacedSource& placed) {
+    const auto [first, last] = known.equal_range(placed.source.get());
+    const bool is_known = std::any_of(
+        first, last, [&](const auto& at) { return is_same_source((*all)[at.second], placed); });
+    if (is_known) return;
+    known.emplace(placed.source.get(), all->size());
+    all->push_back(placed);
+  };
+  for (const Nef3& set : sets) {
+    const List own = of(set);
+    if (own == nullptr || own == list) continue;
+    if (list == nullptr) {
+      list = own;
+      continue;
+    }
+    if (all == nullptr) {
+      all = std::make_shared<std::vector<PlacedSource>>();
+      for (const PlacedSource& placed : *list) add(placed);
+    }
+    for (const PlacedSource& placed : *own) add(placed);
+  }
+  return all == nullptr ? list : List(all);
 }
 
 SourceCarrier::List SourceCarrier::mapped(const List& list, const AffineMap3& map) {
