@@ -253,8 +253,8 @@ Work cone_mesh(std::size_t sides) {
   return set_of_mesh(sides, testing::cone_mesh(static_cast<int>(sides), 1));
 }
 
-/// The union of two cones whose thin sides run in all directions, so that boxes along any one set of
-/// axes nearly all overlap.
+/// The union of two cones whose thin sides run in all directions, so that boxes along any one set
+/// of axes nearly all overlap.
 Work crossing_cones(std::size_t sides) {
   const PolygonMesh mesh = testing::cone_mesh(static_cast<int>(sides), 1);
   return made(sides,

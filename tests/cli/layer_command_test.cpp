@@ -72,7 +72,7 @@ TEST(MapRepairProgram, refuses_what_it_cannot_do) {
   EXPECT_TRUE(scratch.files().empty());
 }
 
-// ---------------------------------------------------------------- check, dissolve, simplify, overlay
+// --------------------------------------------------- check, dissolve, simplify, overlay
 
 const std::string kDistricts = "corpus/layers/districts.geojson";
 

@@ -23,8 +23,11 @@ namespace {
 using Faces = std::vector<std::uint32_t>;
 
 const PolygonMesh kCube = box_mesh({0, 0, 0}, {2, 2, 2});
-const RepairOptions kSafe{
-    .weld = 0, .doubled = DoubledFaces::DropIfBetter, .reorient = true, .fill_holes = 0, .fill_holes_below = 0};
+const RepairOptions kSafe{.weld = 0,
+                          .doubled = DoubledFaces::DropIfBetter,
+                          .reorient = true,
+                          .fill_holes = 0,
+                          .fill_holes_below = 0};
 
 RepairReport mended(PolygonMesh& mesh, const RepairOptions& options) {
   const RepairReport report = repair_mesh(mesh, options);

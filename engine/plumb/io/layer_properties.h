@@ -47,7 +47,8 @@ FeatureGroups one_group(const Layer& layer);
 /// A property named in `sums` is the sum of the numbers of all features of the group instead:
 /// integers are added exactly; if a number has a point or an exponent, the nearest doubles are
 /// added exactly, and the sum is rounded once. Missing values and null are left out of a sum.
-/// Throws Error{BadArgument} if a value to be added is no number, or if no feature has the property.
+/// Throws Error{BadArgument} if a value to be added is no number, or if no feature has the
+/// property.
 Layer with_group_properties(Layer shapes, const Layer& layer, const FeatureGroups& groups,
                             std::span<const std::string> sums = {},
                             Context& context = unlimited_context());

@@ -92,7 +92,8 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
 /// Returns the mesh of the file `path`. The caller has already read the bytes of the file. The
 /// extension of `path` determines the format. If the extension names no format, the format is
 /// guessed by guess_mesh_format(). If the file is a glTF file that refers to other files, or an OBJ
-/// file whose attributes are wanted, these files are read from the folder of `path`. Throws as read_mesh() does.
+/// file whose attributes are wanted, these files are read from the folder of `path`. Throws as
+/// read_mesh() does.
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
 

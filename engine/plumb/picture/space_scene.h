@@ -1,5 +1,5 @@
-// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex. It shows
-// a vertex as a dot where the edges do not show whether the vertex belongs to the set.
+// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex. It
+// shows a vertex as a dot where the edges do not show whether the vertex belongs to the set.
 // exploded_scene() shows several sets in one scene and moves the sets apart.
 //
 // Main flow of scene_of(set):

@@ -1,6 +1,6 @@
-// The meshes that a set was made from, with their attributes. A set keeps them through all operations
-// of space, so that mesh_with_attributes() (mesh_with_attributes.h) can tell, for each face of a
-// result, the face of an input that it is a part of.
+// The meshes that a set was made from, with their attributes. A set keeps them through all
+// operations of space, so that mesh_with_attributes() (mesh_with_attributes.h) can tell, for each
+// face of a result, the face of an input that it is a part of.
 //
 // Flow: with_source() of a set attaches a mesh to the set that was made from this mesh. Booleans
 // join the lists of their operands, and transformed() applies its map to the places of the sources.

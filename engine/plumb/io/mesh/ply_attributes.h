@@ -15,7 +15,7 @@ namespace plumb {
 
 /// Keeps the values of the properties that the header has marked as kept, record by record, and
 /// makes attributes of them (docs/formats.md, "PLY"):
-///   - red, green, blue, alpha   the channel "color" of vertices; a material for each colour of faces
+///   - red, green, blue, alpha   channel "color" of vertices; a material for each colour of faces
 ///   - nx, ny, nz                the channel "normal"
 ///   - s and t, u and v, ...     the channel "texcoord_0"
 ///   - NAME_0, NAME_1, ...       a channel NAME of so many numbers

@@ -1,6 +1,7 @@
 // Triangles that cover leaves: the surface of a facet lies within its outer cycle, and a cycle is
 // covered by the triangles of its first corner and each of its edges, because the signed sum of
-// their windings is 1 inside. Other leaves are edges and vertices, which are triangles without area.
+// their windings is 1 inside. Other leaves are edges and vertices, which are triangles without
+// area.
 //
 // Tested by tests/space/find_contacts_test.cpp.
 #include "plumb/space/boolean/thin_leaves.h"

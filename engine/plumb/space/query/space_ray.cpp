@@ -321,8 +321,8 @@ bool SpaceRay::passes_by(FacetId f) const {
          orient2d(corner[2], corner[0], o) == outside;
 }
 
-/// Whether the ray runs along an axis that is parallel to a plane. Sets `row` to the coefficients of
-/// the plane in that case.
+/// Whether the ray runs along an axis that is parallel to a plane. Sets `row` to the coefficients
+/// of the plane in that case.
 bool SpaceRay::runs_along(PlaneId plane, IntegerRow& row) const {
   const PlaneRow& rough = complex_.planes().row(plane);
   const bool may_run_along =

@@ -40,10 +40,10 @@ RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactor
   return image;
 }
 
-/// An affine map x -> M x + t in integers without a common factor. With a common denominator c let M
-/// = A / c and t = b / c. A point X / w goes to (A X + b w) / (c w). Up to the factor |det A|, which
-/// is positive, a plane n.x + d = 0 goes to c s (n adj A).x + |det A| d - s (n adj A).b, where s is
-/// the sign of det A.
+/// An affine map x -> M x + t in integers without a common factor. With a common denominator c let
+/// M = A / c and t = b / c. A point X / w goes to (A X + b w) / (c w). Up to the factor |det A|,
+/// which is positive, a plane n.x + d = 0 goes to c s (n adj A).x + |det A| d - s (n adj A).b,
+/// where s is the sign of det A.
 class IntegerMap {
  public:
   explicit IntegerMap(const AffineMap3& map) {
