@@ -65,8 +65,8 @@ class Formatter : public CLI::Formatter {
 CommandApp::CommandApp(const Command& command)
     : app(std::string(command.summary), "plumb " + std::string(command.name)),
       body(command.make()) {
-  std::string footer = "Example:\n  " + std::string(command.example);
-  footer += "\n\nJSON: docs/schema/" + std::string(command.schema) + ".schema.json";
+  std::string footer = "JSON: docs/schema/" + std::string(command.schema) + ".schema.json\n";
+  footer += "Example:\n  " + std::string(command.example);
   app.footer(footer);
   app.formatter(std::make_shared<Formatter>());
   body->declare(app);
