@@ -85,6 +85,7 @@ class Voronoi {
         low_(low),
         high_(high),
         context_(context),
+        memory_(context),
         triangulation_(delaunay(sites, context)) {}
 
   Layer cells() {
@@ -93,7 +94,10 @@ class Voronoi {
     find_straight_neighbours();
     Layer layer;
     for (std::uint32_t site = 0; site < sites_.size(); ++site) {
-      if (site % kSitesPerCheckpoint == 0) context_.checkpoint("voronoi", site, sites_.size());
+      if (site % kSitesPerCheckpoint == 0) {
+        context_.checkpoint("voronoi", site, sites_.size());
+        charge(layer.points.bytes());
+      }
       add_feature(layer, cell(site));
     }
     return layer;
@@ -102,7 +106,15 @@ class Voronoi {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
+  /// Charges the points of the layer, whose array grows by doubling.
+  void charge(std::size_t bytes) {
+    memory_.add(2 * (bytes - charged_), "voronoi");
+    charged_ = bytes;
+  }
+
   void find_centres() {
+    constexpr std::uint64_t kCentreBytes = 400;
+    memory_.add(kCentreBytes * triangulation_.triangles.size(), "voronoi");
     for (const auto& [a, b, c] : triangulation_.triangles) {
       if (centres_.size() % kSitesPerCheckpoint == 0) {
         context_.checkpoint("voronoi", centres_.size(), triangulation_.triangles.size());
@@ -243,6 +255,8 @@ class Voronoi {
   const PointTable2& sites_;
   const RationalPoint2 low_, high_;
   Context& context_;
+  MemoryCharge memory_;
+  std::size_t charged_ = 0;
   PlaneTriangulation triangulation_;
   std::vector<RationalPoint2> centres_;               // Of each triangle.
   std::vector<std::uint32_t> begin_, corners_;        // Corners of triangles at each site.

@@ -385,6 +385,12 @@ MeshWithAttributes mesh_with_attributes(const Nef3& set, const AttributeOptions&
   SpaceComplex complex = set.complex();
   MemoryCharge memory(context);
   memory.add(2 * set.bytes(), "a set with attributes");
+  constexpr std::uint64_t kPlaceBytes = 64, kCornerBytes = 64;
+  for (const PlacedSource& placed : set.sources()) {
+    const PolygonMesh& mesh = placed.source->mesh;
+    memory.add(kPlaceBytes * mesh.points.size() + kCornerBytes * mesh.corners.size(),
+               "the sources of a set");
+  }
   const std::shared_ptr<SpaceTables> tables = copy(*complex.tables);
   complex.tables = tables;
   const SourceTriangles triangles(set.sources(), *tables, context);

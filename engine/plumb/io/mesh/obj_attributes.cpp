@@ -269,6 +269,7 @@ void ObjAttributes::read_library_line(std::string_view line, MeshMaterial*& mate
     // A single number is a grey.
     for (std::size_t i = 0; i < 3; ++i) color()[i] = line.empty() ? color()[0] : number();
   } else if (keyword == "d") {
+    take_prefix(line, "-halo ");
     color()[3] = number();
   } else if (keyword == "Tr") {
     color()[3] = 1 - number();

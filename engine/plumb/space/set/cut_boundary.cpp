@@ -284,6 +284,8 @@ class PlaneCutter {
   /// Finds the facets and triangles that contain each face, from face 0, which only whole planes
   /// contain.
   void label_faces() {
+    MemoryCharge charge(state_.context);
+    charge.add(sizeof(label_[0]) * flat().face_count(), "labels of faces");
     label_.assign(flat().face_count(), {});
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       if (is_plane(t)) label_[0].push_back(side_count() + t);
@@ -303,6 +305,7 @@ class PlaneCutter {
           if (is_known[other.value()] != 0) continue;
           is_known[other.value()] = 1;
           label_[other.value()] = across(label_[f.value()], edge_of(h));
+          charge.add(sizeof(std::uint32_t) * label_[other.value()].size(), "labels of faces");
           work.push_back(other);
         }
       }
