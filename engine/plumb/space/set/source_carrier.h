@@ -22,12 +22,14 @@ struct SourceCarrier {
     set.sources_ = std::move(list);
     return set;
   }
+  // nef3.h, which names this struct as a friend, gives it the visibility of what it exports.
+
   /// Returns the sources of the first list and then those of the second one that are not in it.
-  static List joined(const List& first, const List& second);
+  [[gnu::visibility("hidden")]] static List joined(const List& first, const List& second);
   /// Returns the sources of sets in their order.
-  static List joined(std::span<const Nef3> sets);
+  [[gnu::visibility("hidden")]] static List joined(std::span<const Nef3> sets);
   /// Returns the list after a map has been applied to the set.
-  static List mapped(const List& list, const AffineMap3& map);
+  [[gnu::visibility("hidden")]] static List mapped(const List& list, const AffineMap3& map);
 };
 
 }  // namespace plumb
