@@ -117,7 +117,8 @@ TEST(LayerWriter, shares_arcs_in_topojson) {
         << "a repair begins rings at the same corners";
     std::size_t corners = 0;
     std::vector<std::pair<Json, Json>> edges;
-    for (const Json& arc : Json::parse(text)["arcs"]) {
+    const Json topology = Json::parse(text);
+    for (const Json& arc : topology["arcs"]) {
       corners += arc.size();
       for (std::size_t i = 0; i + 1 < arc.size(); ++i) {
         edges.emplace_back(std::min(arc[i], arc[i + 1]), std::max(arc[i], arc[i + 1]));
