@@ -35,17 +35,6 @@ OwnerRule owner_rule(const std::string& name) {
       "rule must be 'longest-border', 'largest', 'smallest' or 'first', not '" + name + "'");
 }
 
-const char* kind_name(LayerRegionKind kind) {
-  switch (kind) {
-    case LayerRegionKind::Overlap:
-      return "overlap";
-    case LayerRegionKind::Gap:
-      return "gap";
-    default:
-      return "hole";
-  }
-}
-
 nb::object parsed(std::string_view json) {
   if (json.empty()) return nb::none();
   return nb::module_::import_("json").attr("loads")(nb::str(json.data(), json.size()));
@@ -156,7 +145,7 @@ nb::typed<nb::list, RegionOut> regions_of(const LayerReport& report) {
     RegionOut out;
     nb::list features;
     for (const std::uint32_t f : report.features_of(region)) features.append(f);
-    out["kind"] = kind_name(region.kind);
+    out["kind"] = name_of(region.kind);
     out["area"] = region.area;
     out["width"] = region.width;
     out["features"] = features;

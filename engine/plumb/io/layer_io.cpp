@@ -500,11 +500,6 @@ void write_geometry(TextOutput& out, const Layer& layer, std::size_t f) {
   out << (is_one ? "}" : "]}");
 }
 
-std::string_view kind_of(const LayerRegion& region) {
-  if (region.kind == LayerRegionKind::Overlap) return "overlap";
-  return region.kind == LayerRegionKind::Gap ? "gap" : "hole";
-}
-
 /// Returns the property "name" or "NAME" of a feature, if it is a text.
 std::optional<std::string> called(const Layer& layer, std::uint32_t feature) {
   if (layer.properties(feature).empty()) return {};
@@ -531,7 +526,7 @@ nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report
   for (const std::uint32_t f : report.features_of(region)) {
     features.push_back(feature_json(layer, f));
   }
-  nlohmann::ordered_json json = {{"kind", kind_of(region)},
+  nlohmann::ordered_json json = {{"kind", name_of(region.kind)},
                                  {"area", nearest_double(region.area)},
                                  {"width", region.width},
                                  {"features", std::move(features)},
@@ -549,7 +544,7 @@ std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
 
 void write_region(TextOutput& out, const Layer& layer, const LayerReport& report, std::size_t i) {
   const LayerRegion& region = report.regions[i];
-  out << kind_of(region) << (region.kind == LayerRegionKind::Overlap ? " of " : " between ");
+  out << name_of(region.kind) << (region.kind == LayerRegionKind::Overlap ? " of " : " between ");
   bool is_first = true;
   for (const std::uint32_t f : report.features_of(region)) {
     if (!is_first) out << ", ";

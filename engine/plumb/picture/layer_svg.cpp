@@ -41,18 +41,6 @@ constexpr const char* kLayerStyle = R"(.feature{stroke:#5b6672;stroke-width:8;fi
 .ring.gap{stroke:#6a2fa0}
 )";
 
-const char* kind_name(LayerRegionKind kind) {
-  switch (kind) {
-    case LayerRegionKind::Overlap:
-      return "overlap";
-    case LayerRegionKind::Gap:
-      return "gap";
-    case LayerRegionKind::Hole:
-      return "hole";
-  }
-  return "";
-}
-
 std::vector<Point2> ring_of(const Layer& layer, std::size_t r) {
   std::vector<Point2> points;
   for (const std::uint32_t c : layer.ring(r)) points.push_back(layer.points.approx(c));
@@ -126,7 +114,7 @@ std::size_t draw(const View& view, const BoxedLayer& features, const BoxedLayer&
       const PathData path = path_in(view, shapes, i);
       points += path.points();
       if (path.empty() || points > 2 * most_points) continue;
-      out << "<path class=\"" << kind_name(report.regions[i].kind) << "\" d=\"" << path.data()
+      out << "<path class=\"" << name_of(report.regions[i].kind) << "\" d=\"" << path.data()
           << "\"/>\n";
     }
   }
@@ -146,7 +134,7 @@ void draw_circles(const View& view, const BoxedLayer& shapes, const LayerReport&
     if (std::max(box.width(), box.height()) * view.scale() >= kSeen && !has_links) continue;
     const Point2 at = view.place(box.centre());
     if (has_links) out << "<a href=\"#r" << i + 1 << "\">";
-    out << "<circle class=\"ring " << kind_name(region.kind) << "\" cx=\"" << svg_number(at.x)
+    out << "<circle class=\"ring " << name_of(region.kind) << "\" cx=\"" << svg_number(at.x)
         << "\" cy=\"" << svg_number(at.y) << "\" r=\"8\"/>" << (has_links ? "</a>" : "") << '\n';
     ++drawn;
   }
@@ -157,7 +145,7 @@ std::string sentence(const Layer& layer, const LayerReport& report, std::size_t 
   constexpr std::size_t kMostNames = 4;
   const LayerRegion& region = report.regions[i];
   const bool is_overlap = region.kind == LayerRegionKind::Overlap;
-  std::string text = kind_name(region.kind);
+  std::string text = name_of(region.kind);
   text += is_overlap ? " of " : " between ";
   std::size_t named = 0;
   for (const std::uint32_t f : report.features_of(region)) {

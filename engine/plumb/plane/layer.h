@@ -111,6 +111,12 @@ enum class LayerRegionKind : std::uint8_t {
   Hole,     ///< No feature covers the region, and it is wide. A hole is no defect.
 };
 
+/// Returns "overlap", "gap" or "hole": the name of a kind in files, pictures and bindings.
+constexpr const char* name_of(LayerRegionKind kind) {
+  if (kind == LayerRegionKind::Overlap) return "overlap";
+  return kind == LayerRegionKind::Gap ? "gap" : "hole";
+}
+
 /// A region of a report: a connected overlap of the same features, a gap or a hole.
 struct LayerRegion {
   /// The owner of a region that belongs to no feature.
