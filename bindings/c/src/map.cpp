@@ -344,7 +344,7 @@ plumb_status plumb_map_report_write(const plumb_map_report* report, const char* 
     if (name == "geojson") {
       return written([&](std::ostream& stream) { write_map_report_geojson(stream, of); });
     }
-    return {picture_of(of, name, text_or_empty(title))};
+    return {picture_of(of, picture(name, text_or_empty(title)))};
   });
 }
 

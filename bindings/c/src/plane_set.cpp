@@ -247,7 +247,8 @@ plumb_status plumb_plane_set_draw(const plumb_plane_set* set, const char* format
                                   plumb_error** error) {
   return make(out, error, [&] {
     Call call(context);
-    return picture_of(need(set, "set").set, text(format, "format"), text_or_empty(title), call);
+    return picture_of(need(set, "set").set, picture(text(format, "format"), text_or_empty(title)),
+                      call);
   });
 }
 

@@ -369,7 +369,8 @@ plumb_status plumb_solid_draw(const plumb_solid* solid, const char* format, cons
                               plumb_error** error) {
   return make(out, error, [&] {
     Call call(context);
-    return picture_of(need(solid, "solid").set, text(format, "format"), text_or_empty(title), call);
+    return picture_of(need(solid, "solid").set,
+                      picture(text(format, "format"), text_or_empty(title)), call);
   });
 }
 
@@ -380,7 +381,7 @@ plumb_status plumb_solid_draw_many(const plumb_solid* const* solids, std::size_t
   return make(out, error, [&] {
     Call call(context);
     const std::vector<Nef3> sets = sets_of(solids, count);
-    return picture_of(sets, apart, text(format, "format"), text_or_empty(title), call);
+    return picture_of(sets, apart, picture(text(format, "format"), text_or_empty(title)), call);
   });
 }
 

@@ -427,7 +427,9 @@ plumb_status plumb_surface_draw(const plumb_surface* surface, const plumb_region
   return make(out, error, [&] {
     Call call(context);
     const SurfaceDivision& division = *need(surface, "surface").division;
-    return picture_of(division, result_of(*surface, region), text(layer, "layer"),
-                      text(format, "format"), text_or_empty(title), call);
+    const SurfaceResult* const result = result_of(*surface, region);
+    const SurfaceLayer shown = surface_layer(text(layer, "layer"), result != nullptr);
+    return picture_of(division, result, shown,
+                      picture(text(format, "format"), text_or_empty(title)), call);
   });
 }

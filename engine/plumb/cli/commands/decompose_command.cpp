@@ -283,7 +283,8 @@ class Decomposition : public CommandBody {
     }
     if (!svg_.empty()) {
       session.begin("draw");
-      files.finish_picture(picture_of(found.pieces, kPiecesApart, Picture::Svg, title(), context));
+      files.finish_picture(
+          picture_of(found.pieces, kPiecesApart, picture(PictureFormat::Svg, title()), context));
     }
     Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
     if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);

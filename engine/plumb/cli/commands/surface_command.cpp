@@ -283,16 +283,16 @@ class BooleanCommand : public SurfaceCommand {
 
 // ---------------------------------------------------------------- pictures
 
-struct PictureFormat {
+struct ImageFormat {
   std::string_view name;
   std::string_view extension;
-  Picture picture;
+  PictureFormat picture;
 };
 constexpr std::array kPictureFormats{
-    PictureFormat{"png", ".png", Picture::Png},
-    PictureFormat{"svg", ".svg", Picture::Svg},
-    PictureFormat{"html", ".html", Picture::Html},
-    PictureFormat{"glb", ".glb", Picture::Glb},
+    ImageFormat{"png", ".png", PictureFormat::Png},
+    ImageFormat{"svg", ".svg", PictureFormat::Svg},
+    ImageFormat{"html", ".html", PictureFormat::Html},
+    ImageFormat{"glb", ".glb", PictureFormat::Glb},
 };
 
 /// A picture of a divided surface.
@@ -310,15 +310,15 @@ class DrawCommand : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
-    const PictureFormat& format = open(session);
+    const ImageFormat& format = open(session);
     session.expect(stages_of_surfaces());
     const DividedScene in = input_.read(session);
     session.begin("result");
     std::optional<SurfaceResult> result;
     if (input_.has_expression()) result = input_.evaluate(in.division, session.context());
     const std::string title = std::filesystem::path(input_name(input_.file())).filename().string();
-    picture_ = picture_of(in.division, result ? &*result : nullptr, layer(), format.picture, title,
-                          session.context());
+    picture_ = picture_of(in.division, result ? &*result : nullptr, layer(),
+                          picture(format.picture, title), session.context());
     if (session.options().json) {
       json_ = Json{{"what", what_}, {"format", format.name}}.dump();
     }
@@ -332,7 +332,7 @@ class DrawCommand : public CommandBody {
     return static_cast<SurfaceLayer>(found - kSurfaceLayerNames.begin());
   }
 
-  const PictureFormat& open(Session& session) {
+  const ImageFormat& open(Session& session) {
     const CommonOptions& common = session.options();
     if (layer() == SurfaceLayer::Result && !input_.has_expression()) {
       throw Error(ErrorCode::Usage, "--what result needs --op EXPR");
@@ -341,9 +341,9 @@ class DrawCommand : public CommandBody {
       throw Error(ErrorCode::Usage, "draw needs -o OUT (" + extensions_of(kPictureFormats) +
                                         ") or --format " + names_of(kPictureFormats));
     }
-    const PictureFormat& format = common.format.empty()
-                                      ? format_of_file(kPictureFormats, common.out)
-                                      : format_named(kPictureFormats, common.format);
+    const ImageFormat& format = common.format.empty()
+                                    ? format_of_file(kPictureFormats, common.out)
+                                    : format_named(kPictureFormats, common.format);
     session.outputs().add(common.out.empty() ? "-" : common.out,
                           [this](std::ostream& out) { out << picture_; });
     if (common.json) {

@@ -27,14 +27,14 @@ namespace {
 struct Format {
   std::string_view name;
   std::string_view extension;
-  Picture picture;
+  PictureFormat picture;
 };
 
 constexpr std::array kFormats{
-    Format{"png", ".png", Picture::Png},
-    Format{"svg", ".svg", Picture::Svg},
-    Format{"html", ".html", Picture::Html},
-    Format{"glb", ".glb", Picture::Glb},
+    Format{"png", ".png", PictureFormat::Png},
+    Format{"svg", ".svg", PictureFormat::Svg},
+    Format{"html", ".html", PictureFormat::Html},
+    Format{"glb", ".glb", PictureFormat::Glb},
 };
 
 class View : public CommandBody {
@@ -82,14 +82,14 @@ class View : public CommandBody {
     return std::filesystem::path(input_name(file)).filename().string();
   }
 
-  FileKind draw_file(Picture picture, Session& session) {
+  FileKind draw_file(PictureFormat format, Session& session) {
     const std::string bytes = read_input(files_.front(), session.context());
     const FileKind kind = kind_of_file(files_.front(), bytes);
-    picture_ = drawn(kind, bytes, picture, session);
+    picture_ = drawn(kind, bytes, format, session);
     return kind;
   }
 
-  std::string drawn(FileKind kind, const std::string& bytes, Picture picture,
+  std::string drawn(FileKind kind, const std::string& bytes, PictureFormat format,
                     Session& session) const {
     const std::string& file = files_.front();
     Context& context = session.context();
@@ -103,14 +103,14 @@ class View : public CommandBody {
         session.begin("check");
         const MapReport report = check_map(std::move(map), {}, context);
         session.begin("draw");
-        return picture_of(report, picture, title, context);
+        return picture_of(report, picture(format, title), context);
       }
       case FileKind::PlaneSet: {
         session.expect({reading_plane(), drawing_plane(), writing()});
         session.begin("read");
         const Nef2 set = read_plane(file, bytes, session);
         session.begin("draw");
-        return picture_of(set, picture, title, context);
+        return picture_of(set, picture(format, title), context);
       }
       case FileKind::Solid:
         break;
@@ -119,10 +119,10 @@ class View : public CommandBody {
     session.begin("read");
     const Nef3 set = input_.read(file, bytes, session);
     session.begin("draw");
-    return picture_of(set, picture, title, context);
+    return picture_of(set, picture(format, title), context);
   }
 
-  void draw_solids(Picture picture, Session& session) {
+  void draw_solids(PictureFormat format, Session& session) {
     ProgressStages stages(files_.size(), reading_solid());
     stages.insert(stages.end(), {drawing_solid(), writing()});
     session.expect(std::move(stages));
@@ -134,7 +134,7 @@ class View : public CommandBody {
     session.begin("draw");
     std::string title = title_of(files_.front());
     if (files_.size() > 1) title += " and " + std::to_string(files_.size() - 1) + " more";
-    picture_ = picture_of(sets, apart_.value_or(0), picture, title, session.context());
+    picture_ = picture_of(sets, apart_.value_or(0), picture(format, title), session.context());
   }
 
   static std::string answer(FileKind kind, const Format& format) {

@@ -384,8 +384,9 @@ class SolidDemo {
 
   void picture(const Nef3& set, const std::string& name, const std::string& title,
                const std::string& caption) {
-    book_.add({title, name, caption, picture_of(set, Picture::Svg, title, context_), true,
-               picture_of(set, Picture::Html, title, context_)});
+    book_.add({title, name, caption,
+               picture_of(set, cli::picture(PictureFormat::Svg, title), context_), true,
+               picture_of(set, cli::picture(PictureFormat::Html, title), context_)});
   }
 
   DemoBook& book_;
@@ -460,8 +461,9 @@ class ConvexDemo {
                ", their volumes add up to " + in_full(sum));
     const std::string title = name + ": " + pieces;
     book_.add({title, name + "-pieces.svg", "Cut along reflex edges, then moved apart.",
-               picture_of(cut.pieces, kApart, Picture::Svg, title, context_), true,
-               picture_of(cut.pieces, kApart, Picture::Html, title, context_)});
+               picture_of(cut.pieces, kApart, cli::picture(PictureFormat::Svg, title), context_),
+               true,
+               picture_of(cut.pieces, kApart, cli::picture(PictureFormat::Html, title), context_)});
     book_.step("pictured them, moved apart");
   }
 
@@ -533,13 +535,13 @@ class SurfaceDemo {
                ", bounded by " + counted(result.borders.size(), "loop"));
     for (const auto& [layer, caption] : kPictures) {
       const std::string what = layer_name(layer);
-      const auto drawn = [&, shown = layer](Picture kind) {
-        return picture_of(division, &result, shown, kind, exhibit.title, context_);
+      const auto drawn = [&, shown = layer](PictureFormat kind) {
+        return picture_of(division, &result, shown, cli::picture(kind, exhibit.title), context_);
       };
       // The page has all layers.
-      const std::string page = layer == SurfaceLayer::Labels ? drawn(Picture::Html) : "";
+      const std::string page = layer == SurfaceLayer::Labels ? drawn(PictureFormat::Html) : "";
       book_.add({exhibit.title + ": " + what, exhibit.name + '-' + what + ".svg",
-                 std::string(caption), drawn(Picture::Svg), true, page});
+                 std::string(caption), drawn(PictureFormat::Svg), true, page});
     }
     book_.step("pictured the five stages; wrote a page to turn them around");
   }

@@ -169,13 +169,15 @@ MapReport PlaneDemo::check(const std::string& file) {
 
 void PlaneDemo::picture(const MapReport& report, const std::string& name,
                         const std::string& title) {
-  book_.add({title, name, summary_of(report),
-             picture_of(report, Picture::Svg, title, book_.session().context())});
+  book_.add(
+      {title, name, summary_of(report),
+       picture_of(report, cli::picture(PictureFormat::Svg, title), book_.session().context())});
 }
 
 void PlaneDemo::picture(const Nef2& set, const std::string& name, const std::string& title,
                         const std::string& caption) {
-  book_.add({title, name, caption, picture_of(set, Picture::Svg, title, book_.session().context()),
+  book_.add({title, name, caption,
+             picture_of(set, cli::picture(PictureFormat::Svg, title), book_.session().context()),
              true});
 }
 

@@ -1,5 +1,5 @@
 // The outputs of commands: which ones a command writes and in which format, results that are sets,
-// and pictures as bytes. A command has a table of formats, each with members `name` ("svg") and
+// and how pictures are made. A command has a table of formats, each with members `name` ("svg") and
 // `extension` (".svg").
 #pragma once
 
@@ -19,12 +19,8 @@
 #include "plumb/base/context.h"
 #include "plumb/cli/session/session.h"
 #include "plumb/io/plane_io.h"
-#include "plumb/picture/surface_scene.h"
-#include "plumb/plane/map_check.h"
-#include "plumb/plane/nef2.h"
+#include "plumb/picture/pictures.h"
 #include "plumb/predicates/error.h"
-#include "plumb/space/nef3.h"
-#include "plumb/surface/surface.h"
 
 namespace plumb::cli {
 
@@ -155,27 +151,7 @@ class SetOutput {
   nlohmann::ordered_json json_;
 };
 
-// Pictures of results as the bytes of a file.
-
-/// The kinds of pictures.
-enum class Picture : std::uint8_t { Png, Svg, Html, Glb };
-
-/// Returns a picture of a set of space.
-std::string picture_of(const Nef3& set, Picture picture, const std::string& title,
-                       Context& context);
-/// Returns a picture of several sets, each in a colour of its own, moved apart (space_scene.h).
-std::string picture_of(std::span<const Nef3> sets, double apart, Picture picture,
-                       const std::string& title, Context& context);
-/// Returns a picture of a divided surface. `shown` is what an image shows; a page has all layers,
-/// to be turned on and off.
-std::string picture_of(const SurfaceDivision& division, const SurfaceResult* result,
-                       SurfaceLayer shown, Picture picture, const std::string& title,
-                       Context& context);
-/// Returns a picture of a set of the plane.
-std::string picture_of(const Nef2& set, Picture picture, const std::string& title,
-                       Context& context);
-/// Returns a picture of a map.
-std::string picture_of(const MapReport& report, Picture picture, const std::string& title,
-                       Context& context);
+/// Returns how a picture is made, with the encoder of PNG.
+PictureOptions picture(PictureFormat format, std::string title);
 
 }  // namespace plumb::cli
