@@ -121,20 +121,6 @@ const SurfaceResult* result_of(const plumb_surface& surface, const plumb_region*
   return &region->result;
 }
 
-/// The triangles of a scene in the colours of labels; for a result, only what is selected.
-Scene chosen_scene(const SurfaceDivision& division, const SurfaceResult* result, Context& context) {
-  Scene scene = scene_of(division, triangulate_surface(division, context), result);
-  scene.shown = bit(SurfaceLayer::Labels);
-  if (result == nullptr) return scene;
-  std::erase_if(scene.triangles, [&](const Scene::Triangle& t) {
-    return result->region.is_selected[scene.patches[t.patch].group] == 0;
-  });
-  std::erase_if(scene.lines,
-                [](const Scene::Line& l) { return (l.layers & bit(SurfaceLayer::Result)) == 0; });
-  for (Scene::Line& l : scene.lines) l.layers = Scene::kAllLayers;
-  return scene;
-}
-
 void write_surface(std::ostream& out, const SurfaceDivision& division, const SurfaceResult* result,
                    const std::string& format, Context& context) {
   CellChoice chosen;
@@ -144,7 +130,7 @@ void write_surface(std::ostream& out, const SurfaceDivision& division, const Sur
   } else if (format == "ply") {
     write_surface_ply(out, triangulate_surface(division, context), chosen);
   } else if (format == "glb") {
-    write_scene_glb(out, chosen_scene(division, result, context), "");
+    write_scene_glb(out, labelled_scene(division, result, context), "");
   } else if (format == "dot") {
     write_cell_graph(out, division, chosen);
   } else {

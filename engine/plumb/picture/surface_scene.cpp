@@ -229,6 +229,20 @@ Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& tria
   return SurfaceSceneMaker(division, triangles, result).run();
 }
 
+Scene labelled_scene(const SurfaceDivision& division, const SurfaceResult* result,
+                     Context& context) {
+  Scene scene = scene_of(division, triangulate_surface(division, context), result);
+  scene.shown = bit(SurfaceLayer::Labels);
+  if (result == nullptr) return scene;
+  std::erase_if(scene.triangles, [&](const Scene::Triangle& t) {
+    return result->region.is_selected[scene.patches[t.patch].group] == 0;
+  });
+  std::erase_if(scene.lines,
+                [](const Scene::Line& l) { return (l.layers & bit(SurfaceLayer::Result)) == 0; });
+  for (Scene::Line& l : scene.lines) l.layers = Scene::kAllLayers;
+  return scene;
+}
+
 std::string layer_name(SurfaceLayer layer) {
   return std::string(kSurfaceLayerNames[static_cast<std::size_t>(layer)]);
 }

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include "plumb/base/context.h"
 #include "plumb/picture/scene.h"
 #include "plumb/surface/surface.h"
 #include "plumb/surface/triangulation.h"
@@ -41,6 +42,10 @@ std::string layer_name(SurfaceLayer layer);
 /// select the layers that are shown. Cost: O(n log n).
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result);
+/// Returns the scene of a division in the colours of labels. If `result` is not null, the scene
+/// holds the selected cells and the borders of the result only. Cost: O(n log n).
+Scene labelled_scene(const SurfaceDivision& division, const SurfaceResult* result,
+                     Context& context = unlimited_context());
 
 /// Returns facts about a division in one line, such as "3456 triangles, 12 segments, 4 cells".
 std::string facts_of(const SurfaceDivision& division);

@@ -127,21 +127,6 @@ const std::array<Rational, 3>& PiecePoints::exact_form() const {
 
 namespace {
 
-/// Returns the sign of a turn if the radii allow. A difference is off by e and one rounding, which
-/// is at most 2^-50 for coordinates in [0, 1] and is counted into e. So the determinant is off by e
-/// times the four differences, plus 2 e^2, plus 2^-50 of its products; the factor 2 pays for the
-/// roundings of the bound.
-FilteredSign orient_filter(const Point2& a, const Point2& b, const Point2& c, double radii) {
-  const double e = radii + 0x1p-50;
-  const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
-  const double left = ax * by, right = ay * bx;
-  const double sum = std::fabs(ax) + std::fabs(ay) + std::fabs(bx) + std::fabs(by);
-  const double error = 2 * (e * sum + 2 * e * e + 0x1p-50 * (std::fabs(left) + std::fabs(right)));
-  const double value = left - right;
-  if (value > error) return FilteredSign::Positive;
-  return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;
-}
-
 /// Returns the determinant of the rows (x, y, E x x + 2 F x y + G y y) for a, b and c.
 template <class Number, class Point>
 Number circle_determinant(const std::array<Number, 3>& form, const Point& a, const Point& b,
@@ -157,8 +142,9 @@ Number circle_determinant(const std::array<Number, 3>& form, const Point& a, con
 
 Sign PiecePoints::orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
   const Entry &a = at_[i], &b = at_[j], &c = at_[k];
+  // The rounding of a difference is at most 2^-50 for coordinates in [0, 1].
   const double radii = 2 * std::max({a.radius, b.radius, c.radius});
-  const FilteredSign s = orient_filter(a.mid, b.mid, c.mid, radii);
+  const FilteredSign s = turn_of_nearby(a.mid, b.mid, c.mid, radii + 0x1p-50);
   if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
   return orient2d(exact_point(i), exact_point(j), exact_point(k));
 }

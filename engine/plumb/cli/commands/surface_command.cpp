@@ -115,7 +115,7 @@ class SurfaceCommand : public CommandBody {
         write_surface_ply(out, triangulate_surface(division, context), chosen);
         break;
       case SurfaceFile::Glb:
-        write_scene_glb(out, chosen_scene(division, result, context), title());
+        write_scene_glb(out, labelled_scene(division, result, context), title());
         break;
       case SurfaceFile::Graph:
         write_cell_graph(out, division, chosen);
@@ -136,20 +136,6 @@ class SurfaceCommand : public CommandBody {
  private:
   std::string title() const {
     return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
-  }
-  /// Returns the scene in the colours of labels; for a result, only what is selected.
-  static Scene chosen_scene(const SurfaceDivision& division, const SurfaceResult* result,
-                            Context& context) {
-    Scene scene = scene_of(division, triangulate_surface(division, context), result);
-    scene.shown = bit(SurfaceLayer::Labels);
-    if (result == nullptr) return scene;
-    std::erase_if(scene.triangles, [&](const Scene::Triangle& t) {
-      return result->region.is_selected[scene.patches[t.patch].group] == 0;
-    });
-    std::erase_if(scene.lines,
-                  [](const Scene::Line& l) { return (l.layers & bit(SurfaceLayer::Result)) == 0; });
-    for (Scene::Line& l : scene.lines) l.layers = Scene::kAllLayers;
-    return scene;
   }
 
   std::string path_;

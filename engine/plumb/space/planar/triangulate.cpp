@@ -83,34 +83,28 @@ const FlatPoints::HomogeneousPoint& FlatPoints::homogeneous_point(std::uint32_t 
   return *homogeneous_[i];
 }
 
-namespace {
-
-/// Returns the sign of the turn of three points known up to their radii, if it is sure. A
-/// difference of coordinates is off by E = the radii (and what subnormals lose, flushed or rounded:
-/// 2^-1000 covers it) and one rounding; the determinant by E times the four differences, 2 E^2 and
-/// 2^-50 of its products; the factor 2 covers the roundings of the bound. If anything overflows,
-/// nothing is decided.
-FilteredSign orient_filter(const Point2& a, const Point2& b, const Point2& c, double radii) {
-  const double e = radii + 0x1p-1000;
+// With E = error, the determinant is off by E times the four differences, by 2 E^2, and by 2^-50 of
+// its products; the factor 2 covers the roundings of the bound.
+FilteredSign turn_of_nearby(const Point2& a, const Point2& b, const Point2& c, double error) {
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
   const double left = ax * by, right = ay * bx;
   const double sum = std::fabs(ax) + std::fabs(ay) + std::fabs(bx) + std::fabs(by);
-  const double error = 2 * (e * sum + 2 * e * e + 0x1p-50 * (std::fabs(left) + std::fabs(right)));
+  const double bound =
+      2 * (error * sum + 2 * error * error + 0x1p-50 * (std::fabs(left) + std::fabs(right)));
   const double value = left - right;
-  if (value > error) return FilteredSign::Positive;
-  return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;
+  if (value > bound) return FilteredSign::Positive;
+  return value < -bound ? FilteredSign::Negative : FilteredSign::Unsure;
 }
-
-}  // namespace
 
 Sign FlatPoints::orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
   const Entry &a = at_[i], &b = at_[j], &c = at_[k];
   if (a.point.is_input() && b.point.is_input() && c.point.is_input()) {
     return orient2d(a.mid, b.mid, c.mid);
   }
-  // A difference of two coordinates is off by the sum of two radii.
+  // A difference of two coordinates is off by the sum of two radii, and by what subnormals lose,
+  // flushed or rounded: 2^-1000 covers it.
   const double radii = 2 * std::max({a.radius, b.radius, c.radius});
-  const FilteredSign s = orient_filter(a.mid, b.mid, c.mid, radii);
+  const FilteredSign s = turn_of_nearby(a.mid, b.mid, c.mid, radii + 0x1p-1000);
   if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
   const auto& [ax, ay, aw] = homogeneous_point(i);
   const auto& [bx, by, bw] = homogeneous_point(j);

@@ -39,6 +39,11 @@ class PlanarPoints {
   ~PlanarPoints() = default;
 };
 
+/// Returns the direction of the turn of three points whose coordinates are known only nearly, if it
+/// is sure: Positive is left. A difference of two coordinates may be off by `error` and by one
+/// rounding. If anything overflows, nothing is sure.
+FilteredSign turn_of_nearby(const Point2& a, const Point2& b, const Point2& c, double error);
+
 // Points of space, projected along a coordinate axis to points of the plane. Such a projection is
 // called a view. If points of space lie in a common plane, all predicates of these points are
 // evaluated in a view.
