@@ -11,6 +11,9 @@ constexpr std::string_view kStyle = R"(<style>
 html,body{height:100%;margin:0;overflow:hidden;background:#fff}
 #view{height:100%;touch-action:none;cursor:grab;overflow:hidden}
 #page{transform-origin:0 0;width:max-content}
+#hint{position:fixed;left:50%;bottom:12px;transform:translateX(-50%);margin:0;padding:6px 12px;
+  width:max-content;max-width:calc(100vw - 56px);border-radius:6px;background:#1f2933e6;color:#fff;
+  font:14px/1.4 system-ui,sans-serif;pointer-events:none}
 </style>
 )";
 
@@ -70,6 +73,8 @@ view.addEventListener('keydown', e => {
   e.preventDefault();
 });
 addEventListener('resize', reset);
+for (const act of ['pointerdown', 'wheel', 'keydown'])
+  addEventListener(act, () => document.getElementById('hint')?.remove());
 reset();
 </script>
 )JS";
@@ -82,7 +87,9 @@ void write_plane_html(std::ostream& out, std::string_view svg, const std::string
          "<link rel=\"icon\" href=\"data:,\">\n<title>"
       << xml_escaped(title) << "</title>\n"
       << kStyle << "</head>\n<body>\n<div id=\"view\" tabindex=\"0\"><div id=\"page\">\n"
-      << svg << "</div></div>\n"
+      << svg
+      << "</div></div>\n<p id=\"hint\">Drag to move; pinch, or turn the wheel, to enlarge; "
+         "double-click to see all.</p>\n"
       << kProgram << "</body>\n</html>\n";
 }
 

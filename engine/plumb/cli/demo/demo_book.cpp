@@ -62,6 +62,8 @@ figure.wide { grid-column: 1 / -1; }
 figure img { width: 100%; height: auto; border: 1px solid #ccc; box-sizing: border-box; display: block; }
 .sheet { overflow-x: auto; }
 .sheet img { min-width: 50rem; }
+.scrolls { display: none; color: #444; margin: 0 0 0.3rem; }
+@media (max-width: 52rem) { .scrolls { display: block; } }
 figure iframe { width: 100%; height: min(80vh, 40rem); border: 1px solid #ccc; box-sizing: border-box; display: block; }
 figure button { font: inherit; margin: 0.5rem 0 0; padding: 0.3rem 1rem; cursor: pointer; }
 figcaption { color: #444; margin-top: 0.3rem; overflow-wrap: anywhere; }
@@ -130,7 +132,10 @@ void write_picture(std::ostream& out, const DemoPicture& picture) {
   const std::string title = escaped(picture.title);
   const bool is_wide =
       !picture.is_small;  // Its text would be too small on a phone, so it scrolls there.
-  out << (is_wide ? "<figure class=\"wide\">\n<div class=\"sheet\">" : "<figure>\n")
+  out << (is_wide ? "<figure class=\"wide\">\n<p class=\"scrolls\">Drag the picture sideways to "
+                    "see all "
+                    "of it.</p>\n<div class=\"sheet\">"
+                  : "<figure>\n")
       << "<img alt=\"" << title << "\" src=\"" << data_uri(picture.svg) << "\">"
       << (is_wide ? "</div>\n" : "\n");
   if (!picture.page.empty()) {
