@@ -175,6 +175,7 @@ struct PlaneChoice {
 constexpr std::array kPlaneFormats{
     PlaneChoice{"wkt", ".wkt", PlaneFormat::Wkt},
     PlaneChoice{"geojson", ".geojson", PlaneFormat::GeoJson},
+    PlaneChoice{"wkb", ".wkb", PlaneFormat::Wkb},
     PlaneChoice{"nef2", ".nef2", PlaneFormat::Nef2},
 };
 
