@@ -1,7 +1,7 @@
 """Whether polygons are a coverage, decided in exact arithmetic: they are valid, and meet in common edges and vertices only.
 
 GEOS computes in doubles, and finds edges that do not match where corners differ in the last bits only. Here coordinates are
-fractions. Polygons are a coverage if and only if
+multiplied by a power of two that makes all of them integers. Polygons are a coverage if and only if
   1. edges meet only in common ends,
   2. no directed edge occurs twice; outer rings run counter-clockwise and holes clockwise, so a polygon is on the left of its edges,
   3. around each vertex, edges with a polygon on one side only take turns: one leaves, the next one arrives,
@@ -24,11 +24,19 @@ def turn(a, b, c):
     return (value > 0) - (value < 0)
 
 
+def scaled(polygons):
+    """The polygons with integer coordinates, and the factor."""
+    exact = {x: Fraction(x) for rings in polygons for ring in rings for position in ring for x in position[:2]}
+    factor = max((x.denominator for x in exact.values()), default=1)  # Denominators are powers of two.
+    whole = {x: int(value * factor) for x, value in exact.items()}
+    return [[[(whole[p[0]], whole[p[1]]) for p in ring] for ring in rings] for rings in polygons], factor
+
+
 def directed_edges(polygons):
     """The edges of all rings, with the polygon on the left, whichever way the file lists the rings."""
     for rings in polygons:
         for number, ring in enumerate(rings):
-            points = [(Fraction(x), Fraction(y)) for x, y, *_ in ring]
+            points = list(ring)
             if points[0] != points[-1]:
                 raise ValueError("a ring that is not closed")
             points.pop()
@@ -58,10 +66,10 @@ def crossing(edges):
     low = [min(p[i] for e in edges for p in e) for i in (0, 1)]
     high = [max(p[i] for e in edges for p in e) for i in (0, 1)]
     side = max(1, int(len(edges) ** 0.5))
-    step = [max((high[i] - low[i]) / side, Fraction(1, 10**400)) for i in (0, 1)]
+    step = [(high[i] - low[i]) // side + 1 for i in (0, 1)]
     cells = defaultdict(list)
     for number, (p, q) in enumerate(edges):
-        span = [range(int((min(p[i], q[i]) - low[i]) // step[i]), int((max(p[i], q[i]) - low[i]) // step[i]) + 1) for i in (0, 1)]
+        span = [range((min(p[i], q[i]) - low[i]) // step[i], (max(p[i], q[i]) - low[i]) // step[i] + 1) for i in (0, 1)]
         for x in span[0]:
             for y in span[1]:
                 cells[x, y].append(number)
@@ -99,8 +107,30 @@ def parts_of(edges):
         yield part
 
 
+class Columns:
+    """Edges by their abscissas."""
+
+    def __init__(self, edges):
+        xs = [p[0] for e in edges for p in e] or [0]
+        self.low, side = min(xs), max(1, int(len(xs) ** 0.5))
+        self.step = (max(xs) - self.low) // side + 1
+        self.cells = defaultdict(list)
+        for e in edges:
+            first, last = sorted((e[0][0], e[1][0]))
+            for i in range((first - self.low) // self.step, (last - self.low) // self.step + 1):
+                self.cells[i].append(e)
+
+    def edges_at(self, x):
+        return self.cells[(x - self.low) // self.step]
+
+
 def flaw(polygons):
     """An empty text if the polygons, as lists of rings of positions, are a coverage; else what is wrong."""
+    polygons, factor = scaled(polygons)
+
+    def told(*points):
+        return [[float(Fraction(x, factor)) for x in p] for p in points]
+
     try:
         directed = list(directed_edges(polygons))
     except ValueError as error:
@@ -112,7 +142,7 @@ def flaw(polygons):
     directed = set(directed)
     edges = sorted({tuple(sorted(e)) for e in directed})
     if pair := crossing(edges):
-        return "edges meet: %s" % ([[float(x) for x in p] for e in pair for p in e],)
+        return "edges meet: %s" % (told(*pair[0], *pair[1]),)
     single = {e for e in directed if e[::-1] not in directed}
     around = defaultdict(list)
     for p, q in single:
@@ -121,19 +151,20 @@ def flaw(polygons):
     for v, neighbours in around.items():
         neighbours.sort(key=lambda n: by_angle(v)(n[0]))
         if any(a[1] == b[1] for a, b in zip(neighbours, neighbours[1:] + neighbours[:1])):
-            return "polygons overlap at %s" % ([float(x) for x in v],)
+            return "polygons overlap at %s" % (told(v),)
+    columns = Columns(single)
     for part in parts_of(single):
         v = min(part)
         lowest = min(around[v], key=cmp_to_key(lambda n, m: -turn(v, n[0], m[0])))
         # A ray goes down from the vertex, a little to its right.
         covered = 0
-        for (px, py), (qx, qy) in single:
+        for (px, py), (qx, qy) in columns.edges_at(v[0]):
             if (px <= v[0]) != (qx <= v[0]):
                 side = turn((px, py), (qx, qy), v) * (1 if px < qx else -1)
                 if side > 0:
                     covered += 1 if px < qx else -1
         if covered != (0 if lowest[1] else 1):
-            return "polygons overlap around %s" % ([float(x) for x in v],)
+            return "polygons overlap around %s" % (told(v),)
     return ""
 
 
