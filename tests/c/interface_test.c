@@ -1222,7 +1222,7 @@ static void test_plane_files(void) {
   plumb_bytes_free(bytes);
   writing.raw = true;
   FAILS(plumb_plane_set_write(a, "wkt", &writing, &bytes, NULL, NULL, &error), PLUMB_USAGE);
-  FAILS(plumb_plane_set_write(a, "wkb", NULL, &bytes, NULL, NULL, &error), PLUMB_UNKNOWN_FORMAT);
+  FAILS(plumb_plane_set_write(a, "svg", NULL, &bytes, NULL, NULL, &error), PLUMB_UNKNOWN_FORMAT);
   OK(plumb_plane_set_write_file(a, path_of("set.nef2"), NULL, NULL, NULL, NULL, &error));
   OK(plumb_plane_set_read_file(path_of("set.nef2"), NULL, &x, &notes, NULL, &error));
   CHECK(same_plane(x, a));

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/predicates/rational.h"
 #include "refusal.h"
 #include "run_program.h"
 
@@ -244,6 +245,40 @@ TEST(ConvexProgram, decompose_chooses_formats_and_methods_in_the_plane) {
     EXPECT_EQ(star.code, 0) << star.err;
     EXPECT_TRUE(fs::exists(directory / "piece_0002.geojson"));
   }
+}
+
+Rational area_of_file(const fs::path& file) {
+  const Json info = Json::parse(run({"plane", "info", file.string(), "--json"}).out);
+  return Rational(info["area"]["exact"].get<std::string>());
+}
+
+TEST(ConvexProgram, decompose_rounds_pieces_of_the_plane_together) {
+  const ScratchDirectory scratch;
+  const std::string a = (scratch / "a.wkt").string(), b = (scratch / "b.wkt").string();
+  const std::string set = (scratch / "set.nef2").string();
+  write_file(a, "POLYGON((0 0,7 1,3 3,6 8,1 5,-4 9,-1 4,0 0))\n");
+  write_file(b, "POLYGON((-3 -1,5 2,4 11,1 4,-2 7,-3 -1))\n");
+  ASSERT_EQ(run({"plane", "intersection", a, b, "-o", set}).code, 0);
+  const fs::path directory = scratch / "pieces";
+  const RunResult result =
+      run({"convex", "decompose", set, "--method", "cuts", "-o", directory.string()});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.err.find("1 piece is not quite convex"), std::string::npos) << result.err;
+  // Pieces do not overlap: their areas add up to the area of their union.
+  std::vector<std::string> files;
+  Rational sum = 0;
+  for (const fs::directory_entry& piece : fs::directory_iterator(directory)) {
+    files.push_back(piece.path().string());
+    sum += area_of_file(piece.path());
+  }
+  ASSERT_EQ(files.size(), 4U);
+  std::string whole = files.front();
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    const std::string next = (scratch / ("whole" + std::to_string(i) + ".nef2")).string();
+    ASSERT_EQ(run({"plane", "union", whole, files[i], "-o", next}).code, 0);
+    whole = next;
+  }
+  EXPECT_EQ(sum, area_of_file(whole));
 }
 
 TEST(ConvexProgram, check_takes_sets_of_the_plane) {

@@ -129,7 +129,11 @@ TEST(MapSimplify, keeps_features_and_stays_a_coverage) {
   EXPECT_EQ(json["corners_after"], fixed + (2 * (before - fixed) + 4) / 5) << "40 % of the others";
   EXPECT_EQ(run({"map", "check", out}).code, 0);
   expect_refusal(run({"map", "simplify", kDistricts}),
-                 "plumb: ", "--tolerance AREA or --percent P");
+                 "plumb: ", "--tolerance AREA, --percent P or --within D");
+  const Json near =
+      Json::parse(run({"map", "simplify", kDistricts, "--within", "0.2", "--json"}).out);
+  EXPECT_LE(near["borders_moved_by"], 0.2);
+  EXPECT_LT(near["corners_after"], near["corners_before"]);
   expect_refusal(run({"map", "simplify", kDistricts, "--percent", "101"}), "plumb: ", "--percent");
 }
 

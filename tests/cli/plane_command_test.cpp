@@ -61,8 +61,8 @@ TEST(PlaneProgram, examples_of_the_help_work) {
   for (const std::string name :
        {"plane union", "plane intersection", "plane difference", "plane symmetric-difference",
         "plane complement", "plane interior", "plane closure", "plane boundary", "plane regularize",
-        "plane minkowski", "plane offset", "plane triangulate", "plane voronoi", "plane arrange",
-        "plane info", "plane locate", "audit"}) {
+        "plane minkowski", "plane offset", "plane simplify", "plane triangulate", "plane voronoi",
+        "plane arrange", "plane info", "plane locate", "audit"}) {
     Words words;
     std::istringstream help(name + " --help");
     for (std::string word; help >> word;) words.push_back(word);
@@ -83,7 +83,8 @@ TEST(PlaneProgram, examples_of_the_help_work) {
 
 TEST(PlaneProgram, lists_its_commands) {
   const std::string text = run({"plane", "--help"}).out;
-  for (const auto& names : {kBinary, kUnary, Words{"minkowski", "offset", "info", "locate"}}) {
+  for (const auto& names :
+       {kBinary, kUnary, Words{"minkowski", "offset", "simplify", "info", "locate"}}) {
     for (const std::string& name : names) EXPECT_TRUE(contains(text, "plane " + name)) << text;
   }
   std::istringstream lines(text);
@@ -130,6 +131,42 @@ TEST(PlaneProgram, adds_offsets_and_reads_by_a_rule) {
   write_file(twice, "POLYGON((0 0,4 0,4 4,0 4,0 0,4 0,4 4,0 4,0 0))");
   EXPECT_TRUE(contains(run({"plane", "info", twice, "--rule", "nonzero"}).out, "area 16"));
   EXPECT_TRUE(contains(run({"plane", "info", twice}).err, "overlap"));
+}
+
+TEST(PlaneProgram, simplifies_within_what_it_is_told) {
+  const ScratchDirectory scratch;
+  const std::string dented = (scratch / "dented.wkt").string();
+  write_file(dented, "POLYGON((0 0,1.5 0,2 0.5,2.5 0,4 0,4 4,0 4,0 0))");
+  const std::string square = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n";
+  for (const Words& wide :
+       {Words{"--tolerance", "0.25"}, Words{"--tolerance", "1", "--within", "0.6"}}) {
+    Words words{"plane", "simplify", dented};
+    words.insert(words.end(), wide.begin(), wide.end());
+    const RunResult result = run(words);
+    EXPECT_EQ(result.out, square) << result.err;
+    EXPECT_TRUE(contains(result.err, "4 of 7 corners left; no border moved by more than 0.5"))
+        << result.err;
+  }
+  EXPECT_EQ(run({"plane", "simplify", dented, "--within", "0.4"}).out,
+            run({"plane", "closure", dented}).out);
+  for (const Words& wrong :
+       {Words{dented}, Words{dented, "--within", "-1"}, Words{dented, "--percent", "200"},
+        Words{"corpus/plane/quadrant.nef2", "--percent", "50"}}) {
+    Words words{"plane", "simplify"};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    const RunResult refused = run(words);
+    EXPECT_EQ(refused.code, 2) << refused.out;
+    EXPECT_EQ(refused.out, "");
+  }
+}
+
+TEST(PlaneProgram, writes_wkb_that_it_reads) {
+  const ScratchDirectory scratch;
+  const std::string wkb = (scratch / "star.wkb").string();
+  ASSERT_EQ(run({"plane", "closure", kStar, "-o", wkb}).code, 0);
+  EXPECT_EQ(info(wkb), info(kStar));
+  EXPECT_EQ(run({"plane", "closure", kStar, "--format", "wkb"}).out, read_file(wkb));
+  EXPECT_EQ(run({"plane", "union", wkb, kFrame}).out, run({"plane", "union", kStar, kFrame}).out);
 }
 
 /// The closure of a sum is the sum of the closures, which is all that WKT can hold.

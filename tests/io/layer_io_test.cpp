@@ -68,6 +68,47 @@ TEST(LayerReader, reads_polygons_in_any_nesting) {
   EXPECT_EQ(layer.polygon_begin, (std::vector<std::uint32_t>{0, 1, 3, 4}));
 }
 
+TEST(LayerReader, reads_sequences_as_one_collection) {
+  std::vector<std::string> features;
+  for (int i = 0; i < 3; ++i) {
+    const std::string x = std::to_string(i), to = std::to_string(i + 1);
+    features.push_back(R"({"type":"Feature","id":)" + x + R"(,"properties":{"{\"":"}"},)" +
+                       R"("geometry":{"type":"Polygon","coordinates":[[[)" + x + ",0],[" + to +
+                       ",0],[" + to + ",1],[" + x + ",0]]]}}");
+  }
+  const std::string list = features[0] + ',' + features[1] + ',' + features[2];
+  const Layer expected =
+      read_layer(R"({"type":"FeatureCollection","features":[)" + list + "]}").layer;
+  ASSERT_EQ(expected.feature_count(), 3U);
+  for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
+           {"", "\n"}, {"\x1e", "\n"}, {"\x1e", ""}, {"", ""}, {" ", "\r\n\r\n"}}) {
+    std::string text;
+    for (const std::string& feature : features) text += before + feature + after;
+    EXPECT_TRUE(begins_like_layer(text));
+    const Layer layer = read_layer(text).layer;
+    ASSERT_EQ(layer.feature_count(), 3U) << text;
+    EXPECT_EQ(layer.ring_corners, expected.ring_corners);
+    EXPECT_EQ(layer.json, expected.json);
+    for (std::uint32_t i = 0; i < layer.points.size(); ++i) {
+      EXPECT_EQ(layer.points.approx(i).x, expected.points.approx(i).x);
+    }
+  }
+  // What is wrong with a value is told with its place in the whole text.
+  const std::string good = features[0] + '\n';
+  for (const auto& [bad, place] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"type":"Feature")", "2:18"},
+           {R"(  {"type":"Topology","arcs":[]})", "2:3: a Topology after other values"},
+           {"[1]", "2:1: expected an object"},
+           {R"({"type":"Point"} x)", "2:18"}}) {
+    try {
+      static_cast<void>(read_layer(good + bad, {.name = "seq", .object = {}}));
+      ADD_FAILURE() << bad;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("seq:" + place), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(LayerReader, leaves_out_rings_without_three_positions) {
   const LayerFile file = read_layer(feature(
       "", R"({"type":"Polygon","coordinates":[[[0,0],[0,0],[1,0],[0,0]],[],[[1,1],[1,1]]]})"));

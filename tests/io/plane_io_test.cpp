@@ -442,7 +442,7 @@ TEST(ReadPlaneSet, says_that_the_rule_matters) {
 }
 
 TEST(PlaneText, refuses_to_write_what_can_only_be_read) {
-  EXPECT_THROW(prepared(Nef2::empty(), PlaneFormat::Wkb), Error);
+  EXPECT_THROW(prepared(Nef2::empty(), PlaneFormat::Svg), Error);
   EXPECT_EQ(read("01030000000100000004000000"
                  "0000000000000000000000000000000000000000000010400000000000000000"
                  "0000000000001040000000000000084000000000000000000000000000000000"),

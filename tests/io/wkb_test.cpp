@@ -222,6 +222,31 @@ TEST(WkbReader, refuses_malformed_bytes_with_their_place) {
   }
 }
 
+std::string written(const PlaneShapes& shapes) {
+  std::ostringstream out;
+  Context context;
+  write_wkb(out, shapes, context);
+  return out.str();
+}
+
+TEST(WkbWriter, writes_what_the_standard_says) {
+  PlaneShapes point;
+  point.points.push_back({1, -2});
+  point.single_points = {0};
+  EXPECT_EQ(hex_of(written(point), true), "0101000000000000000000F03F00000000000000C0");
+  EXPECT_EQ(hex_of(written({}), false), "010700000000000000");
+}
+
+TEST(WkbWriter, writes_what_the_reader_reads) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    Context context;
+    const PlaneShapes shapes = read_wkt(testing::any_wkt(dice), {}, context).shapes;
+    EXPECT_EQ(as_wkt(read(written(shapes)).shapes), as_wkt(shapes));
+  }
+}
+
 TEST(WkbReader, keeps_to_its_limits) {
   std::string many = bytes({1, 2, 0, 0, 0, 0x20, 0x4e, 0, 0}) + zeros(16 * 20000);
   Limits limits;

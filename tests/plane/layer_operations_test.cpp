@@ -316,6 +316,27 @@ TEST(LayerSimplify, removes_what_brute_force_removes) {
   }
 }
 
+TEST(LayerSimplify, moves_borders_no_farther_than_it_may) {
+  std::size_t removed = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const Layer layer = random_coverage(dice);
+    std::size_t before = 0;
+    for (const double within : {0.0, 0.1, 0.5, 2.0}) {
+      const SimplifiedLayer simplified = simplify_layer(layer, {kInfinity, 0, within});
+      expect_coverage(simplified.layer);
+      EXPECT_EQ(shape_counts(simplified.layer), shape_counts(layer));
+      EXPECT_LE(simplified.borders_moved, within);
+      const std::size_t gone = simplified.corners_before - simplified.corners_after;
+      EXPECT_GE(gone, before) << "a wider bound lets at least as many corners go here";
+      before = gone;
+      removed += gone;
+    }
+  }
+  EXPECT_GT(removed, 500U);
+}
+
 TEST(LayerSimplify, does_not_cut_off_what_lies_beside_a_border) {
   // The spike of the first feature goes around an island, which has to stay outside.
   const Layer layer = layer_of({{{0, 0}, {10, 0}, {5, 8}}, box(4.5, 5, 5.5, 6)});
@@ -331,6 +352,7 @@ TEST(LayerSimplify, refuses_options_out_of_range) {
   EXPECT_THROW(simplify_layer(layer, {-1, 0}), Error);
   EXPECT_THROW(simplify_layer(layer, {std::nan(""), 0}), Error);
   EXPECT_THROW(simplify_layer(layer, {1, 1.5}), Error);
+  EXPECT_THROW(simplify_layer(layer, {1, 0, -1}), Error);
 }
 
 TEST(CornerTree, finds_what_brute_force_finds) {

@@ -145,6 +145,39 @@ TEST(Layer, gap_goes_to_a_neighbour_and_a_hole_stays) {
   EXPECT_EQ(features_at(kept.layer, {4.5, 5}), Features());
 }
 
+/// The kind of the only region of a layer of 70000 x 70000 in which it is uncovered, by default.
+LayerRegionKind kind_by_default(const std::vector<Polygon>& polygons) {
+  const LayerReport report = check_layer(layer_of(polygons));
+  EXPECT_GT(report.gaps_below, 9);
+  EXPECT_EQ(report.regions.size(), 1U);
+  return report.regions.empty() ? LayerRegionKind::Overlap : report.regions.front().kind;
+}
+
+/// Two halves of a square around a box, whose sides the border between them meets at x = 30000.
+std::vector<Polygon> halves_around(double left, double low, double right, double high) {
+  const double x = 30000, end = 70000;
+  return {
+      {{0, 0}, {x, 0}, {x, low}, {left, low}, {left, high}, {x, high}, {x, end}, {0, end}},
+      {{x, 0}, {end, 0}, {end, end}, {x, end}, {x, high}, {right, high}, {right, low}, {x, low}}};
+}
+
+TEST(Layer, small_lakes_are_no_gaps_unless_a_width_is_given) {
+  const std::vector<Polygon> lake = halves_around(29998, 10000, 30002, 10004);
+  EXPECT_EQ(kind_by_default(lake), LayerRegionKind::Hole);
+  EXPECT_EQ(check_layer(layer_of(lake), {OwnerRule::First, 9.0}).count(LayerRegionKind::Gap), 1U);
+  // A gap is long, or a trace of rounding, or lies between three features.
+  EXPECT_EQ(kind_by_default(halves_around(29998, 10000, 30002, 20000)), LayerRegionKind::Gap);
+  EXPECT_EQ(kind_by_default(halves_around(29999.99999, 10000, 30000.00001, 10000.00001)),
+            LayerRegionKind::Gap);
+  const double end = 70000, low = 39998, high = 40002;
+  EXPECT_EQ(kind_by_default({{{0, 0}, {end, 0}, {high, low}, {low, low}},
+                             {{end, 0}, {end, end}, {40000, high}, {high, low}},
+                             {{end, end}, {0, end}, {0, 0}, {low, low}, {40000, high}}}),
+            LayerRegionKind::Gap);
+  // Wide regions are holes, however long they are.
+  EXPECT_EQ(kind_by_default(halves_around(29900, 10, 30100, 69990)), LayerRegionKind::Hole);
+}
+
 TEST(Layer, feature_inside_another_one_keeps_its_area) {
   const RepairedLayer inside = repair_layer(layer_of({box(0, 0, 9, 9), box(3, 3, 4, 4)}));
   EXPECT_EQ(features_at(inside.layer, {3.5, 3.5}), Features{1});

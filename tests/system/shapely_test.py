@@ -10,6 +10,8 @@ import subprocess
 import sys
 import tempfile
 
+from coverage_judge import flaw, polygons_of
+
 try:
     import shapely
     from shapely.geometry import shape
@@ -65,6 +67,42 @@ def check_pair(program, folder, dice):
     require_valid(shapely.from_wkt(run(program, *command, "--format", "wkt", "--grid", "0.01")), "grid, " + what)
 
 
+def check_results(program, folder, dice):
+    """Whatever a command makes of sets is valid, in each format."""
+    kind = dice.choice((0, 2, 3))
+    paths = [os.path.join(folder, name) for name in ("a.wkt", "b.wkt", "out.wkb")]
+    texts = [polygon(dice, kind) for _ in paths[:2]]
+    for path, text in zip(paths, texts):
+        with open(path, "w") as out:
+            out.write(text)
+    a, b, wkb = paths
+    for words in (
+        ("regularize", a),
+        ("boundary", a),
+        ("minkowski", a, b),
+        ("offset", a, "--by", "0.37", "--segments", "16"),
+        ("offset", a, "--by", "-0.11", "--join", "mitre"),
+        ("simplify", a, "--percent", "40"),
+        ("simplify", a, "--within", "0.4"),
+        ("voronoi", a),
+        ("arrange", a, b),
+    ):
+        what = " ".join(words) + " of\n" + "".join(texts)
+        is_layer = words[0] in ("voronoi", "arrange")
+        if is_layer:
+            features = json.loads(run(program, "plane", *words, "--format", "geojson"))["features"]
+            for feature in features:
+                if feature["geometry"]:  # Else nothing remains of it in doubles.
+                    require_valid(shape(feature["geometry"]), what)
+            continue
+        geometry = shapely.from_wkt(run(program, "plane", *words, "--format", "wkt"))
+        require_valid(geometry, what)
+        run(program, "plane", *words, "-o", wkb)
+        with open(wkb, "rb") as file:
+            if shapely.to_wkb(shapely.from_wkb(file.read())) != shapely.to_wkb(geometry):
+                sys.exit("WKB and WKT differ: " + what)
+
+
 def check_overlay(program, dice, folder):
     """Two maps of strips that are turned against each other: the cells are a coverage."""
     paths = []
@@ -109,6 +147,9 @@ def check_repair(program, dice, folder):
     # GEOS computes in doubles, and finds edges that do not match where corners differ in the last bits only.
     if kind in (0, 3) and hasattr(shapely, "coverage_is_valid") and not shapely.coverage_is_valid(cells):
         sys.exit("a repaired layer is no coverage:\n" + text)
+    polygons = [p for feature in json.loads(text)["features"] for p in polygons_of(feature["geometry"])]
+    if wrong := flaw(polygons):
+        sys.exit("a repaired layer is no coverage: %s\n%s" % (wrong, text))
     if kind == 3:
         return  # Areas of very different sizes.
     before = shapely.union_all([shape(feature["geometry"]).buffer(0) for feature in features]).area
@@ -167,6 +208,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for _ in range(pairs):
             check_pair(program, folder, dice)
+        for _ in range(pairs // 4):
+            check_results(program, folder, dice)
         for _ in range(pairs // 6):
             check_overlay(program, dice, folder)
         for _ in range(pairs // 2):

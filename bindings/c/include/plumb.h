@@ -750,8 +750,8 @@ PLUMB_API plumb_status plumb_plane_set_read_file(const char* path,
                                                  const plumb_read_options* options,
                                                  plumb_plane_set** out, plumb_notes** notes,
                                                  const plumb_context* context, plumb_error** error);
-/** Writes "wkt", "geojson", "dxf" or "nef2". Only .nef2 holds every set; `notes` tells what else a
- * file does not hold. */
+/** Writes "wkt", "geojson", "wkb", "dxf" or "nef2". Only .nef2 holds every set; `notes` tells what
+ * else a file does not hold. */
 PLUMB_API plumb_status plumb_plane_set_write(const plumb_plane_set* set, const char* format,
                                              const plumb_write_options* options, plumb_bytes** out,
                                              plumb_notes** notes, const plumb_context* context,

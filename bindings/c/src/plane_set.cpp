@@ -50,9 +50,10 @@ void check_chains(std::span<const std::uint32_t> begin, std::span<const std::uin
 PlaneFormat format_named(const std::string& name) {
   if (name == "wkt") return PlaneFormat::Wkt;
   if (name == "geojson") return PlaneFormat::GeoJson;
+  if (name == "wkb") return PlaneFormat::Wkb;
   if (name == "dxf") return PlaneFormat::Dxf;
   if (name == "nef2") return PlaneFormat::Nef2;
-  fail_format(name, "wkt, geojson, dxf, nef2");
+  fail_format(name, "wkt, geojson, wkb, dxf, nef2");
 }
 
 PlaneFormat format_of(const std::string& path) {

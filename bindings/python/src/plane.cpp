@@ -204,7 +204,8 @@ void def_plane_files(nb::class_<Nef2>& c) {
       nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
       "progress"_a = nb::none(),
       with_limits(
-          "Write the set as WKT or GeoJSON, or exactly as .nef2. `grid` is a step to which "
+          "Write the set as WKT, GeoJSON, WKB or DXF, or exactly as .nef2. `grid` is a step to "
+          "which "
           "coordinates are rounded. The file is complete or absent. What it does not hold is a "
           "FileWarning."));
   c.def(

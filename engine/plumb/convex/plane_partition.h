@@ -49,6 +49,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/plane/nef2.h"
+#include "plumb/plane/plane_rounding.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
@@ -86,6 +87,27 @@ struct PlanePieces {
 /// faces. Also throws what the context throws.
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options = {},
                       Context& context = unlimited_context());
+
+/// Pieces whose vertices are doubles.
+struct RoundedPieces {
+  /// For each piece, its closure with vertices at doubles. A piece that vanishes in doubles is
+  /// empty.
+  std::vector<Nef2> pieces;
+  /// The number of pieces that are not convex, because a side was bent to a corner of a neighbour.
+  std::size_t not_convex = 0;
+  PlaneRoundingReport rounding;  ///< What rounding has changed.
+};
+
+/// Returns the closures of the pieces, rounded to doubles as one subdivision (plane_rounding.h). So
+/// bounded pieces with an area have disjoint interiors, and pieces that share a border still share
+/// it. If a corner of one piece lies on a side of another one and is not at doubles, this side may
+/// be bent to the corner, by at most rounding.largest_move. If all vertices are doubles, the result
+/// is the closures of the pieces. Requires that the pieces have disjoint interiors, as those of
+/// decompose() have. Pieces without area are rounded one by one, and unbounded pieces are returned
+/// exactly. Throws Error{NumberOutOfRange} if a coordinate lies beyond the largest double, and what
+/// the context throws. Cost: O(n log n) for n corners of all pieces.
+RoundedPieces round_to_doubles(std::span<const Nef2> pieces,
+                               Context& context = unlimited_context());
 
 /// Returns whether the sum of the areas of the pieces is exactly the area of the set. Returns no
 /// value if the area of the set is infinite. Throws what the context throws.

@@ -1,6 +1,6 @@
 // Layers in GeoJSON and TopoJSON, and reports of repairs.
 //
-// GeoJSON states the positions of each ring. TopoJSON states arcs, which rings share; a ring is a
+// A file has one value of JSON or a sequence of them, such as a feature on each line. GeoJSON states the positions of each ring. TopoJSON states arcs, which rings share; a ring is a
 // list of arcs, and ~i is arc i from its end to its start. The points of an arc are made once, so
 // features that share an arc share its points. Both kinds of geometries are found by one walk over
 // geometries, which keeps a stack of its own because collections may be nested.
@@ -38,24 +38,42 @@ namespace {
 // A point, a corner, and the growth of both lists.
 constexpr std::uint64_t kBytesPerLayerPosition = 60;
 
+/// A layer that is being read, and what its notes will count.
+struct LayerDraft {
+  LayerFile file;
+  std::size_t dropped = 0;    // Points and lines.
+  std::size_t collapsed = 0;  // Rings with fewer than three positions.
+  std::size_t unclosed = 0;   // Rings of arcs that end elsewhere than they start.
+  std::size_t steps = 0;      // Points and corners, for checkpoints.
+  bool has_crs = false;
+};
+
 class LayerReader {
  public:
   using Id = JsonValues::Id;
 
-  LayerReader(std::string_view text, const LayerReadOptions& options, Context& context)
+  /// Reads the value `part` of the text of a file, and appends its features to `draft`.
+  LayerReader(std::string_view text, std::string_view part, const LayerReadOptions& options,
+              LayerDraft& draft, Context& context)
       : text_(text),
+        part_(static_cast<std::size_t>(part.data() - text.data())),
         options_(options),
         context_(context),
+        draft_(draft),
+        file_(draft.file),
         json_(
-            text, options.name,
+            part, options.name,
             [this](std::size_t byte, ErrorCode code, const std::string& what) {
               fail_at(byte, code, what);
             },
             context) {}
 
-  LayerFile read() {
+  void read() {
     const std::string type = type_of(JsonValues::kDocument);
     if (type == "Topology") {
+      if (file_.layer.points.size() > 0) {
+        fail(ErrorCode::Syntax, "a Topology after other values", JsonValues::kDocument);
+      }
       read_topology();
     } else if (type == "FeatureCollection") {
       for (const Id feature : list(JsonValues::kDocument, "features")) read_feature(feature);
@@ -65,14 +83,13 @@ class LayerReader {
       add_geometry(JsonValues::kDocument);
       file_.layer.end_feature("", "");
     }
-    add_notes();
-    return std::move(file_);
+    if (json_.find(JsonValues::kDocument, "crs")) draft_.has_crs = true;
   }
 
  private:
   [[noreturn]] void fail_at(std::size_t byte, ErrorCode code, const std::string& what) const {
     TextCursor cursor(text_, options_.name);
-    cursor.move_to(text_.data() + byte);
+    cursor.move_to(text_.data() + part_ + byte);
     cursor.fail(code, what);
   }
   [[noreturn]] void fail(ErrorCode code, const std::string& what, Id at) {
@@ -96,22 +113,19 @@ class LayerReader {
   void read_arcs();
   Id chosen_object();
   void add_arcs(Id ring);
-  void add_notes();
 
   std::string_view text_;
+  std::size_t part_;  // The first byte of the value.
   const LayerReadOptions& options_;
   Context& context_;
+  LayerDraft& draft_;
+  LayerFile& file_;  // The file of the draft.
   JsonValues json_;
-  LayerFile file_;
   bool is_topology_ = false;
   bool is_quantised_ = false;
   Point2 scale_{1, 1}, translate_{0, 0};
   std::vector<std::uint32_t> arc_begin_{0};  // Points of arc i: arc_begin_[i], ..., one less than
                                              // arc_begin_[i + 1].
-  std::size_t dropped_ = 0;                  // Points and lines.
-  std::size_t collapsed_ = 0;                // Rings with fewer than three positions.
-  std::size_t unclosed_ = 0;                 // Rings of arcs that end elsewhere than they start.
-  std::size_t steps_ = 0;
 };
 
 std::string LayerReader::type_of(Id object) {
@@ -152,8 +166,8 @@ double LayerReader::number(Id value) {
 
 std::uint32_t LayerReader::add_point(Point2 p) {
   constexpr std::size_t kSteps = 4096;
-  if (steps_++ % kSteps == 0) {
-    context_.checkpoint("read", steps_, 0);
+  if (draft_.steps++ % kSteps == 0) {
+    context_.checkpoint("read", draft_.steps, 0);
     context_.charge_memory(kSteps * kBytesPerLayerPosition, "the layer");
   }
   file_.layer.points.push_back(p);
@@ -192,7 +206,7 @@ void LayerReader::add_geometry(Id geometry) {
       std::reverse(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
     } else if (type == "Point" || type == "MultiPoint" || type == "LineString" ||
                type == "MultiLineString") {
-      ++dropped_;
+      ++draft_.dropped;
     } else {
       fail(ErrorCode::Syntax, "expected a geometry, found " + plumb::quoted(type), at);
     }
@@ -239,7 +253,7 @@ void LayerReader::end_ring(Id at) {
     if (!is_topology_) {
       fail(ErrorCode::BadShape, "a ring must end with the position it starts with", at);
     }
-    ++unclosed_;
+    ++draft_.unclosed;
     corners.push_back(corners[first]);
   }
   if (corners.size() > first) corners.pop_back();
@@ -248,7 +262,7 @@ void LayerReader::end_ring(Id at) {
   corners.erase(std::unique(begin, corners.end(), is_equal), corners.end());
   if (corners.size() - first < 3) {
     corners.resize(first);
-    ++collapsed_;
+    ++draft_.collapsed;
     return;
   }
   layer.end_ring();
@@ -369,26 +383,74 @@ void LayerReader::add_arcs(Id ring) {
       fail(ErrorCode::ResourceLimit, "more than 2^30 corners", value);
     }
     context_.charge_memory((end - begin) * sizeof(std::uint32_t), "the layer");
-    steps_ += end - begin;
+    draft_.steps += end - begin;
     for (std::uint32_t i = 0; i < end - begin; ++i) {
       corners.push_back(stated < 0 ? end - 1 - i : begin + i);
     }
   }
 }
 
-void LayerReader::add_notes() {
-  if (dropped_ > 0) {
-    file_.notes.push_back("passed over: " + std::to_string(dropped_) + " of points and lines");
+/// Returns the file of a draft, with notes.
+LayerFile noted(LayerDraft draft) {
+  std::vector<std::string>& notes = draft.file.notes;
+  if (draft.dropped > 0) {
+    notes.push_back("passed over: " + std::to_string(draft.dropped) + " of points and lines");
   }
-  if (collapsed_ > 0) {
-    file_.notes.push_back("passed over: " + std::to_string(collapsed_) +
-                          " rings with fewer than three different positions");
+  if (draft.collapsed > 0) {
+    notes.push_back("passed over: " + std::to_string(draft.collapsed) +
+                    " rings with fewer than three different positions");
   }
-  if (unclosed_ > 0) {
-    file_.notes.push_back("closed by an edge: " + std::to_string(unclosed_) +
-                          " rings that end elsewhere than they start");
+  if (draft.unclosed > 0) {
+    notes.push_back("closed by an edge: " + std::to_string(draft.unclosed) +
+                    " rings that end elsewhere than they start");
   }
-  if (json_.find(JsonValues::kDocument, "crs")) file_.notes.push_back("passed over: \"crs\"");
+  if (draft.has_crs) notes.push_back("passed over: \"crs\"");
+  return std::move(draft.file);
+}
+
+constexpr std::string_view kBetweenValues = " \t\r\n\x1e";  // With record separators (RFC 8142).
+
+/// Returns the first object of a text that begins with one, or the whole text if the object does
+/// not end.
+std::string_view first_object(std::string_view text) {
+  std::size_t open = 0;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') is_quoted = !is_quoted;
+    if (is_quoted) {
+      if (c == '\\') ++i;
+      continue;
+    }
+    if (c == '{') ++open;
+    if (c == '}' && --open == 0) return text.substr(0, i + 1);
+  }
+  return text;
+}
+
+/// Returns the next value of a sequence of JSON texts, and removes it from `rest`. What does not
+/// begin with a brace is taken for one value up to the end.
+std::string_view take_value(std::string_view& rest) {
+  rest.remove_prefix(std::min(rest.find_first_not_of(kBetweenValues), rest.size()));
+  const std::string_view value = rest.starts_with('{') ? first_object(rest) : rest;
+  rest.remove_prefix(value.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(kBetweenValues), rest.size()));
+  return value;
+}
+
+/// Reads a JSON text, or a sequence of them: one after the other, with blanks or record separators
+/// between them.
+LayerFile read_json_layer(std::string_view text, const LayerReadOptions& options,
+                          Context& context) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  LayerDraft draft;
+  std::string_view rest = text;
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  do {
+    const std::string_view value = take_value(rest);
+    LayerReader(text, value, options, draft, context).read();
+  } while (!rest.empty());
+  return noted(std::move(draft));
 }
 
 }  // namespace
@@ -420,7 +482,7 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
 }
 
 bool begins_like_json(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  const std::size_t first = text.find_first_not_of(" \t\r\n\x1e\xef\xbb\xbf");
   return first != text.npos && text[first] == '{';
 }
 
@@ -448,7 +510,7 @@ LayerFile read_layer(std::string_view text, const LayerReadOptions& options, Con
   const ReadOptions read{.name = options.name};
   if (begins_like_wkb(text)) return layer_of_shapes(read_wkb(text, read, context), context);
   if (begins_like_wkt(text)) return layer_of_shapes(read_wkt(text, read, context), context);
-  return LayerReader(text, options, context).read();
+  return read_json_layer(text, options, context);
 }
 
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options, Context& context) {

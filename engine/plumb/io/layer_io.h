@@ -3,7 +3,8 @@
 // "Layers").
 //
 // Main flow of read_layer():
-//  1. JsonValues     lists the values of the text
+//  1. JsonValues     lists the values of the text, or of each text of a sequence (RFC 8142, or one
+//                    feature on each line)
 //  2. LayerReader    follows the features of a GeoJSON text, or the arcs and geometries of an
 //                    object of a TopoJSON text. Ids and properties are kept as they stand.
 //
@@ -42,7 +43,7 @@ struct LayerFile {
 
 /// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. In WKT and WKB, each
 /// polygon is one feature, without id and properties. A FeatureCollection has a feature
-/// for each of its features; a geometry is one feature. In TopoJSON each geometry of the object is
+/// for each of its features; a geometry is one feature. A sequence of GeoJSON texts is one layer. In TopoJSON each geometry of the object is
 /// one feature. Points and lines are left out; a feature that has nothing else stays, without
 /// polygons. Rings with fewer than three different positions are left out. The memory of the layer
 /// stays charged to `context`. Throws Error{BadArgument} if a TopoJSON text lacks the object, and

@@ -556,9 +556,8 @@ PlaneText::PlaneText(const Nef2& set, PlaneFormat format, const PlaneWriteOption
     : set_(set), format_(format) {
   losses_.options = options;
   if (format == PlaneFormat::Nef2) return;
-  if (format == PlaneFormat::Wkb || format == PlaneFormat::Svg) {
-    throw Error(ErrorCode::UnknownFormat, std::string(format == PlaneFormat::Wkb ? "WKB" : "SVG") +
-                                              " can be read but not written");
+  if (format == PlaneFormat::Svg) {
+    throw Error(ErrorCode::UnknownFormat, "SVG can be read but not written");
   }
   losses_.unbounded = !set.is_bounded();
   losses_.open = !set.is_closed();
@@ -579,6 +578,8 @@ void PlaneText::write(std::ostream& out, Context& context) const {
       return write_nef2(out, set_.complex(), context);
     case PlaneFormat::GeoJson:
       return write_geojson(out, shapes_, context);
+    case PlaneFormat::Wkb:
+      return write_wkb(out, shapes_, context);
     case PlaneFormat::Dxf:
       return write_dxf(out, shapes_, context);
     default:

@@ -1,4 +1,4 @@
-// Reads and writes sets of the plane in the formats WKT, GeoJSON, DXF and .nef2, and reads WKB and
+// Reads and writes sets of the plane in the formats WKT, GeoJSON, WKB, DXF and .nef2, and reads
 // SVG.
 //
 // WKT, GeoJSON and WKB files list polygons, lines and points (PlaneShapes). A polygon stands for
@@ -15,8 +15,8 @@
 // set that is read from such a file is closed. Notes name the contents of a file that a set cannot
 // hold.
 //
-// Writing: .nef2 represents every set exactly. WKT and GeoJSON represent only polygons, lines and
-// points, whose coordinates are doubles. DXF represents only polygons. The set is rounded so that
+// Writing: .nef2 represents every set exactly. WKT, GeoJSON and WKB represent only polygons, lines
+// and points, whose coordinates are doubles. DXF represents only polygons. The set is rounded so that
 // these shapes are valid (plane_rounding.h): rings meet only in common corners, and nothing is
 // degenerate. If a set has properties that such a file cannot represent, or rounding changes its
 // shape, these losses are reported (PlaneLosses).
@@ -110,7 +110,7 @@ PlaneShapes to_shapes(const PlaneParts& parts, Context& context = unlimited_cont
 PlaneShapes with_nearest_doubles(PlaneShapes shapes, Context& context = unlimited_context());
 
 /// Formats for sets of the plane. Only the format Nef2 (.nef2) represents every set without loss.
-/// Wkb and Svg can be read but not written.
+/// Svg can be read but not written.
 enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2, Wkb, Dxf, Svg };
 
 /// Returns the format that the extension of `path` names. The extensions are .wkt for Wkt, .geojson
@@ -151,7 +151,7 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
 PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                               ReadOptions options = {}, Context& context = unlimited_context());
 
-/// Options of the writers of WKT, GeoJSON and DXF. They have no effect on .nef2.
+/// Options of the writers of WKT, GeoJSON, WKB and DXF. They have no effect on .nef2.
 struct PlaneWriteOptions {
   OutputRounding rounding = OutputRounding::Valid;  ///< How coordinates become doubles.
   /// If this has a value, coordinates are the nearest doubles of multiples of this step, and shapes
@@ -198,8 +198,7 @@ class PlaneText {
  public:
   /// Prepares `set` for writing. If a coordinate must be rounded, the constructor rounds the set
   /// with round_to_doubles(). Throws Error{NumberOutOfRange} if the format is not Nef2 and a
-  /// coordinate lies beyond the largest double, and Error{UnknownFormat} if the format is Wkb or
-  /// Svg.
+  /// coordinate lies beyond the largest double, and Error{UnknownFormat} if the format is Svg.
   PlaneText(const Nef2& set, PlaneFormat format, Context& context = unlimited_context())
       : PlaneText(set, format, {}, context) {}
   /// Prepares `set` for writing with options. Throws as the constructor above does, and

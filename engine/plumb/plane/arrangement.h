@@ -146,7 +146,8 @@ Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curve
                     Context& context = unlimited_context());
 
 /// Returns the arrangement of segments between input points. Segments of length zero become
-/// vertices. The requirements and errors are the same as for the function above.
+/// vertices. A point that is the end of no segment is no vertex, unless a segment meets it. The
+/// requirements and errors are the same as for the function above.
 Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments,
                     Context& context = unlimited_context());
 

@@ -25,6 +25,10 @@ namespace {
 
 constexpr std::uint32_t kNobody = LayerRegion::kNobody;
 constexpr double kGapsPerDiagonal = 1e-4;
+// Bounds that tell gaps from small lakes (LayerRepair::is_gap).
+constexpr double kSlender = 1.0 / 100;
+constexpr double kRoundingPerDiagonal = 1e-9;
+constexpr std::size_t kCornerNeighbours = 3;
 
 using Numbers = FeatureList;
 
@@ -101,8 +105,8 @@ class LayerRepair {
   void find_regions();
   void measure_regions();
   void measure_features();
-  void find_gaps();
-  double default_gap_width() const;
+  bool is_gap(const LayerRegion& region, std::size_t neighbours) const;
+  double diagonal() const;
   std::vector<BorderPiece> borders(bool of_overlaps) const;
   void own_overlaps();
   void own_gaps();
@@ -119,6 +123,7 @@ class LayerRepair {
   std::vector<std::uint32_t> region_;   // For each face, its region in the report.
   std::vector<double> area_;            // For each feature, its area.
   std::vector<std::uint8_t> is_alone_;  // For each feature, whether it alone covers some face.
+  double diagonal_ = 0;                 // The diagonal of the bounding box.
   LayerReport report_;
 };
 
@@ -127,7 +132,8 @@ void LayerRepair::find() {
   find_regions();
   measure_regions();
   measure_features();
-  find_gaps();
+  diagonal_ = diagonal();
+  report_.gaps_below = options_.gaps_below ? *options_.gaps_below : kGapsPerDiagonal * diagonal_;
   own_overlaps();
   own_gaps();
 }
@@ -203,7 +209,7 @@ void LayerRepair::measure_features() {
   }
 }
 
-double LayerRepair::default_gap_width() const {
+double LayerRepair::diagonal() const {
   if (complex_.vertex_count() == 0) return 0;
   Point2 low = approx(complex_.points, complex_.vertex_point[0]), high = low;
   for (const std::uint32_t i : complex_.vertex_point) {
@@ -211,16 +217,18 @@ double LayerRepair::default_gap_width() const {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  return kGapsPerDiagonal * std::hypot(high.x - low.x, high.y - low.y);
+  return std::hypot(high.x - low.x, high.y - low.y);
 }
 
-void LayerRepair::find_gaps() {
-  report_.gaps_below = options_.gaps_below ? *options_.gaps_below : default_gap_width();
-  for (LayerRegion& region : report_.regions) {
-    if (is_uncovered(region) && region.width < report_.gaps_below) {
-      region.kind = LayerRegionKind::Gap;
-    }
-  }
+/// Whether a region that no feature covers is a gap. If the caller has no bound, a narrow region is
+/// a hole if it looks like a small lake: it is neither long nor between three or more features.
+/// 4 A / p^2, for the area A and the perimeter p, is about the width of a long strip divided by its
+/// length. Of 121 narrow lakes in layers of Natural Earth, the least value is 1/78.
+bool LayerRepair::is_gap(const LayerRegion& region, std::size_t neighbours) const {
+  if (!(region.width < report_.gaps_below)) return false;
+  if (options_.gaps_below || neighbours >= kCornerNeighbours) return true;
+  const double slenderness = region.width * region.width / nearest_double(region.area);
+  return slenderness < kSlender || region.width < kRoundingPerDiagonal * diagonal_;
 }
 
 /// Returns the borders between regions of one sort and faces that have owners.
@@ -293,7 +301,7 @@ void LayerRepair::own_overlaps() {
   }
 }
 
-/// Gives gaps to their neighbours, and names the neighbours of gaps and holes.
+/// Tells gaps from holes, gives gaps to their neighbours, and names the neighbours of both.
 void LayerRepair::own_gaps() {
   const std::vector<BorderPiece> pieces = borders(false);
   for_each_region(report_.regions, pieces,
@@ -304,7 +312,8 @@ void LayerRepair::own_gaps() {
                       report_.features.push_back(piece.feature);
                     }
                     region.features_end = static_cast<std::uint32_t>(report_.features.size());
-                    if (region.kind != LayerRegionKind::Gap) return;
+                    if (!is_gap(region, around.size())) return;
+                    region.kind = LayerRegionKind::Gap;
                     region.owner = select(report_.features_of(region), around);
                   });
   for (std::size_t f = 0; f < owner_.size(); ++f) {

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "plumb/base/context.h"
 #include "plumb/plane/layer.h"
@@ -29,7 +30,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Options of simplify_layer(). A corner is removed only if both options allow this.
+/// Options of simplify_layer() and simplify_borders(). A corner is removed only if all options allow
+/// this.
 struct LayerSimplifyOptions {
   /// Corners are removed while their triangle has at most this area, in square units of the layer.
   /// Infinity sets no bound.
@@ -37,6 +39,9 @@ struct LayerSimplifyOptions {
   /// The part of the removable corners that stays, between 0 and 1. A corner is removable if
   /// exactly two edges of borders meet there.
   double kept = 0;
+  /// Every point of the borders stays within this distance of the borders before, and every point
+  /// of the borders before is as near to a border that is left. Infinity sets no bound.
+  double within = std::numeric_limits<double>::infinity();
 };
 
 /// A simplified layer.
@@ -51,6 +56,9 @@ struct SimplifiedLayer {
   /// Removable corners that the options would let go, but that stay because their triangle contains
   /// a corner, or because a ring would collapse.
   std::size_t blocked = 0;
+  /// An upper bound for the distance between the borders before and after (Hausdorff distance).
+  /// What rounding has moved is not included.
+  double borders_moved = 0;
   /// The number of regions that several features cover. Such a region belongs to the first one.
   std::size_t overlaps = 0;
   PlaneRoundingReport rounding;  ///< What rounding has changed before corners were removed.

@@ -175,6 +175,7 @@ struct PlaneChoice {
 constexpr std::array kPlaneFormats{
     PlaneChoice{"wkt", ".wkt", PlaneFormat::Wkt},
     PlaneChoice{"geojson", ".geojson", PlaneFormat::GeoJson},
+    PlaneChoice{"wkb", ".wkb", PlaneFormat::Wkb},
     PlaneChoice{"nef2", ".nef2", PlaneFormat::Nef2},
 };
 
@@ -309,16 +310,8 @@ class Decomposition : public CommandBody {
     const Nef2 set = input_.read_plane(file_, bytes, session);
     session.begin("cut");
     const PlanePieces found = decompose(set, {method, closed_}, context);
-    std::size_t done = 0;
     session.begin("pieces");
-    for (const Nef2& piece : found.pieces) {
-      if (!files.is_wanted()) break;
-      context.checkpoint("pieces", done++, found.pieces.size());
-      const PlaneChoice& format = plane_format(piece, session.options().format);
-      const PlaneText text(piece, format.format, context);
-      files.add(format.extension, text.losses().sentences(),
-                [&](std::ostream& out) { text.write(out, context); });
-    }
+    if (files.is_wanted()) write_pieces(found.pieces, files, session);
     if (!svg_.empty()) {
       session.begin("draw");
       std::ostringstream out;
@@ -328,6 +321,35 @@ class Decomposition : public CommandBody {
     Answer answer{found.pieces.size(), found.reflex_corners, "reflex corner", {}};
     if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
     return answer;
+  }
+  /// Writes the files of pieces. What is written as doubles is rounded together, so that pieces that
+  /// share a border still share it.
+  static void write_pieces(const std::vector<Nef2>& pieces, PieceFiles& files, Session& session) {
+    Context& context = session.context();
+    const std::string& asked = session.options().format;
+    const RoundedPieces rounded =
+        asked == "nef2" ? RoundedPieces{} : round_to_doubles(pieces, context);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      context.checkpoint("pieces", i, pieces.size());
+      const PlaneChoice& format = plane_format(pieces[i], asked);
+      const bool is_exact = format.format == PlaneFormat::Nef2;
+      const PlaneText text(is_exact ? pieces[i] : rounded.pieces[i], format.format, context);
+      files.add(format.extension, text.losses().sentences(),
+                [&](std::ostream& out) { text.write(out, context); });
+    }
+    note_rounding(rounded, session);
+  }
+  static void note_rounding(const RoundedPieces& rounded, Session& session) {
+    const std::string& folder = session.options().out;
+    const std::string sentence = rounding_sentence(rounded.rounding, {});
+    if (!sentence.empty()) session.note(folder + ": warning: " + sentence + " (.nef2 is exact)");
+    if (rounded.not_convex == 0) return;
+    session.note(
+        folder + ": warning: " + counted(rounded.not_convex, "piece") +
+        (rounded.not_convex == 1 ? " is" : " are") +
+        " not quite convex, as a side is bent to a rounded corner of a neighbour; no point "
+        "moved by more than " +
+        format_double(rounded.rounding.largest_move) + " (.nef2 is exact)");
   }
   /// Returns the format asked for; else WKT, or .nef2 for what is unbounded.
   static const PlaneChoice& plane_format(const Nef2& piece, const std::string& asked) {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/internal/message_text.h"
 #include "plumb/cli/commands/layer_output.h"
 #include "plumb/cli/commands/map_overlay_options.h"
 #include "plumb/cli/session/command.h"
@@ -124,13 +125,17 @@ class MapSimplify : public CommandBody {
     app.add_option("--percent", percent_, "Keep this part of the corners that may be removed")
         ->check(CLI::Range(0.0, 100.0).description(""))
         ->type_name("P");
+    app.add_option("--within", within_, "Move no point of a border farther than this distance")
+        ->check(CLI::Range(0.0, 1e300).description(""))
+        ->type_name("D");
     app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")
         ->type_name("NAME");
   }
 
   ExitCode run(Session& session) override {
-    if (!tolerance_ && !percent_) {
-      throw Error(ErrorCode::Usage, "map simplify needs --tolerance AREA or --percent P");
+    if (!tolerance_ && !percent_ && !within_) {
+      throw Error(ErrorCode::Usage,
+                  "map simplify needs --tolerance AREA, --percent P or --within D");
     }
     open_layer_and_summary(
         session, [this]() -> const Layer& { return result_.layer; }, [this] { return json(); },
@@ -141,6 +146,7 @@ class MapSimplify : public CommandBody {
     LayerSimplifyOptions options{.tolerance = std::numeric_limits<double>::infinity(), .kept = 0};
     if (tolerance_) options.tolerance = *tolerance_;
     if (percent_) options.kept = *percent_ / 100;
+    if (within_) options.within = *within_;
     result_ = simplify_layer(layer, options, session.context());
     session.deliver();
     note_overlaps(session, file_, result_.overlaps);
@@ -155,6 +161,7 @@ class MapSimplify : public CommandBody {
             {"fixed", result_.fixed},
             {"blocked", result_.blocked},
             {"overlaps", result_.overlaps},
+            {"borders_moved_by", result_.borders_moved},
             {"rounding_moved_by", result_.rounding.largest_move}};
   }
   std::string text() const {
@@ -162,11 +169,12 @@ class MapSimplify : public CommandBody {
            std::to_string(result_.corners_after) + " of " +
            numbered(result_.corners_before, "corner") + " left; " + std::to_string(result_.fixed) +
            " where three or more borders meet, " + std::to_string(result_.blocked) +
-           " that protect others\n";
+           " that protect others; no border moved by more than " +
+           format_double(result_.borders_moved) + '\n';
   }
 
   std::string file_;
-  std::optional<double> tolerance_, percent_;
+  std::optional<double> tolerance_, percent_, within_;
   LayerReadOptions read_options_;
   SimplifiedLayer result_;
 };

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -28,6 +29,7 @@
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/plane/plane_offset.h"
+#include "plumb/plane/plane_simplify.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb::cli {
@@ -37,7 +39,7 @@ namespace {
 void require_no_rounding(const SetOutput& output) {
   const PlaneWriteOptions& options = output.rounding();
   if (options.grid || options.rounding == OutputRounding::Nearest) {
-    throw Error(ErrorCode::Usage, "--raw and --grid are for WKT and GeoJSON");
+    throw Error(ErrorCode::Usage, "--raw and --grid are for WKT, GeoJSON, WKB and DXF");
   }
 }
 
@@ -156,6 +158,48 @@ class PlaneOffset : public PlaneOperation {
   std::uint32_t segments_ = 0;
 };
 
+/// A set with fewer corners.
+class PlaneSimplify : public PlaneOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Plane>(app, a_);
+    app.add_option("--tolerance", tolerance_, "Remove corners whose triangle has at most this area")
+        ->check(CLI::Range(0.0, 1e300).description(""))
+        ->type_name("AREA");
+    app.add_option("--percent", percent_, "Keep this part of the corners that may be removed")
+        ->check(CLI::Range(0.0, 100.0).description(""))
+        ->type_name("P");
+    app.add_option("--within", within_, "Move no point of a border farther than this distance")
+        ->check(CLI::Range(0.0, 1e300).description(""))
+        ->type_name("D");
+  }
+  Nef2 compute(Session& session) override {
+    if (!tolerance_ && !percent_ && !within_) {
+      throw Error(ErrorCode::Usage,
+                  "plane simplify needs --tolerance AREA, --percent P or --within D");
+    }
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const LayerSimplifyOptions options{tolerance_.value_or(kInfinity), percent_.value_or(0) / 100,
+                                       within_.value_or(kInfinity)};
+    const Nef2 set = read(a_, session);
+    if (!set.is_bounded()) {
+      throw Error(ErrorCode::BadArgument, "only bounded sets can be simplified",
+                  {.file = input_name(a_)});
+    }
+    session.begin("combine");
+    SimplifiedSet simplified = simplify_borders(set, options, session.context());
+    session.note(std::to_string(simplified.corners_after) + " of " +
+                 counted(simplified.corners_before, "corner") +
+                 " left; no border moved by more than " + format_double(simplified.borders_moved));
+    const std::string rounding = rounding_sentence(simplified.rounding, {});
+    if (!rounding.empty()) session.note(input_name(a_) + ": warning: " + rounding);
+    return std::move(simplified.set);
+  }
+
+  std::string a_;
+  std::optional<double> tolerance_, percent_, within_;
+};
+
 class PlaneInfo : public SetInfo<Plane> {
  public:
   void declare(CLI::App& app) override {
@@ -207,6 +251,7 @@ std::unique_ptr<CommandBody> make_plane_regularize() {
 }
 std::unique_ptr<CommandBody> make_plane_minkowski() { return std::make_unique<PlaneSum>(); }
 std::unique_ptr<CommandBody> make_plane_offset() { return std::make_unique<PlaneOffset>(); }
+std::unique_ptr<CommandBody> make_plane_simplify() { return std::make_unique<PlaneSimplify>(); }
 std::unique_ptr<CommandBody> make_plane_info() { return std::make_unique<PlaneInfo>(); }
 std::unique_ptr<CommandBody> make_plane_locate() { return std::make_unique<SetLocate<Plane>>(); }
 

@@ -42,6 +42,7 @@ inline constexpr std::array kPlaneFormats{
     PlaneOutputFormat{"wkt", ".wkt", PlaneFormat::Wkt},
     PlaneOutputFormat{"geojson", ".geojson", PlaneFormat::GeoJson},
     PlaneOutputFormat{"json", ".json", PlaneFormat::GeoJson},
+    PlaneOutputFormat{"wkb", ".wkb", PlaneFormat::Wkb},
     PlaneOutputFormat{"dxf", ".dxf", PlaneFormat::Dxf},
     PlaneOutputFormat{"nef2", ".nef2", PlaneFormat::Nef2},
     PlaneOutputFormat{"svg", ".svg", std::nullopt},

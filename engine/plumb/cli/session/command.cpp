@@ -121,6 +121,7 @@ std::unique_ptr<CommandBody> make_plane_csg();
 std::unique_ptr<CommandBody> make_plane_triangulate();
 std::unique_ptr<CommandBody> make_plane_voronoi();
 std::unique_ptr<CommandBody> make_plane_arrange();
+std::unique_ptr<CommandBody> make_plane_simplify();
 std::unique_ptr<CommandBody> make_plane_info();
 std::unique_ptr<CommandBody> make_plane_locate();
 std::unique_ptr<CommandBody> make_solid_union();
@@ -215,6 +216,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"plane offset", "A", "A grown or shrunk by a distance",
               "./plumb plane offset corpus/plane/star.wkt --by 0.5 -o out.svg", "plane-set",
               make_plane_offset},
+      Command{"plane simplify", "A", "A with fewer corners; its topology stays",
+              "./plumb plane simplify corpus/plane/star.wkt --percent 50 -o out.svg", "plane-set",
+              make_plane_simplify},
       Command{"plane csg", "MODEL", "A flat model of OpenSCAD (.csg)",
               "./plumb plane csg corpus/csg/gasket.csg -o out.svg", "plane-set", make_plane_csg},
       Command{"plane triangulate", "A", "Triangles that cover A (constrained Delaunay)",

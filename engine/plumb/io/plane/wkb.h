@@ -1,4 +1,4 @@
-// Reads well-known binary (docs/formats.md, "WKB"): the geometries of WKT as bytes, with the codes
+// Reads and writes well-known binary (docs/formats.md, "WKB"): the geometries of WKT as bytes, with the codes
 // of ISO and of EWKB (PostGIS) for Z, M and SRID, in either byte order. A file has any number of
 // geometries one after the other, as bytes, or as text of two hexadecimal digits per byte with
 // blanks or line breaks between geometries.
@@ -11,6 +11,7 @@
 // BadShape, CountMismatch, ResourceLimit; Cancelled. Cost: O(bytes).
 #pragma once
 
+#include <iosfwd>
 #include <string_view>
 
 #include "plumb/base/context.h"
@@ -26,5 +27,10 @@ PlaneFile read_wkb(std::string_view bytes, const ReadOptions& options, Context& 
 /// Whether bytes begin like WKB: with a byte order and the code of a geometry, as bytes or as
 /// hexadecimal digits.
 bool begins_like_wkb(std::string_view bytes);
+
+/// Writes one geometry, with little-endian numbers: Point .. MultiPolygon, a GeometryCollection of
+/// those if dimensions mix, an empty GeometryCollection if there is nothing. Throws what `out`
+/// throws, and Error{Cancelled} or Error{ResourceLimit} as the context says.
+void write_wkb(std::ostream& out, const PlaneShapes& shapes, Context& context);
 
 }  // namespace plumb

@@ -116,8 +116,9 @@ void append_polygon(Layer& layer, const PlaneComplex& complex, FaceId f) {
 }  // namespace
 
 LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const SweepCurve> curves,
-                                     std::span<const SideLabels> sides, Context& context) {
-  Arrangement kept = arrange(points, curves, {}, context);
+                                     std::span<const SideLabels> sides,
+                                     std::span<const std::uint32_t> isolated, Context& context) {
+  Arrangement kept = arrange(points, curves, isolated, context);
   LabelledComplex result{std::move(kept.complex), {}};
   result.label.assign(result.complex.face_count(), kNoLabel);
   std::vector<SegmentId> origins;
@@ -135,7 +136,7 @@ LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const 
 LabelledComplex without_inner_edges(const PlaneComplex& complex,
                                     const std::vector<std::uint32_t>& label, Context& context) {
   const LabelBorders borders(complex, label);
-  return labelled_arrangement(complex.points, borders.curves(), borders.sides(), context);
+  return labelled_arrangement(complex.points, borders.curves(), borders.sides(), {}, context);
 }
 
 RoundedLabels rounded_labels(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,

@@ -36,9 +36,10 @@ struct SideLabels {
 };
 
 /// Returns the arrangement of curves that run from their lesser ends and do not cross, with the
-/// labels that the curves state.
+/// labels that the curves state. The points `isolated` become vertices, too.
 LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const SweepCurve> curves,
-                                     std::span<const SideLabels> sides, Context& context);
+                                     std::span<const SideLabels> sides,
+                                     std::span<const std::uint32_t> isolated, Context& context);
 
 /// Returns the subdivision without the edges between equal labels. Vertices of crossings that only
 /// such edges met vanish, so pieces of one curve become one edge again.

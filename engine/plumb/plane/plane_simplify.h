@@ -1,0 +1,52 @@
+// Simplifying a set of the plane: borders and lines get fewer corners, and the set keeps its
+// topology.
+//
+// Main flow of simplify_borders():
+//  1. round_to_doubles      makes the closure of the set, with doubles as vertices
+//                           (plane_rounding.h)
+//  2. BorderGraph           removes corners in the order of Visvalingam and Whyatt, exactly as
+//                           simplify_layer() does (layer_simplify.h)
+//  3. labelled_arrangement  arranges the remaining edges exactly
+//  4. Nef2::from_complex    makes the set of the labels
+//
+// A corner is removed only if its closed triangle contains no other vertex, so no edges cross or
+// touch afterwards that did not before. Faces, holes, lines and isolated points stay, and every ring
+// keeps at least three corners. Vertices at which not exactly two edges meet stay where they are.
+//
+// Cost: O(n log n) for n corners if triangles contain few corners, and O(n) memory.
+#pragma once
+
+#include <cstddef>
+
+#include "plumb/base/context.h"
+#include "plumb/plane/layer_simplify.h"
+#include "plumb/plane/nef2.h"
+#include "plumb/plane/plane_rounding.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// A simplified set.
+struct SimplifiedSet {
+  /// The closed set. Its vertices are vertices of the rounded closure of the input.
+  Nef2 set;
+  std::size_t corners_before = 0;  ///< Vertices of the rounded closure.
+  std::size_t corners_after = 0;   ///< Vertices that are left.
+  /// Vertices that the options would let go, but that stay because their triangle contains another
+  /// vertex, or because a ring would collapse.
+  std::size_t blocked = 0;
+  /// An upper bound for the distance between the borders before and after (Hausdorff distance).
+  /// What rounding has moved is not included.
+  double borders_moved = 0;
+  PlaneRoundingReport rounding;  ///< What rounding has changed before corners were removed.
+};
+
+/// Returns the closure of a set with fewer corners. Throws Error{BadArgument} if the set is
+/// unbounded or an option is out of its range, Error{NumberOutOfRange} if a coordinate lies beyond
+/// the largest double, ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop
+/// is requested.
+SimplifiedSet simplify_borders(const Nef2& set, const LayerSimplifyOptions& options,
+                               Context& context = unlimited_context());
+
+}  // namespace plumb
+#pragma GCC visibility pop
