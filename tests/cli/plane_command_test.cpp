@@ -62,7 +62,7 @@ TEST(PlaneProgram, examples_of_the_help_work) {
        {"plane union", "plane intersection", "plane difference", "plane symmetric-difference",
         "plane complement", "plane interior", "plane closure", "plane boundary", "plane regularize",
         "plane minkowski", "plane offset", "plane triangulate", "plane voronoi", "plane arrange",
-        "plane info", "plane locate", "audit"}) {
+        "plane info", "plane locate", "plane distance", "audit"}) {
     Words words;
     std::istringstream help(name + " --help");
     for (std::string word; help >> word;) words.push_back(word);
@@ -83,7 +83,8 @@ TEST(PlaneProgram, examples_of_the_help_work) {
 
 TEST(PlaneProgram, lists_its_commands) {
   const std::string text = run({"plane", "--help"}).out;
-  for (const auto& names : {kBinary, kUnary, Words{"minkowski", "offset", "info", "locate"}}) {
+  for (const auto& names :
+       {kBinary, kUnary, Words{"minkowski", "offset", "info", "locate", "distance"}}) {
     for (const std::string& name : names) EXPECT_TRUE(contains(text, "plane " + name)) << text;
   }
   std::istringstream lines(text);

@@ -143,8 +143,9 @@ Rational oracle(const Set& a, const Set& b) {
 
 // ---------------------------------------------------------------- the laws
 
-bool has_cell(const Nef3& set, const RationalPoint3& p, SpaceItem cell) {
-  return set.locate(p).item == cell;
+bool has_cell(const Nef3& set, const RationalPoint3& p, const SpaceLocation& cell) {
+  const SpaceLocation at = set.locate(p);
+  return at.item == cell.item && at.marked == cell.marked;
 }
 bool has_cell(const Nef2& set, const RationalPoint2& p, const PlaneLocation& cell) {
   return set.locate(p) == cell;
@@ -198,13 +199,13 @@ TEST(Distance, ToPoints) {
   const DistanceIndex index(cube - Nef3::segment({0, 0, 0}, {1, 1, 1}));
   const SpaceDistance inside = index.to(RationalPoint3{Rational(1) / 2, Rational(1) / 3, 0});
   EXPECT_EQ(inside.squared, 0);
-  EXPECT_EQ(inside.cell_a.kind(), SpaceItem::Kind::Facet);
+  EXPECT_EQ(inside.cell_a.item.kind(), SpaceItem::Kind::Facet);
   const SpaceDistance removed = index.to(RationalPoint3{0, 0, 0});
   EXPECT_EQ(removed.squared, 0);
-  EXPECT_EQ(removed.cell_a.kind(), SpaceItem::Kind::Vertex);
+  EXPECT_EQ(removed.cell_a.item.kind(), SpaceItem::Kind::Vertex);
   const SpaceDistance edge = index.to(RationalPoint3{-1, -1, Rational(1) / 7});
   EXPECT_EQ(edge.squared, 2);
-  EXPECT_EQ(edge.cell_a.kind(), SpaceItem::Kind::Edge);
+  EXPECT_EQ(edge.cell_a.item.kind(), SpaceItem::Kind::Edge);
   EXPECT_EQ(distance(square_of(2), RationalPoint2{5, 6}).squared, 9 + 16);
 }
 
@@ -263,8 +264,8 @@ TEST(Distance, OfRandomTetrahedra) {
     const Nef3 a = tetrahedron(0), b = tetrahedron(static_cast<double>(dice.between(3, 9)));
     expect_distance(a, b, oracle(a, b));
     const SpaceDistance d = distance(a, b);
-    ++kinds[4 * static_cast<std::size_t>(d.cell_a.kind()) +
-            static_cast<std::size_t>(d.cell_b.kind())];
+    ++kinds[4 * static_cast<std::size_t>(d.cell_a.item.kind()) +
+            static_cast<std::size_t>(d.cell_b.item.kind())];
   }
   const auto count = [&kinds](SpaceItem::Kind a, SpaceItem::Kind b) {
     return kinds[4 * static_cast<std::size_t>(a) + static_cast<std::size_t>(b)];

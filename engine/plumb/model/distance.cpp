@@ -197,15 +197,18 @@ std::vector<std::uint32_t> corners_of(const SimplexTree& tree, std::uint32_t sim
 }
 
 /// Returns the cell that contains the relative interior of the face of a simplex.
-SpaceItem cell_of(const Nef3& set, const SetBoundary& boundary, std::uint32_t simplex,
-                  SimplexFace face) {
+SpaceLocation cell_of(const Nef3& set, const SetBoundary& boundary, std::uint32_t simplex,
+                      SimplexFace face) {
   const std::vector<std::uint32_t> corners = corners_of(boundary.tree, simplex, face);
-  if (corners.size() == 1) return VertexId(corners[0]);
+  const SpaceComplex& c = set.complex();
+  const VertexId v(corners[0]);
+  if (corners.size() == 1) return {v, c.vertex_mark[v] == 1};
   if (corners.size() == 2) {
-    const EdgeId e = edge_between(set.complex(), VertexId(corners[0]), VertexId(corners[1]));
-    if (e.is_valid()) return e;
+    const EdgeId e = edge_between(c, v, VertexId(corners[1]));
+    if (e.is_valid()) return {e, c.edge_mark[e] == 1};
   }
-  return boundary.facet[simplex];
+  const FacetId f = boundary.facet[simplex];
+  return {f, c.facet_mark[f] == 1};
 }
 PlaneLocation cell_of(const Nef2& set, const SetBoundary& boundary, std::uint32_t simplex,
                       SimplexFace face) {
@@ -232,11 +235,11 @@ RationalPoint3 in_space(const RationalPoint3& p) { return p; }
 RationalPoint3 in_space(const RationalPoint2& p) { return {p.x, p.y, 0}; }
 
 /// Returns the cell of a point if the point lies in the closure of the set.
-std::optional<SpaceItem> cell_in_closure(const Nef3& set, const RationalPoint3& p,
-                                         Context& context) {
+std::optional<SpaceLocation> cell_in_closure(const Nef3& set, const RationalPoint3& p,
+                                             Context& context) {
   const SpaceLocation at = set.locate(p, context);
   if (at.item.kind() == SpaceItem::Kind::Volume && !at.marked) return std::nullopt;
-  return at.item;
+  return at;
 }
 std::optional<PlaneLocation> cell_in_closure(const Nef2& set, const RationalPoint3& p,
                                              Context& context) {
@@ -437,7 +440,8 @@ SpaceDistance DistanceIndex::to(const DistanceIndex& other, Context& context) co
 
 SpaceDistance DistanceIndex::to(const RationalPoint3& p, Context& context) const {
   const auto& [set, boundary] = state_->prepared;
-  if (const auto cell = cell_in_closure(set, p, context)) return {0, p, p, *cell, VertexId(0)};
+  if (const auto cell = cell_in_closure(set, p, context))
+    return {0, p, p, *cell, {VertexId(0), true}};
   const auto found = SimplexTree::nearest(boundary.tree, tree_of(p, context), context);
   const NearestPoints& points = found.points;
   return {points.squared, points.a, p, cell_of(set, boundary, found.a, points.face_a), VertexId(0)};

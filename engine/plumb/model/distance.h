@@ -39,8 +39,8 @@ struct SpaceDistance {
   RationalPoint3 at_a;  ///< A point of the closure of A.
   RationalPoint3 at_b;  ///< A point of the closure of B; the distance of the two is least.
   /// The cell of A.complex() with `at_a`. If the distance is 0, this may be a volume.
-  SpaceItem cell_a;
-  SpaceItem cell_b;  ///< The cell of B.complex() with `at_b`.
+  SpaceLocation cell_a;
+  SpaceLocation cell_b;  ///< The cell of B.complex() with `at_b`.
 };
 
 /// The distance of two sets of the plane.
