@@ -1902,6 +1902,36 @@ static void test_parts_and_maps(void) {
   plumb_solid_free(both);
 }
 
+static void test_solid_offsets_and_distances(void) {
+  plumb_solid *a = cube_at(0, 0, 0), *b = cube_at(3, 5, 0), *grown = NULL, *none = NULL;
+  plumb_plane_set *square = square_at("0 0 2 0 2 2 0 2"), *other = square_at("5 6 7 6 7 8 5 8");
+  plumb_numbers* found = NULL;
+  plumb_location cells[2];
+  OK(plumb_solid_distance(a, b, &found, cells, NULL, &error));
+  CHECK(plumb_numbers_count(found) == 7 && !strcmp(plumb_numbers_exact(found, 0), "20"));
+  CHECK(plumb_numbers_nearest(found, 1) == 1 && plumb_numbers_nearest(found, 4) == 3);
+  CHECK(cells[0].dimension <= 1 && cells[0].is_inside && cells[1].dimension <= 1);
+  plumb_numbers_free(found);
+  OK(plumb_plane_set_distance(square, other, &found, cells, NULL, &error));
+  CHECK(plumb_numbers_count(found) == 5 && !strcmp(plumb_numbers_exact(found, 0), "25"));
+  CHECK(cells[0].dimension == 0 && cells[1].dimension == 0);
+  plumb_numbers_free(found);
+  OK(plumb_solid_empty(&none, &error));
+  FAILS(plumb_solid_distance(a, none, &found, NULL, NULL, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_solid_offset(a, 1, 0, &grown, NULL, &error));
+  OK(plumb_solid_distance(grown, b, &found, NULL, NULL, &error));
+  CHECK(plumb_numbers_nearest(found, 0) < 20);
+  plumb_numbers_free(found);
+  plumb_solid_free(grown);
+  FAILS(plumb_solid_offset(a, 1, 8, &grown, NULL, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_solid_offset(a, NAN, 1, &grown, NULL, &error), PLUMB_NOT_FINITE);
+  plumb_solid_free(none);
+  plumb_solid_free(a);
+  plumb_solid_free(b);
+  plumb_plane_set_free(square);
+  plumb_plane_set_free(other);
+}
+
 static void test_offsets(void) {
   plumb_plane_set *square = square_at("0 0 2 0 2 2 0 2"), *grown = NULL, *sum = NULL;
   plumb_offset_options options = PLUMB_OFFSET_OPTIONS_INIT;
@@ -2108,6 +2138,7 @@ int main(int count, char** arguments) {
   test_hulls();
   test_extrusions();
   test_parts_and_maps();
+  test_solid_offsets_and_distances();
   test_offsets();
   test_triangles();
   test_csg();

@@ -231,11 +231,11 @@ plumb_status surfaces() {
 }
 
 plumb_status models() {
-  Solid solid, hull;
+  Solid solid, hull, swollen;
   Solids parts;
   PlaneSet flat, grown;
   PlaneSets slices;
-  Numbers heights;
+  Numbers heights, apart, flat_apart;
   Notes notes;
   constexpr char kModel[] =
       "difference() { cube(size = 2); group() { cylinder(h = 5, r1 = 1, r2 = 1, $fn = 3); } }";
@@ -243,10 +243,14 @@ plumb_status models() {
   TRY(plumb_csg_read(kModel, sizeof kModel - 1, nullptr, PLUMB_IMPORTS_NONE, solid.out(),
                      flat.out(), notes.out(), nullptr, report));
   TRY(plumb_solid_components(solid, parts.out(), nullptr, report));
+  TRY(plumb_solid_offset(solid, 0.25, 0, swollen.out(), nullptr, report));
+  TRY(plumb_solid_distance(solid, swollen, apart.out(), nullptr, nullptr, report));
   TRY(plumb_numbers_from_doubles(&height, 1, heights.out(), report));
   TRY(plumb_solid_slices(solid, heights, slices.out(), nullptr, report));
   TRY(plumb_plane_set_offset(plumb_plane_set_list_at(slices, 0), 0.25, nullptr, grown.out(),
                              nullptr, report));
+  TRY(plumb_plane_set_distance(grown, plumb_plane_set_list_at(slices, 0), flat_apart.out(), nullptr,
+                               nullptr, report));
   TRY(plumb_solid_hull(kCube, 8, hull.out(), nullptr, report));
   return PLUMB_OK;
 }

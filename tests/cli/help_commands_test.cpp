@@ -219,6 +219,8 @@ TEST(Json, fits_its_schema_whatever_the_answer) {
       {"solid-set", "solid csg corpus/csg/bracket.csg"},
       {"plane-set", "plane csg corpus/csg/gasket.csg"},
       {"locate", "solid locate corpus/solids/l-block.off 9 9 9"},
+      {"distance", "solid distance corpus/solids/l-block.off corpus/solids/tetrahedron.obj"},
+      {"distance", "plane distance corpus/plane/star.wkt corpus/plane/quadrant.nef2"},
       {"solid-compare", "solid compare corpus/solids/l-block.off corpus/solids/tetrahedron.obj"},
       {"solid-repair", "solid repair corpus/solids/open-box.off"},
       {"solid-repair", "solid repair corpus/solids/double-sided-box.off --one-side"},

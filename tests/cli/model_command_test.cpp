@@ -95,8 +95,8 @@ TEST_F(ModelProgram, lists_components) {
 }
 
 TEST_F(ModelProgram, examples_of_the_help_work) {
-  for (const std::string name :
-       {"make", "hull", "transform", "extrude", "revolve", "slice", "project", "components"}) {
+  for (const std::string name : {"make", "hull", "offset", "transform", "extrude", "revolve",
+                                 "slice", "project", "components", "distance"}) {
     const std::string text = run({"solid", name, "--help"}).out;
     const std::size_t start = text.find("  ./plumb solid " + name);
     ASSERT_NE(start, std::string::npos) << text;

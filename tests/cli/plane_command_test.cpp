@@ -62,7 +62,7 @@ TEST(PlaneProgram, examples_of_the_help_work) {
        {"plane union", "plane intersection", "plane difference", "plane symmetric-difference",
         "plane complement", "plane interior", "plane closure", "plane boundary", "plane regularize",
         "plane minkowski", "plane offset", "plane simplify", "plane triangulate", "plane voronoi",
-        "plane arrange", "plane info", "plane locate", "audit"}) {
+        "plane arrange", "plane info", "plane locate", "plane distance", "audit"}) {
     Words words;
     std::istringstream help(name + " --help");
     for (std::string word; help >> word;) words.push_back(word);
@@ -84,7 +84,7 @@ TEST(PlaneProgram, examples_of_the_help_work) {
 TEST(PlaneProgram, lists_its_commands) {
   const std::string text = run({"plane", "--help"}).out;
   for (const auto& names :
-       {kBinary, kUnary, Words{"minkowski", "offset", "simplify", "info", "locate"}}) {
+       {kBinary, kUnary, Words{"minkowski", "offset", "simplify", "info", "locate", "distance"}}) {
     for (const std::string& name : names) EXPECT_TRUE(contains(text, "plane " + name)) << text;
   }
   std::istringstream lines(text);

@@ -31,7 +31,10 @@ std::vector<RationalPoint2> samples(const Nef2& set) {
     points.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2});
   }
   for (int x = -1; x <= 4; ++x) {
-    for (int y = -1; y <= 4; ++y) points.push_back({Rational(x) / 2, Rational(y) / 2});
+    for (int y = -1; y <= 4; ++y) {
+      points.push_back({Rational(x) / 2, Rational(y) / 2});
+      points.push_back({1000 * x - 1500, 1000 * y - 1700});
+    }
   }
   return points;
 }
@@ -106,8 +109,40 @@ TEST(Shadow, OfSets) {
   EXPECT_TRUE(shadow(Nef3::empty()).is_empty());
 }
 
-TEST(Slice, RefusesUnboundedSets) {
-  EXPECT_THROW(static_cast<void>(slice(Nef3::whole(), 0)), Error);
+TEST(Slice, OfUnboundedSets) {
+  EXPECT_TRUE(slice(Nef3::whole(), 3).is_whole());
+  const Nef3 below = Nef3::half_space({1, 2, 3, 4}, Boundary::Open);
+  EXPECT_EQ(slice(below, -1), Nef2::half_plane(Line2::from_coefficients(1, 2, 1), Boundary::Open));
+  const Nef3 floor = Nef3::half_space({0, 0, 1, 0}, Boundary::Closed);
+  EXPECT_TRUE(slice(floor, 0).is_whole());
+  EXPECT_TRUE(slice(floor, 1).is_empty());
+  EXPECT_TRUE(slice(floor.interior(), 0).is_empty());
+  const Nef3 holed = floor - Nef3::point({1, 2, 0});
+  EXPECT_EQ(slice(holed, 0), Nef2::whole() - Nef2::point({1, 2}));
+  const Nef3 outside = box(2, 2, 2).complement();
+  EXPECT_EQ(slice(outside, 1), slice(box(2, 2, 2), 1).complement());
+  const Nef3 line = Nef3::plane({1, 1, 0, -1}) * floor;
+  EXPECT_EQ(slice(line, 0), Nef2::line({{1, 0}, {0, 1}}));
+}
+
+TEST(Slice, OfRandomUnboundedSets) {
+  std::size_t unbounded = 0;
+  for (std::uint64_t seed = 0; seed < share_of(150); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const Nef3 set =
+        to_nef(*space_set_of_program(random_space_program(dice, ProgramValues::Plain, 6), 9));
+    for (const Rational& height : {Rational(0), Rational(1), Rational(1) / 3, Rational(-20)}) {
+      expect_slice(set, height);
+      const Nef2 flat = slice(set, height);
+      if (!flat.is_bounded()) ++unbounded;
+      EXPECT_EQ(slice(set.complement(), height), flat.complement());
+    }
+  }
+  EXPECT_GT(unbounded, share_of(150) / 4);
+}
+
+TEST(Shadow, RefusesUnboundedSets) {
   EXPECT_THROW(static_cast<void>(shadow(Nef3::whole())), Error);
 }
 

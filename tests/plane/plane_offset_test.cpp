@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "generate/plane_families.h"
@@ -157,6 +158,37 @@ TEST(PlaneOffset, HasAsManyChordsAsAsked) {
   EXPECT_NEAR(nearest_double(*disk.area()), 3, 1e-9);  // The regular polygon of 12 corners.
   const Nef2 fine = offset(Nef2::point({0, 0}), 1, {.chord_error = 1e-6});
   EXPECT_NEAR(nearest_double(*fine.area()), 3.14159265358979, 5e-6);
+}
+
+bool has_vertex_near(const Nef2& set, Point2 p) {
+  const PlaneComplex& c = set.complex();
+  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
+    const RationalPoint2 q = at(c, VertexId(v));
+    if (std::hypot(nearest_double(q.x) - p.x, nearest_double(q.y) - p.y) < 1e-12) return true;
+  }
+  return false;
+}
+
+// An arc of a quarter turn and steps of 2 pi / 5, 2 pi / 8 and 2 pi / 10: 1.25, 2 and 2.5 steps. The
+// chords begin at the edge that comes first when the set is on the left.
+TEST(PlaneOffset, HasChordsOfAnAngle) {
+  const Nef2 square = box(0, 0, 10, 10);
+  const auto stepped = [](const Nef2& set, double by, int steps) {
+    return offset(set, by, {.arc_step = 2 * std::numbers::pi / steps});
+  };
+  EXPECT_EQ(stepped(square, 1, 5).area(), Rational(142));
+  EXPECT_EQ(stepped(square, 1, 8), offset(square, 1, {.circle_segments = 8}));
+  const double angle = std::numbers::pi / 5, s = std::sin(angle), c = std::cos(angle);
+  const Nef2 round = stepped(square, 1, 10);
+  EXPECT_EQ(round.complex().vertex_count(), 16U);
+  EXPECT_TRUE(has_vertex_near(round, {10 + c, 10 + s}));
+  EXPECT_FALSE(has_vertex_near(round, {10 + s, 10 + c}));
+  const Nef2 corner = square - box(3, 3, 11, 11);
+  const Nef2 shrunk = stepped(corner, -1, 10);
+  EXPECT_TRUE(has_vertex_near(shrunk, {3 - s, 3 - c}));
+  EXPECT_FALSE(has_vertex_near(shrunk, {3 - c, 3 - s}));
+  EXPECT_THROW(static_cast<void>(offset(square, 1, {.arc_step = 4})), Error);
+  EXPECT_THROW(static_cast<void>(offset(square, 1, {.arc_step = -1})), Error);
 }
 
 TEST(PlaneOffset, OfZeroIsTheRegularization) {

@@ -1475,6 +1475,17 @@ PLUMB_API plumb_status plumb_solid_slices(const plumb_solid* solid, const plumb_
 /** Makes the closure of the projection of the solid along the z-axis. */
 PLUMB_API plumb_status plumb_solid_shadow(const plumb_solid* solid, plumb_plane_set** out,
                                           const plumb_context* context, plumb_error** error);
+/** Makes the closure of the solid, grown by a distance or shrunk by a negative one. An octahedron
+ * whose faces are divided `rounds` times, at most 7, stands for the ball. */
+PLUMB_API plumb_status plumb_solid_offset(const plumb_solid* solid, double distance,
+                                          uint32_t rounds, plumb_solid** out,
+                                          const plumb_context* context, plumb_error** error);
+/** Finds nearest points of the closures of two solids. Returns seven numbers: the square of the
+ * distance, the point of a, the point of b. Sets cells[0] and cells[1] to the cells of a and b with
+ * these points; `cells` may be null. */
+PLUMB_API plumb_status plumb_solid_distance(const plumb_solid* a, const plumb_solid* b,
+                                            plumb_numbers** out, plumb_location cells[2],
+                                            const plumb_context* context, plumb_error** error);
 /** Makes the connected parts of the solid. */
 PLUMB_API plumb_status plumb_solid_components(const plumb_solid* solid, plumb_solid_list** out,
                                               const plumb_context* context, plumb_error** error);
@@ -1526,6 +1537,12 @@ PLUMB_API plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double
                                               const plumb_offset_options* options,
                                               plumb_plane_set** out, const plumb_context* context,
                                               plumb_error** error);
+/** Finds nearest points of the closures of two sets. Returns five numbers: the square of the
+ * distance, the point of a, the point of b. Sets cells[0] and cells[1] to the cells of a and b with
+ * these points; `cells` may be null. */
+PLUMB_API plumb_status plumb_plane_set_distance(const plumb_plane_set* a, const plumb_plane_set* b,
+                                                plumb_numbers** out, plumb_location cells[2],
+                                                const plumb_context* context, plumb_error** error);
 /** Makes { a + b : a in A, b in B }. */
 PLUMB_API plumb_status plumb_plane_set_minkowski_sum(const plumb_plane_set* a,
                                                      const plumb_plane_set* b,

@@ -13,6 +13,7 @@
 #include "plumb/model/parts.h"
 #include "plumb/model/primitives.h"
 #include "plumb/model/slice.h"
+#include "plumb/model/solid_offset.h"
 #include "plumb/model/transform.h"
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_offset.h"
@@ -274,6 +275,15 @@ plumb_status plumb_solid_shadow(const plumb_solid* solid, plumb_plane_set** out,
   return make(out, error, [&] {
     Call call(context);
     return shadow(need(solid, "solid").set, call);
+  });
+}
+
+plumb_status plumb_solid_offset(const plumb_solid* solid, double distance, std::uint32_t rounds,
+                                plumb_solid** out, const plumb_context* context,
+                                plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    return offset(need(solid, "solid").set, distance, SolidOffsetOptions{rounds}, call);
   });
 }
 

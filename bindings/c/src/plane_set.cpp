@@ -10,6 +10,7 @@
 #include "plumb/convex/plane_convexity.h"
 #include "plumb/convex/plane_partition.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/model/distance.h"
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_rounding.h"
 #include "plumb/predicates/rounding.h"
@@ -308,6 +309,12 @@ plumb_status plumb_plane_set_contains(const plumb_plane_set* set, const double* 
       inside[i] = need(set, "set").set.contains(point, call);
     }
   });
+}
+
+plumb_status plumb_plane_set_distance(const plumb_plane_set* a, const plumb_plane_set* b,
+                                      plumb_numbers** out, plumb_location* cells,
+                                      const plumb_context* context, plumb_error** error) {
+  return find_distance(a, b, out, cells, context, error, location_of);
 }
 
 plumb_status plumb_plane_set_locate(const plumb_plane_set* set, const plumb_numbers* points,

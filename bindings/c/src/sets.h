@@ -107,6 +107,28 @@ plumb_status shoot(const Handle* set, const plumb_numbers* ray, std::size_t widt
   });
 }
 
+/// Returns the numbers of the distance of two sets, and sets the cells of the nearest points.
+template <class Handle, class LocationOf>
+plumb_status find_distance(const Handle* a, const Handle* b, plumb_numbers** out,
+                           plumb_location* cells, const plumb_context* context, plumb_error** error,
+                           const LocationOf& location_of) noexcept {
+  return make(out, error, [&] {
+    Call call(context);
+    const auto found = distance(need(a, "a").set, need(b, "b").set, call);
+    if (cells != nullptr) {
+      cells[0] = location_of(found.cell_a);
+      cells[1] = location_of(found.cell_b);
+    }
+    std::vector<Rational> values{found.squared};
+    for (const auto* at : {&found.at_a, &found.at_b}) {
+      values.push_back(at->x);
+      values.push_back(at->y);
+      if constexpr (requires { at->z; }) values.push_back(at->z);
+    }
+    return numbers_of(std::move(values));
+  });
+}
+
 }  // namespace plumb::c
 
 // Defines the functions plumb_NAME_... of the handle of a class of sets.

@@ -15,6 +15,7 @@
 #include "plumb/convex/minkowski.h"
 #include "plumb/io/solid/solid_text.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/model/distance.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/canonical.h"
 #include "plumb/space/half_space_list.h"
@@ -473,6 +474,12 @@ plumb_status plumb_solid_minkowski_erosion(const plumb_solid* a, const plumb_sol
     Call call(context);
     return minkowski_erosion(need(a, "a").set, need(b, "b").set, call);
   });
+}
+
+plumb_status plumb_solid_distance(const plumb_solid* a, const plumb_solid* b, plumb_numbers** out,
+                                  plumb_location* cells, const plumb_context* context,
+                                  plumb_error** error) {
+  return find_distance(a, b, out, cells, context, error, location_of);
 }
 
 // --- questions ----------------------------------------------------------------------------------

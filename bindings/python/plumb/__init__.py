@@ -20,6 +20,7 @@ Operators of sets: `a | b` and `a + b` unite, `a & b` and `a * b` intersect, `a 
 from plumb._core import (
     VERSION,
     Cell,
+    Distance,
     Flaw,
     Geodesic,
     Layer,
@@ -52,6 +53,7 @@ __version__ = VERSION
 __all__ = [
     "BrokenInvariant",
     "Cell",
+    "Distance",
     "Error",
     "ErrorCode",
     "FileWarning",

@@ -9,11 +9,13 @@
 #include "plumb/convex/triangulation.h"
 #include "plumb/csg/evaluate.h"
 #include "plumb/io/csg_reader.h"
+#include "plumb/model/distance.h"
 #include "plumb/model/extrude.h"
 #include "plumb/model/hull.h"
 #include "plumb/model/parts.h"
 #include "plumb/model/primitives.h"
 #include "plumb/model/slice.h"
+#include "plumb/model/solid_offset.h"
 #include "plumb/model/transform.h"
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_offset.h"
@@ -84,6 +86,22 @@ Nef3 resized(Context& context, const Nef3& set, const Exact<3>& size,
   return set.transformed(map, context);
 }
 
+template <class Set>
+SetDistance distance_of(Context& context, const Set& a, const Set& b) {
+  using Traits = SetTraits<Set>;
+  const auto found = distance(a, b, context);
+  return {found.squared,
+          root_of(found.squared),
+          Traits::coordinates(found.at_a),
+          Traits::coordinates(found.at_b),
+          Traits::cell_of(found.cell_a),
+          Traits::cell_of(found.cell_b)};
+}
+
+Nef3 solid_offset(Context& context, const Nef3& set, double distance, unsigned rounds) {
+  return offset(set, distance, SolidOffsetOptions{rounds}, context);
+}
+
 void def_solid_makers(nb::class_<Nef3>& c) {
   def_run_static(
       c, "sphere", &sphere,
@@ -120,6 +138,15 @@ void def_solid_facts(nb::class_<Nef3>& c) {
   def_run(
       c, "components", +[](Context& k, const Nef3& set) { return components(set, k); },
       "Return the connected parts of the set.");
+  def_run(
+      c, "distance", &distance_of<Nef3>,
+      "Return the distance of the closures of this set and another, with nearest points and the "
+      "cells that contain them. One of the sets must be bounded.",
+      "other"_a);
+  def_run(c, "offset", &solid_offset,
+          "Return the closure of the set grown by a distance, or shrunk by a negative one. An "
+          "octahedron whose faces are divided `rounds` times stands for the ball.",
+          "distance"_a, "rounds"_a = 2U);
   c.def("genus", &genus,
         "Return the number of handles of the boundary, or None if the set is not simple or not "
         "bounded.");
@@ -251,6 +278,11 @@ void def_plane_models(nb::class_<Nef2>& c) {
           "or a full circle has `circle_segments` chords; by default a thousandth of the distance.",
           "distance"_a, "join"_a = "round", "mitre_limit"_a = 2.0, "chord_error"_a = 0.0,
           "circle_segments"_a = 0U);
+  def_run(
+      c, "distance", &distance_of<Nef2>,
+      "Return the distance of the closures of this set and another, with nearest points and the "
+      "cells that contain them. One of the sets must be bounded.",
+      "other"_a);
   def_run(
       c, "minkowski_sum",
       +[](Context& k, const Nef2& a, const Nef2& b) { return minkowski_sum(a, b, k); },

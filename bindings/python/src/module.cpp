@@ -25,6 +25,23 @@ void bind_results(nb::module_& m) {
         return nb::typed<nb::tuple, Rational, nb::ellipsis>(nb::tuple(nb::cast(h.point)));
       },
       "The first point of the cell on the ray, as fractions.");
+  nb::class_<SetDistance> apart(m, "Distance", "The distance of the closures of two sets.");
+  apart.def_ro("squared", &SetDistance::squared, "The square of the distance, a fraction.");
+  apart.def_ro("length", &SetDistance::length, "The distance, rounded to a float.");
+  apart.def_prop_ro(
+      "points",
+      [](const SetDistance& d) {
+        using Point = nb::typed<nb::tuple, Rational, nb::ellipsis>;
+        return std::pair(Point(nb::tuple(nb::cast(d.point))),
+                         Point(nb::tuple(nb::cast(d.other_point))));
+      },
+      "A point of this set and a point of the other that are nearest, as fractions.");
+  apart.def_prop_ro(
+      "cells", [](const SetDistance& d) { return std::pair(d.cell, d.other_cell); },
+      "The cells of this set and of the other that contain the points.");
+  apart.def("__repr__", [](const SetDistance& d) {
+    return "<plumb.Distance: " + std::to_string(d.length) + ">";
+  });
   nb::class_<Flaw> flaw(m, "Flaw", "A broken invariant, which an audit found.");
   flaw.def_ro("invariant", &Flaw::invariant, "The condition that does not hold.");
   flaw.def_ro("place", &Flaw::place, "The cells that violate it.");

@@ -33,6 +33,16 @@ struct RayHit {
   std::vector<Rational> point;
 };
 
+/// The distance of two sets: nearest points, and the cells that contain them.
+struct SetDistance {
+  Rational squared;
+  double length = 0;
+  std::vector<Rational> point;
+  std::vector<Rational> other_point;
+  Cell cell;
+  Cell other_cell;
+};
+
 /// What an audit found.
 struct Flaw {
   std::string invariant;

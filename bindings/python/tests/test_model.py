@@ -67,6 +67,24 @@ def test_parts_and_boxes() -> None:
     assert (~a).genus() is None
 
 
+def test_distances_and_offsets() -> None:
+    a = box((1, 1, 1))
+    b = a.translated((3, 0, Fraction(1, 3)))
+    apart = a.distance(b)
+    assert apart.squared == 4 and apart.length == 2.0
+    p, q = apart.points
+    assert p[0] == 1 and q[0] == 3 and p[1:] == q[1:]
+    cell, other_cell = apart.cells
+    assert (cell, other_cell) != (None, None) and cell.kind in {"vertex", "edge", "facet"}
+    assert a.locate(p).index == cell.index and b.locate(q).kind == other_cell.kind
+    assert a.offset(2).distance(b).squared == 0
+    assert a.offset(0.25, rounds=0).offset(-0.25, rounds=0) == a
+    square = plumb.PlaneSet.box((0, 0), (1, 1))
+    assert square.distance(square.translated((4, 5))).squared == 25
+    with pytest.raises(plumb.Error):
+        a.distance(plumb.Solid())
+
+
 def test_slices_are_the_outlines_of_extrusions() -> None:
     ring = plumb.PlaneSet.box((0, 0), (4, 4)) - plumb.PlaneSet.box((1, 1), (2, 2))
     closed = ring.closure()

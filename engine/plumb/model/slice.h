@@ -21,8 +21,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the points (x, y) for which (x, y, height) belongs to the set. Throws Error{BadArgument}
-/// if the set is unbounded.
+/// Returns the points (x, y) for which (x, y, height) belongs to the set. The set and the slice may
+/// be unbounded.
 [[nodiscard]] Nef2 slice(const Nef3& set, const Rational& height,
                          Context& context = unlimited_context());
 /// Returns the slices at several heights.

@@ -67,13 +67,19 @@ double angle_between(const Vector& a, const Vector& b, double distance) {
 /// Makes the joins of convex corners as offsets from the corner.
 class Joiner {
  public:
-  Joiner(double distance, const OffsetOptions& options, Context& context)
-      : distance_(distance), options_(options), step_(step(distance, options)), context_(context) {}
+  /// `distance` is positive. `is_turned` tells whether the set is on the right of the edges.
+  Joiner(double distance, bool is_turned, const OffsetOptions& options, Context& context)
+      : distance_(distance),
+        is_turned_(is_turned),
+        options_(options),
+        step_(step(distance, options)),
+        context_(context) {}
 
   /// Returns the points of the join between two normals, without the normals.
   std::vector<Vector> join(const Vector& from, const Vector& to) const {
     switch (options_.join) {
       case OffsetJoin::Round:
+        if (options_.arc_step > 0) return stepped_arc(from, to, angle_between(from, to, distance_));
         return arc(from, to, angle_between(from, to, distance_));
       case OffsetJoin::Mitre:
         return mitre(from, to);
@@ -102,6 +108,7 @@ class Joiner {
  private:
   /// Returns the greatest angle of a chord.
   static double step(double distance, const OffsetOptions& options) {
+    if (options.arc_step > 0) return options.arc_step;
     if (options.circle_segments != 0) return 2 * std::numbers::pi / options.circle_segments;
     const double error =
         options.chord_error > 0 ? options.chord_error / distance : kChordsPerDistance;
@@ -111,11 +118,24 @@ class Joiner {
 
   std::vector<Vector> arc(const Vector& from, const Vector& to, double angle) const {
     const int chords = std::max(1, static_cast<int>(std::ceil(angle / step_ * (1 - 0x1p-40))));
+    return points_on_arc(from, to, chords, [&](int i) { return angle * i / chords; });
+  }
+  std::vector<Vector> stepped_arc(const Vector& from, const Vector& to, double angle) const {
+    const int chords = std::max(1, static_cast<int>(std::floor(angle / step_ + 0.5)));
+    return points_on_arc(from, to, chords, [&](int i) {
+      return is_turned_ ? angle - (chords - i) * step_ : i * step_;
+    });
+  }
+
+  /// Returns the points between the chords. `angle_of(i)` is the angle at which chord i ends.
+  template <class AngleOf>
+  std::vector<Vector> points_on_arc(const Vector& from, const Vector& to, int chords,
+                                    const AngleOf& angle_of) const {
     const Vector up = turned_left(from);
     std::vector<Vector> points;
     for (int i = 1; i < chords; ++i) {
       if (i % kChordsPerCheckpoint == 0) context_.checkpoint("offset", 0, 0);
-      const double a = angle * i / chords;
+      const double a = angle_of(i);
       const Vector at =
           sum(scaled(from, exact_rational(std::cos(a))), scaled(up, exact_rational(std::sin(a))));
       // Short numbers; half a unit in the last place does not matter on an arc.
@@ -146,6 +166,7 @@ class Joiner {
   }
 
   double distance_;
+  bool is_turned_;
   OffsetOptions options_;
   double step_;
   Context& context_;
@@ -158,7 +179,7 @@ class RawChains {
             Context& context)
       : complex_(complex),
         distance_(std::fabs(distance)),
-        joiner_(distance_, options, context),
+        joiner_(distance_, distance < 0, options, context),
         context_(context),
         charge_(context) {}
 
@@ -256,6 +277,11 @@ void require_options(const Nef2& set, double distance, const OffsetOptions& opti
   const std::uint32_t segments = options.circle_segments;
   if (segments == 1 || segments == 2 || segments > kMostCircleSegments) {
     throw Error(ErrorCode::BadArgument, "a circle must have from 3 to 1048576 chords");
+  }
+  const double least_step = 2 * std::numbers::pi / kMostCircleSegments;
+  if (options.arc_step != 0 &&
+      !(options.arc_step >= least_step && options.arc_step <= std::numbers::pi)) {
+    throw Error(ErrorCode::BadArgument, "the step of an arc must be an angle of at most pi");
   }
   if (!set.is_bounded()) {
     throw Error(ErrorCode::BadArgument, "the offset of an unbounded set is not supported");

@@ -50,6 +50,12 @@ struct OffsetOptions {
   double chord_error = 0;
   /// If this is not 0, a full circle has this many chords, and chord_error is ignored. At least 3.
   std::uint32_t circle_segments = 0;
+  /// If this is not 0, chord_error and circle_segments are ignored, and the chords of an arc have
+  /// this angle in radians, as in OpenSCAD: an arc of angle a has a / arc_step chords, rounded to a
+  /// whole number, but at least one. They begin at the edge that comes first when the set is on the
+  /// left; the last chord takes what is left of the angle. At least 2 pi / kMostCircleSegments, and
+  /// at most pi. Isolated points are treated as if circle_segments was 2 pi / arc_step, rounded up.
+  double arc_step = 0;
 };
 
 /// The greatest number of chords of a full circle.

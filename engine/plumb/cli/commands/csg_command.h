@@ -100,9 +100,22 @@ class CsgTreeView {
   const CsgResult& result_;
 };
 
+/// A kind of sets that come from a model. No option says how files are read, because imports are
+/// read as OpenSCAD reads them.
+template <SetKind Kind>
+struct ModelOf : Kind {
+  struct Input {
+    using Read = decltype(std::declval<typename Kind::Input>().load(
+        std::string(), std::declval<CommonOptions>(), std::declval<Context&>()));
+
+    void declare(CLI::App&) {}
+    Read load(const std::string&, const CommonOptions&, Context&) const { return {}; }
+  };
+};
+
 /// The set that a model describes.
 template <SetKind Kind>
-class CsgOperation : public SetOperation<Kind> {
+class CsgOperation : public SetOperation<ModelOf<Kind>> {
  public:
   using Set = typename Kind::Set;
 

@@ -1,4 +1,4 @@
-// The commands that make, move and measure models: `plumb solid make`, `hull`, `extrude`,
+// The commands that make, move and measure models: `plumb solid make`, `hull`, `offset`, `extrude`,
 // `revolve`, `transform`, `slice`, `project` and `components`.
 //
 // Results are sets of space or of the plane, so the commands share everything else with
@@ -24,6 +24,7 @@
 #include "plumb/model/parts.h"
 #include "plumb/model/primitives.h"
 #include "plumb/model/slice.h"
+#include "plumb/model/solid_offset.h"
 #include "plumb/model/transform.h"
 #include "plumb/picture/svg/sheet.h"
 #include "plumb/predicates/error.h"
@@ -139,6 +140,30 @@ class HullOfSolids : public SolidOperation {
   }
 
   std::vector<std::string> files_;
+};
+
+/// A solid grown or shrunk by a distance.
+class OffsetSolid : public SolidOperation {
+ private:
+  void declare_operands(CLI::App& app) override {
+    declare_first<Solid>(app, a_);
+    app.add_option("--by", by_, "The distance; negative: shrink")->required()->type_name("D");
+    app.add_option("--rounds", options_.rounds,
+                   "Divisions of the octahedron that stands for a ball (default 2)")
+        ->type_name("N")
+        ->check(CLI::Range(0U, 7U).description(""));
+  }
+  ProgressStages stages() const override { return {Solid::reading(), adding_solids()}; }
+  Nef3 compute(Session& session) override {
+    const double by = double_argument(by_, "--by", session);
+    const Nef3 set = read(a_, session);
+    session.begin("combine");
+    return offset(set, by, options_, session.context());
+  }
+
+  std::string a_;
+  std::string by_;
+  SolidOffsetOptions options_;
 };
 
 /// A solid moved by maps, which are applied in the order of the options in the help.
@@ -363,6 +388,7 @@ class ListComponents : public CommandBody {
 
 std::unique_ptr<CommandBody> make_solid_make() { return std::make_unique<MakeSolid>(); }
 std::unique_ptr<CommandBody> make_solid_hull() { return std::make_unique<HullOfSolids>(); }
+std::unique_ptr<CommandBody> make_solid_offset() { return std::make_unique<OffsetSolid>(); }
 std::unique_ptr<CommandBody> make_solid_transform() { return std::make_unique<TransformSolid>(); }
 std::unique_ptr<CommandBody> make_solid_extrude() { return std::make_unique<ExtrudeOutline>(); }
 std::unique_ptr<CommandBody> make_solid_revolve() { return std::make_unique<RevolveOutline>(); }

@@ -124,6 +124,7 @@ std::unique_ptr<CommandBody> make_plane_arrange();
 std::unique_ptr<CommandBody> make_plane_simplify();
 std::unique_ptr<CommandBody> make_plane_info();
 std::unique_ptr<CommandBody> make_plane_locate();
+std::unique_ptr<CommandBody> make_plane_distance();
 std::unique_ptr<CommandBody> make_solid_union();
 std::unique_ptr<CommandBody> make_solid_intersection();
 std::unique_ptr<CommandBody> make_solid_difference();
@@ -139,10 +140,12 @@ std::unique_ptr<CommandBody> make_solid_halfspaces();
 std::unique_ptr<CommandBody> make_solid_csg();
 std::unique_ptr<CommandBody> make_solid_info();
 std::unique_ptr<CommandBody> make_solid_locate();
+std::unique_ptr<CommandBody> make_solid_distance();
 std::unique_ptr<CommandBody> make_solid_compare();
 std::unique_ptr<CommandBody> make_solid_repair();
 std::unique_ptr<CommandBody> make_solid_make();
 std::unique_ptr<CommandBody> make_solid_hull();
+std::unique_ptr<CommandBody> make_solid_offset();
 std::unique_ptr<CommandBody> make_solid_transform();
 std::unique_ptr<CommandBody> make_solid_extrude();
 std::unique_ptr<CommandBody> make_solid_revolve();
@@ -236,6 +239,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"plane locate", "A X Y", "Where does the point lie; is it in A?",
               "./plumb plane locate corpus/plane/quadrant.nef2 0 -1/3", "locate",
               make_plane_locate},
+      Command{"plane distance", "A B", "How far apart, and the nearest points",
+              "./plumb plane distance corpus/plane/star.wkt corpus/plane/frame.geojson", "distance",
+              make_plane_distance},
       Command{
           "solid union", "A B...", "What lies in any of the solids",
           "./plumb solid union corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o out.off",
@@ -286,6 +292,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"solid locate", "A X Y Z", "Where does the point lie; is it in A?",
               "./plumb solid locate corpus/solids/l-block.off 1/2 1/2 1/2", "locate",
               make_solid_locate},
+      Command{"solid distance", "A B", "How far apart, and the nearest points",
+              "./plumb solid distance corpus/solids/l-block.off corpus/solids/ball.off", "distance",
+              make_solid_distance},
       Command{"solid compare", "A B", "Equal? One in the other? Disjoint?",
               "./plumb solid compare corpus/solids/l-block.off corpus/solids/l-block.off",
               "solid-compare", make_solid_compare},
@@ -299,6 +308,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
           "solid hull", "A...", "The convex hull of solids",
           "./plumb solid hull corpus/solids/l-block.off corpus/solids/tetrahedron.obj -o out.off",
           "solid-set", make_solid_hull},
+      Command{"solid offset", "A", "A grown or shrunk by a distance",
+              "./plumb solid offset corpus/solids/l-block.off --by 1/4 --rounds 1 -o out.off",
+              "solid-set", make_solid_offset},
       Command{"solid transform", "A", "A solid turned, moved, scaled or mirrored",
               "./plumb solid transform corpus/solids/l-block.off --rotate 0,0,1,30 -o out.off",
               "solid-set", make_solid_transform},

@@ -330,11 +330,23 @@ Nef2 resized(const Nef2& set, const CsgTree& tree, const CsgTree::Node& node, st
   return resized_set(set, tree.numbers_of(node), remark, context);
 }
 
+namespace {
+
+/// Returns the angle of the chords of an arc, given the chords of a full circle. OpenSCAD passes the
+/// error of such a chord to the library Clipper, which takes at most a quarter of the radius.
+double step_of_arcs(std::uint32_t chords) {
+  constexpr std::uint32_t kMostForQuarter = 4;
+  if (chords <= kMostForQuarter) return 2 * std::acos(0.75);
+  return 2 * std::numbers::pi / chords;
+}
+
+}  // namespace
+
 Nef2 offset_of(const Nef2& set, const CsgTree& tree, const CsgTree::Node& node, Context& context) {
   const Numbers n = tree.numbers_of(node);
   OffsetOptions options;
   if (n[1] == 0) {
-    options.circle_segments = chords_of(std::abs(n[0]), division(n, 2));
+    options.arc_step = step_of_arcs(chords_of(std::abs(n[0]), division(n, 2)));
   } else {
     options.join = n[1] == 1 ? OffsetJoin::Mitre : OffsetJoin::Square;
     options.mitre_limit = kMitreLimit;
