@@ -16,7 +16,7 @@ def named() -> list[str]:
     names: list[str] = []
     for line in TABLES.read_text(encoding="utf-8").splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if len(cells) == 5:
+        if len(cells) >= 5:
             names += re.findall(r"`([^`]+)`", cells[PYTHON])
     return names
 

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -25,6 +24,7 @@
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/io/text/double_text.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/json_reader.h"
@@ -159,8 +159,9 @@ double LayerReader::number(Id value) {
   if (!json_.is_number(value)) fail(ErrorCode::Syntax, "expected a number", value);
   const std::string_view token = json_.source(value);
   double result = 0;
-  const auto [end, code] = std::from_chars(token.data(), token.data() + token.size(), result);
-  if (code == std::errc::result_out_of_range) return json_.number(value);  // Tiny: nearest double.
+  const char* const last = token.data() + token.size();
+  const auto [end, code] = double_from_chars(token.data(), last, result);
+  if (code != std::errc() || end != last) return json_.number(value);  // Tiny, or long.
   return result;
 }
 

@@ -129,7 +129,7 @@ void write_surface_obj(std::ostream& stream, const SurfaceTriangulation& in, std
                        CellChoice chosen) {
   const ChosenTriangles part(in, chosen);
   TextOutput out(stream);
-  out << "# plumb: " << cells << " cells\n";
+  out << "# plumb: " << std::uint64_t{cells} << " cells\n";
   for (const std::uint32_t p : part.points) {
     out << "v ";
     write_coordinates(out, in.points[p]);
@@ -149,9 +149,9 @@ void write_surface_obj(std::ostream& stream, const SurfaceTriangulation& in, std
 void write_surface_ply(std::ostream& stream, const SurfaceTriangulation& in, CellChoice chosen) {
   const ChosenTriangles part(in, chosen);
   TextOutput out(stream);
-  out << "ply\nformat ascii 1.0\nelement vertex " << part.points.size()
+  out << "ply\nformat ascii 1.0\nelement vertex " << std::uint64_t{part.points.size()}
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-      << part.triangles.size()
+      << std::uint64_t{part.triangles.size()}
       << "\nproperty list uchar int vertex_indices\nproperty int cell\nend_header\n";
   for (const std::uint32_t p : part.points) {
     write_coordinates(out, in.points[p]);

@@ -8,10 +8,10 @@
 #include "plumb/io/csg/csg_syntax.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
+#include "plumb/io/text/double_text.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
@@ -245,7 +245,7 @@ void CsgScanner::read_number() {
     fail(ErrorCode::NumberOutOfRange, "the number is not finite: " + plumb::quoted(token), first);
   }
   double value = 0;
-  const auto [end, error] = std::from_chars(digits, last, value);
+  const auto [end, error] = double_from_chars(digits, last, value);
   const bool is_read = error == std::errc() && end == last && std::isfinite(value);
   if (!is_read) {
     if (first > cursor_.position()) cursor_.move_to(first);

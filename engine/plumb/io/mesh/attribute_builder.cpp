@@ -8,7 +8,6 @@
 #include "plumb/io/mesh/attribute_builder.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +16,8 @@
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "plumb/io/text/double_text.h"
 
 namespace plumb {
 namespace {
@@ -32,7 +33,7 @@ AttributeNumber attribute_number(std::string_view token) {
   AttributeNumber number;
   double value = 0;
   const char* const end = token.data() + token.size();
-  const auto [rest, code] = std::from_chars(token.data(), end, value);
+  const auto [rest, code] = double_from_chars(token.data(), end, value);
   number.is_whole = token.find_first_not_of("-0123456789") == token.npos;
   number.is_finite = code == std::errc() && rest == end && std::isfinite(value);
   if (number.is_finite) number.value = value;

@@ -4,8 +4,7 @@
 // else is taken apart first (Decimal), its size is bounded by its digits and exponent (Magnitude),
 // and only if that is within limits is it given to GMP, as an integer times a power of ten, and
 // rounded exactly. So reading costs time in proportion to the bytes read, plus a bounded account of
-// digits that exponents expand to; where a library lacks from_chars for doubles, the exact path
-// gives the same results. Rules and limits: docs/formats.md, section Numbers in text.
+// digits that exponents expand to. Rules and limits: docs/formats.md, section Numbers in text.
 // Tested by tests/io/map_io_test.cpp and tests/io/off_test.cpp.
 #include "plumb/io/text/record_reader.h"
 
@@ -18,22 +17,12 @@
 #include <system_error>
 #include <utility>
 
+#include "plumb/io/text/double_text.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
-
-/// Calls std::from_chars. libc++ has it for doubles from version 20 on; before that it reads
-/// nothing.
-template <class Number>
-std::from_chars_result from_text(std::string_view text, Number& value) {
-  const char* const begin = text.data();
-  if constexpr (requires { std::from_chars(begin, begin, value); }) {
-    return std::from_chars(begin, begin + text.size(), value);
-  }
-  return {begin, std::errc::not_supported};
-}
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -205,7 +194,7 @@ bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
   if (exact_decimals_) return false;
   const std::string_view rest = cursor.rest().substr(0, kMost);
   double value = 0;
-  const auto [end, code] = from_text(rest, value);
+  const auto [end, code] = double_from_chars(rest.data(), rest.data() + rest.size(), value);
   const auto size = static_cast<std::size_t>(end - rest.data());
   // from_chars also accepts "inf" and "nan".
   if (code != std::errc() || !std::isfinite(value)) return false;
@@ -245,15 +234,16 @@ void NumberReader::read_fraction(const TextCursor& cursor, std::string_view toke
 
 void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token,
                                 ReadNumber& number) const {
-  // Longer ones are rare, and take the way that all take without from_chars.
+  // Longer ones are rare.
   constexpr std::size_t kMost = 64;
   // from_chars does not accept a plus sign; "+-1" must not become "-1".
   const bool has_plus = token.starts_with('+') && !token.starts_with("+-");
   const std::string_view text = token.substr(has_plus ? 1 : 0);
   double value = 0;
   if (text.size() <= kMost) {
-    const auto [end, code] = from_text(text, value);
-    const bool complete = end == text.data() + text.size();
+    const char* const last = text.data() + text.size();
+    const auto [end, code] = double_from_chars(text.data(), last, value);
+    const bool complete = end == last;
     // from_chars also accepts "inf" and "nan"; those are not finite and fall through.
     if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
   }
