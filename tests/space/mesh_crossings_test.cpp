@@ -288,6 +288,36 @@ TEST(PackedBoxTree, FindsThePairsThatMeet) {
   }
 }
 
+// The query may be partly or wholly outside the boxes.
+TEST(PackedBoxTree, FindsTheBoxesThatMeetAQuery) {
+  Dice dice(18);
+  std::size_t meeting = 0, others = 0;
+  for (const std::size_t n : {0U, 1U, 5U, 8U, 9U, 100U, 257U}) {
+    std::vector<Box3> boxes;
+    for (std::size_t i = 0; i < n; ++i) boxes.push_back(random_box(dice, 0.1));
+    const PackedBoxTree tree(boxes);
+    ASSERT_TRUE(tree.fits());
+    for (int query = 0; query < 100; ++query) {
+      const Box3 box = random_box(dice, query % 2 == 0 ? 0.1 : 0.3);
+      std::vector<std::uint32_t> found;
+      tree.for_each_meeting(box, [&](std::uint32_t i) { found.push_back(i); });
+      std::ranges::sort(found);
+      EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const bool is_found = std::ranges::binary_search(found, i);
+        if (boxes[i].meets(box)) {
+          ++meeting;
+          EXPECT_TRUE(is_found) << n << ' ' << query << ' ' << i;
+        } else {
+          others += is_found ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(meeting, 100U);
+  EXPECT_LT(others, meeting);
+}
+
 TEST(PackedBoxTree, LeavesManyScalesToOthers) {
   Dice dice(16);
   std::vector<Box3> boxes;

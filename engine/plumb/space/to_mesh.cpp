@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 
+#include "plumb/base/internal/parallel.h"
 #include "plumb/base/internal/union_find.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/rounded_point3.h"
@@ -27,6 +28,8 @@ namespace {
 
 /// The bytes that are charged for each edge use (Weiler).
 constexpr std::uint64_t kBytesPerUse = 60;
+/// Starting a thread costs more than it saves if there are fewer edge uses.
+constexpr std::size_t kLeastUses = 4000;
 
 /// Calls visit(use) for all uses of a facet.
 template <class Visit>
@@ -81,15 +84,12 @@ class Cones {
   void join_around(EdgeId e) {
     ring_.clear();
     const UseId first = complex_.edge_use[e];
-    if (!first.is_valid()) return;
+    if (!first.is_valid() || join_two(first)) return;
     UseId u = first;
     do {
-      const auto& shown = shown_[complex_.use_facet[u].value()];
-      const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u]);
-      // The sides of the facet behind which the solid lies before and after it.
-      const bool before = is_reverse, after = !is_reverse;
-      if (shown[before ? 1 : 0] != 0) ring_.push_back({u, before, false});
-      if (shown[after ? 1 : 0] != 0) ring_.push_back({u, after, true});
+      const SidesAtUse shown = shown_at(u);
+      if (shown.is_before) ring_.push_back({u, shown.before_side, false});
+      if (shown.is_after) ring_.push_back({u, !shown.before_side, true});
       u = complex_.use_radial[u];
     } while (u != first);
     // Shown sides alternate between those before and those behind a part of the solid.
@@ -97,6 +97,36 @@ class Cones {
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       if (ring_[i].is_solid_after) join_ends(ring_[i], ring_[i + 1 == ring_.size() ? 0 : i + 1]);
     }
+  }
+
+  /// Does the same for an edge with two uses, each with one shown side, as nearly all edges are.
+  /// Returns false if it is another edge.
+  bool join_two(UseId u) {
+    const UseId v = complex_.use_radial[u];
+    if (v == u || complex_.use_radial[v] != u) return false;
+    const SidesAtUse of_u = shown_at(u), of_v = shown_at(v);
+    if (of_u.is_before == of_u.is_after || of_v.is_before == of_v.is_after) return false;
+    const Entry a = entry(u, of_u), b = entry(v, of_v);
+    if (a.is_solid_after) join_ends(a, b);
+    if (b.is_solid_after) join_ends(b, a);
+    return true;
+  }
+
+  /// Which sides of the facet of a use are shown: that before it around the edge, and that after
+  /// it.
+  struct SidesAtUse {
+    bool is_before;
+    bool is_after;
+    bool before_side;  ///< The side before it.
+  };
+  SidesAtUse shown_at(UseId u) const {
+    const auto& shown = shown_[complex_.use_facet[u].value()];
+    const bool is_reverse = SpaceComplex::is_reverse(complex_.use_halfedge[u]);
+    return {shown[is_reverse ? 1 : 0] != 0, shown[is_reverse ? 0 : 1] != 0, is_reverse};
+  }
+  /// Returns the only shown side at a use.
+  static Entry entry(UseId u, const SidesAtUse& shown) {
+    return {u, shown.before_side != shown.is_after, shown.is_after};
   }
 
   /// Joins the corners of two sides at both ends of an edge.
@@ -314,74 +344,78 @@ class FaceWriter {
 class ClosureCount {
  public:
   ClosureCount(const SpaceComplex& complex, ToMeshReport& report)
-      : complex_(complex), report_(report) {}
+      : complex_(complex),
+        report_(report),
+        edges_(complex.edge_count(), kNothing),
+        vertices_(complex.vertex_count(), kNothing) {}
 
   void run() {
-    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
-      count(complex_.facet_mark[f], around(FacetId(f)), &ItemCounts::facets);
-    }
+    look_at_facets();
+    look_at_free_cells();
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
-      count(complex_.edge_mark[e], around(EdgeId(e)), &ItemCounts::edges);
+      count(complex_.edge_mark[e], edges_[e], &ItemCounts::edges);
     }
     for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
-      count(complex_.vertex_mark[v], around(VertexId(v)), &ItemCounts::vertices);
+      count(complex_.vertex_mark[v], vertices_[v], &ItemCounts::vertices);
     }
   }
 
  private:
-  /// Whether marked volumes, and others, lie around a cell.
-  struct Around {
-    bool marked = false;
-    bool unmarked = false;
-  };
+  /// Which volumes lie around a cell: bits for marked ones and for others.
+  using Around = std::uint8_t;
+  static constexpr Around kNothing = 0, kMarked = 1, kUnmarked = 2;
+
+  /// Counts the facets, and notes the volumes beside them at their edges and vertices: those are
+  /// all volumes around an edge or a vertex with facets.
+  void look_at_facets() {
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      const Around around = around_facet(FacetId(f));
+      count(complex_.facet_mark[f], around, &ItemCounts::facets);
+      for (const VertexId v : complex_.inner_of(FacetId(f))) vertices_[v.value()] |= around;
+    }
+    for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
+      const Around around = around_facet(complex_.use_facet[u]);
+      const HalfedgeId h = complex_.use_halfedge[u];
+      edges_[h.value() / 2] |= around;
+      vertices_[complex_.origin[h.value()].value()] |= around;
+    }
+  }
+  /// Notes the volumes around edges and vertices without facets.
+  void look_at_free_cells() {
+    for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
+      if (complex_.edge_use[e].is_valid()) continue;
+      const Around around = around_volume(complex_.edge_volume[e]);
+      edges_[e] |= around;
+      for (const std::uint32_t h : {2 * e, 2 * e + 1}) {
+        vertices_[complex_.origin[h].value()] |= around;
+      }
+    }
+    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+      vertices_[v] |= around_volume(complex_.vertex_volume[v]);
+    }
+  }
 
   void count(Mark mark, Around around, std::uint64_t ItemCounts::*kind) {
-    if (mark == 1 && !around.marked) ++(report_.dropped.*kind);
-    if (mark == 0 && around.marked) {
+    if (mark == 1 && (around & kMarked) == 0) ++(report_.dropped.*kind);
+    if (mark == 0 && (around & kMarked) != 0) {
       // By name: g++ 12 increments a copy if the conditional stands before .* itself.
-      ItemCounts& counts = around.unmarked ? report_.closed : report_.filled;
+      ItemCounts& counts = (around & kUnmarked) != 0 ? report_.closed : report_.filled;
       ++(counts.*kind);
     }
   }
 
-  void add(VolumeId v, Around& around) const {
-    if (!v.is_valid()) return;
-    (complex_.volume_mark[v] == 1 ? around.marked : around.unmarked) = true;
+  Around around_volume(VolumeId v) const {
+    if (!v.is_valid()) return kNothing;
+    return complex_.volume_mark[v] == 1 ? kMarked : kUnmarked;
   }
-  void add(FacetId f, Around& around) const {
-    for (const VolumeId v : complex_.facet_volume[f]) add(v, around);
-  }
-  void add(EdgeId e, Around& around) const {
-    const UseId first = complex_.edge_use[e];
-    if (!first.is_valid()) return add(complex_.edge_volume[e], around);
-    UseId u = first;
-    do {
-      add(complex_.volume_after(u), around);
-      u = complex_.use_radial[u];
-    } while (u != first);
-  }
-
-  Around around(FacetId f) const {
-    Around result;
-    add(f, result);
-    return result;
-  }
-  Around around(EdgeId e) const {
-    Around result;
-    add(e, result);
-    return result;
-  }
-  Around around(VertexId v) const {
-    Around result;
-    add(complex_.vertex_volume[v], result);
-    const FacetId f = complex_.vertex_facet[v];
-    if (f.is_valid()) add(f, result);
-    for (const HalfedgeId h : complex_.star_of(v)) add(SpaceComplex::edge_of(h), result);
-    return result;
+  Around around_facet(FacetId f) const {
+    const auto& [above, below] = complex_.facet_volume[f];
+    return around_volume(above) | around_volume(below);
   }
 
   const SpaceComplex& complex_;
   ToMeshReport& report_;
+  std::vector<Around> edges_, vertices_;  // One entry for each edge and each vertex.
 };
 
 /// Whether a marked volume is volume 0 or meets the frame.
@@ -440,8 +474,22 @@ MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
     result.report.is_unbounded = true;
     return result;
   }
-  result = mesh_of_sides(complex, boundary_sides(complex), options, context);
-  ClosureCount(complex, result.report).run();
+  ToMeshReport counts;
+  const auto make = [&](std::size_t i, Context& own) {
+    if (i == 0) {
+      result = mesh_of_sides(complex, boundary_sides(complex), options, own);
+    } else {
+      ClosureCount(complex, counts).run();
+    }
+  };
+  if (complex.use_count() < kLeastUses) {
+    for (const std::size_t i : {0U, 1U}) make(i, context);
+  } else {
+    run_jobs(context, 2, make);
+  }
+  result.report.dropped = counts.dropped;
+  result.report.filled = counts.filled;
+  result.report.closed = counts.closed;
   return result;
 }
 

@@ -80,12 +80,71 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
   });
 }
 
+double coordinate(const Point3& p, std::size_t axis) {
+  return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
+}
+
+/// Whether a plane is orthogonal to an axis, as its definition shows: stored coefficients are 0, or
+/// the corners have the same coordinate.
+bool is_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const PlaneRow& row = planes.row(plane);
+  if (row.n[i] != 0 || row.n[j] != 0) return false;  // Zeros are rounded to zero.
+  const PlaneSource& source = planes.source(plane);
+  if (!source.is_explicit()) {
+    const auto bits = [&](std::size_t k) {
+      return std::bit_cast<std::uint64_t>(coordinate(planes.points()[source.code[k]], axis));
+    };
+    return bits(0) == bits(1) && bits(0) == bits(2);
+  }
+  const PlaneSlot& slot = planes.slot(source);
+  const auto is_zero = [&](std::size_t k) {
+    const std::uint64_t* const limbs = planes.limbs(slot) + k * slot.limbs;
+    return std::all_of(limbs, limbs + slot.limbs, [](std::uint64_t limb) { return limb == 0; });
+  };
+  return is_zero(i) && is_zero(j);
+}
+
+/// Returns the coordinate of all points of a plane across an axis if it is seen to be a double, as
+/// it is if the plane has corners, or the equation x = d with a short number d.
+std::optional<double> coordinate_of_plane(const PlaneTable& planes, PlaneId plane,
+                                          std::size_t axis) {
+  constexpr int kMostBits = 53, kMostScale = 900;
+  const PlaneSource& source = planes.source(plane);
+  if (!source.is_explicit()) return coordinate(planes.points()[source.code[0]], axis);
+  const PlaneSlot& slot = planes.slot(source);
+  if (source.is_frame() || slot.limbs != 1 || slot.offset_bits > kMostBits) return {};
+  const std::uint64_t* const row = planes.limbs(slot);
+  if (row[axis] != 1 || std::abs(slot.scale) > kMostScale) return {};
+  return std::ldexp(-static_cast<double>(static_cast<std::int64_t>(row[3])), slot.scale);
+}
+
+/// Returns the side of a plane across an axis on which an input point lies: coordinates are compared.
+/// Unsure if the plane is not seen to be across an axis. A canonical normal along an axis is positive.
+FilteredSign side_across(const PlaneTable& planes, InputPointId x, PlaneId plane) {
+  const PlaneSource& source = planes.source(plane);
+  if (!source.is_explicit()) return exact3::side_across(planes, x, source);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!is_across(planes, plane, axis)) continue;
+    const std::optional<double> c = coordinate_of_plane(planes, plane, axis);
+    return c ? filtered(compare(coordinate(planes.point(x), axis), *c)) : FilteredSign::Unsure;
+  }
+  return FilteredSign::Unsure;
+}
+
 /// The exact stages of side(). An input point against a plane through input points is orient3d.
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const auto count = [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); };
   if (has_three_planes(points, x)) {
     const auto near = [&] { return rung::near_side_filter(points, x, plane); };
     return exact3::exact_sign(with_planes(points, x, plane), SideForm{}, near, count);
+  }
+  if (x.is_input()) {
+    const FilteredSign s = side_across(points.planes(), x.input(), plane);
+    if (is_decided(s)) {
+      count(Rung::Small);
+      return decided(s);
+    }
   }
   const PointOperand point = exact3::operand(points, x);
   const Operand other = exact3::operand(points.planes(), plane);
@@ -225,45 +284,6 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
 }
 
 namespace {
-
-double coordinate(const Point3& p, std::size_t axis) {
-  return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
-}
-
-/// Whether a plane is orthogonal to an axis, as its definition shows: stored coefficients are 0, or
-/// the corners have the same coordinate.
-bool is_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
-  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const PlaneRow& row = planes.row(plane);
-  if (row.n[i] != 0 || row.n[j] != 0) return false;  // Zeros are rounded to zero.
-  const PlaneSource& source = planes.source(plane);
-  if (!source.is_explicit()) {
-    const auto bits = [&](std::size_t k) {
-      return std::bit_cast<std::uint64_t>(coordinate(planes.points()[source.code[k]], axis));
-    };
-    return bits(0) == bits(1) && bits(0) == bits(2);
-  }
-  const PlaneSlot& slot = planes.slot(source);
-  const auto is_zero = [&](std::size_t k) {
-    const std::uint64_t* const limbs = planes.limbs(slot) + k * slot.limbs;
-    return std::all_of(limbs, limbs + slot.limbs, [](std::uint64_t limb) { return limb == 0; });
-  };
-  return is_zero(i) && is_zero(j);
-}
-
-/// Returns the coordinate of all points of a plane across an axis if it is seen to be a double, as
-/// it is if the plane has corners, or the equation x = d with a short number d.
-std::optional<double> coordinate_of_plane(const PlaneTable& planes, PlaneId plane,
-                                          std::size_t axis) {
-  constexpr int kMostBits = 53, kMostScale = 900;
-  const PlaneSource& source = planes.source(plane);
-  if (!source.is_explicit()) return coordinate(planes.points()[source.code[0]], axis);
-  const PlaneSlot& slot = planes.slot(source);
-  if (source.is_frame() || slot.limbs != 1 || slot.offset_bits > kMostBits) return {};
-  const std::uint64_t* const row = planes.limbs(slot);
-  if (row[axis] != 1 || std::abs(slot.scale) > kMostScale) return {};
-  return std::ldexp(-static_cast<double>(static_cast<std::int64_t>(row[3])), slot.scale);
-}
 
 /// Returns the plane across an axis among the three that define a point, or an invalid id.
 PlaneId plane_across(const Point3Table& points, SpacePoint x, std::size_t axis) {

@@ -61,7 +61,8 @@ constexpr PackedBoxTree::Box PackedBoxTree::nowhere() {
   return {{most, most, most}, {least, least, least}};
 }
 
-PackedBoxTree::PackedBoxTree(std::span<const Box3> boxes) {
+PackedBoxTree::PackedBoxTree(std::span<const Box3> boxes)
+    : bounds_(box_around(boxes)), grid_(bounds_, kLast) {
   std::vector<Box> packed = pack(boxes);
   fits_ = fits_ && sort(packed);
   if (!fits_ || boxes.empty()) return;
@@ -93,15 +94,25 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::around(const Level& level) {
   return boxes;
 }
 
+/// Returns the places of the part of a box that is in the bounds. A box of the tree meets the box if
+/// and only if it meets this part.
+PackedBoxTree::Box PackedBoxTree::place(const Box3& box) const {
+  Box3 part;
+  for (std::size_t i = 0; i < 3; ++i) {
+    part.low[i] = std::max(box.low[i], bounds_.low[i]);
+    part.high[i] = std::min(box.high[i], bounds_.high[i]);
+  }
+  return {places(grid_, part.low), places(grid_, part.high)};
+}
+
 /// Returns the boxes by their places, and sets fits_; returns nothing if the grid is not finite.
 std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes) {
   std::vector<Box> packed;
-  const CellGrid grid(box_around(boxes), kLast);
-  if (!grid.is_finite() && !boxes.empty()) return packed;
+  if (!grid_.is_finite() && !boxes.empty()) return packed;
   packed.reserve(boxes.size());
   std::size_t points = 0;
   for (const Box3& box : boxes) {
-    packed.push_back({places(grid, box.low), places(grid, box.high)});
+    packed.push_back({places(grid_, box.low), places(grid_, box.high)});
     points += packed.back().low == packed.back().high ? 1 : 0;
   }
   fits_ = points <= std::max(kMostPoints, boxes.size() / kPointShare);

@@ -134,6 +134,14 @@ class PackedBoxTree {
   bool for_each_pair_in_order(Visit&& visit, MayGoOn&& may_go_on) const {
     return levels_.empty() || inside(levels_.size() - 1, 0, visit, may_go_on);
   }
+  /// Calls visit(i) for every box i that meets `query`, and for some that do not. Requires fits()
+  /// and that `query` is not empty.
+  template <class Visit>
+  void for_each_meeting(const Box3& query, Visit&& visit) const {
+    if (!levels_.empty() && query.meets(bounds_)) {
+      visit_below(levels_.size() - 1, 0, place(query), visit);
+    }
+  }
   /// Returns the numbers of the boxes, neighbours together.
   std::span<const std::uint32_t> order() const { return order_; }
 
@@ -177,6 +185,7 @@ class PackedBoxTree {
   }
 
   static constexpr Box nowhere();
+  Box place(const Box3& box) const;
   std::vector<Box> pack(std::span<const Box3> boxes);
   bool sort(std::span<const Box> boxes);
   static Level groups_of(std::span<const Box> boxes);
@@ -199,10 +208,29 @@ class PackedBoxTree {
   bool between_groups(std::size_t level, std::uint32_t i, std::uint32_t j, Take& take,
                       MayGoOn& may_go_on) const;
 
+  // Visits the boxes below one group that meet a box.
+  template <class Visit>
+  void visit_below(std::size_t level, std::uint32_t group, const Box& query, Visit& visit) const;
+
   bool fits_ = false;
+  Box3 bounds_;                       // The box around all boxes.
+  CellGrid grid_;                     // Divides it.
   std::vector<std::uint32_t> order_;  // Numbers of the boxes, neighbours together.
   std::vector<Level> levels_;
 };
+
+template <class Visit>
+void PackedBoxTree::visit_below(std::size_t level, std::uint32_t group, const Box& query,
+                                Visit& visit) const {
+  for (std::uint64_t hits = levels_[level][group].meeting(query); hits != 0; hits &= hits - 1) {
+    const std::uint32_t i = kWidth * group + first_of(hits);
+    if (level == 0) {
+      visit(order_[i]);
+    } else {
+      visit_below(level - 1, i, query, visit);
+    }
+  }
+}
 
 // Each box of the group is compared with the later ones of its group; `later` masks the others.
 template <class MayGoOn, class Take>

@@ -17,11 +17,23 @@
 
 namespace plumb {
 
-SpaceTables::SpaceTables() : points(planes) {
-  PLUMB_CHECK(planes.intern(1, 0, 0, 0).plane() == kPlaneX);
-  PLUMB_CHECK(planes.intern(0, 1, 0, 0).plane() == kPlaneY);
-  PLUMB_CHECK(planes.intern(0, 0, 1, 0).plane() == kPlaneZ);
+namespace {
+
+/// Returns a table of planes 0, 1, 2. It is made once, as every set begins with a copy of it.
+const PlaneTable& axis_planes() {
+  static const PlaneTable made = [] {
+    PlaneTable planes;
+    PLUMB_CHECK(planes.intern(1, 0, 0, 0).plane() == kPlaneX);
+    PLUMB_CHECK(planes.intern(0, 1, 0, 0).plane() == kPlaneY);
+    PLUMB_CHECK(planes.intern(0, 0, 1, 0).plane() == kPlaneZ);
+    return planes;
+  }();
+  return made;
 }
+
+}  // namespace
+
+SpaceTables::SpaceTables() : planes(axis_planes()), points(planes) {}
 
 SpaceTables::SpaceTables(PlaneTable own, const Point3Table& other)
     : planes(std::move(own)), points(planes, other) {}

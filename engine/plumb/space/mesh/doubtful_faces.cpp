@@ -31,6 +31,7 @@
 #include "plumb/base/internal/box_tree.h"
 #include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/strong_id.h"
+#include "plumb/space/bounds/packed_boxes.h"
 
 namespace plumb {
 namespace {
@@ -54,9 +55,10 @@ int known_sign(double product, double error) {
 /// The signs of m . d for vectors d, where m is a product of vectors with the sum of the absolute
 /// terms `size`.
 struct Form {
-  Vec3 m;
-  double size;
+  Vec3 m{};
+  double size = 0;
 
+  Form() = default;
   Form(const Vec3& x, const Vec3& y) : m(cross(x, y)), size(size_of(x) * size_of(y)) {}
   int sign(const Vec3& d) const { return known_sign(dot(m, d), kProductError * size * size_of(d)); }
 };
@@ -64,6 +66,122 @@ struct Form {
 bool contains_corner(Corners face, std::uint32_t v) {
   return std::find(face.begin(), face.end(), v) != face.end();
 }
+
+// ---------------------------------------------------------------- pairs of triangles
+
+constexpr std::array<std::size_t, 3> kNextCorner{1, 2, 0};
+
+/// A triangle with its places and its normal, which many pairs need.
+struct FilteredTriangle {
+  std::array<std::uint32_t, 3> corner{};
+  std::array<Vec3, 3> at{};
+  Form plane;              ///< Through at[0]: the signs of differences from at[0].
+  bool is_usable = false;  ///< Whether the face has three different corners.
+};
+
+/// The test of one pair of triangles with the planes that are listed at the top of this file.
+class FilteredPair {
+ public:
+  FilteredPair(const FilteredTriangle& a, const FilteredTriangle& b) : a_(a), b_(b) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        const bool is_same = a.corner[i] == b.corner[j];
+        in_b_[i] |= is_same;
+        in_a_[j] |= is_same;
+        common_ += is_same ? 1 : 0;
+      }
+    }
+  }
+
+  /// Whether it is certain that the triangles meet only in common vertices and edges.
+  bool is_certain() const {
+    if (common_ == 3) return false;
+    return is_on_one_side(a_, b_, in_a_) || is_on_one_side(b_, a_, in_b_) ||
+           is_beyond_edge(a_, in_b_, b_, in_a_) || is_beyond_edge(b_, in_a_, a_, in_b_) ||
+           (common_ == 1 && are_separate()) || (common_ == 0 && have_gap());
+  }
+
+ private:
+  using Flags = std::array<bool, 3>;
+
+  /// Whether all vertices of `face` that are not vertices of t are on one side of the plane of t.
+  static bool is_on_one_side(const FilteredTriangle& t, const FilteredTriangle& face,
+                             const Flags& is_common) {
+    int sign = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (is_common[j]) continue;
+      const int next = t.plane.sign(minus(face.at[j], t.at[0]));
+      if (next == 0 || next == -sign) return false;
+      sign = next;
+    }
+    return true;
+  }
+
+  /// Whether `face` is outside an edge of t, seen along the normal of t or of the face.
+  static bool is_beyond_edge(const FilteredTriangle& t, const Flags& in_face,
+                             const FilteredTriangle& face, const Flags& in_t) {
+    return is_beyond_edge(t, in_face, t.plane.m, face, in_t) ||
+           is_beyond_edge(t, in_face, face.plane.m, face, in_t);
+  }
+  static bool is_beyond_edge(const FilteredTriangle& t, const Flags& in_face, const Vec3& direction,
+                             const FilteredTriangle& face, const Flags& in_t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = kNextCorner[i], k = kNextCorner[j];
+      if (in_face[k]) continue;  // So common vertices are ends of the edge.
+      const Form plane(direction, minus(t.at[j], t.at[i]));
+      const int inside = plane.sign(minus(t.at[k], t.at[i]));
+      if (inside == 0) continue;
+      const auto is_outside = [&](std::size_t l) {
+        return in_t[l] || plane.sign(minus(face.at[l], t.at[i])) == -inside;
+      };
+      if (is_outside(0) && is_outside(1) && is_outside(2)) return true;
+    }
+    return false;
+  }
+
+  /// Whether a plane through the only common vertex and one edge of each triangle separates them.
+  bool are_separate() const {
+    const std::array<Vec3, 2> x = spokes(a_, in_b_), y = spokes(b_, in_a_);
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < 2; ++j) {
+        const Form plane(x[i], y[j]);
+        if (plane.sign(x[1 - i]) * plane.sign(y[1 - j]) < 0) return true;
+      }
+    }
+    return false;
+  }
+  /// Returns the other two vertices of a triangle, relative to its common vertex.
+  static std::array<Vec3, 2> spokes(const FilteredTriangle& t, const Flags& is_common) {
+    const std::size_t i = is_common[0] ? 0 : is_common[1] ? 1 : 2;
+    const std::size_t j = kNextCorner[i], k = kNextCorner[j];
+    return {minus(t.at[j], t.at[i]), minus(t.at[k], t.at[i])};
+  }
+
+  /// Whether a plane that is parallel to an edge of each triangle separates them. An edge of a
+  /// triangle is on the plane then, with all of the triangle on one side, so it suffices to
+  /// look at planes through vertices.
+  bool have_gap() const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = kNextCorner[i], k = kNextCorner[j];
+      const Vec3 along = minus(a_.at[j], a_.at[i]), third = minus(a_.at[k], a_.at[i]);
+      for (std::size_t l = 0; l < 3; ++l) {
+        const Form plane(along, minus(b_.at[kNextCorner[l]], b_.at[l]));
+        const int inside = plane.sign(third);
+        const auto is_outside = [&](const Vec3& p) {
+          return plane.sign(minus(p, a_.at[i])) == -inside;
+        };
+        if (inside != 0 && std::ranges::all_of(b_.at, is_outside)) return true;
+      }
+    }
+    return false;
+  }
+
+  const FilteredTriangle &a_, &b_;
+  Flags in_b_{}, in_a_{};  // Whether the corners of a are in b, and those of b in a.
+  int common_ = 0;         // The number of common corners.
+};
+
+// ---------------------------------------------------------------- the search
 
 class DoubtSearch {
  public:
@@ -73,8 +191,7 @@ class DoubtSearch {
   DoubtfulFaces run() {
     find_checked();
     if (checked_.empty()) return {};
-    const BoxTree tree(boxes_);
-    if (!look_at_pairs(tree)) add_all_near(tree);
+    if (!look_at_pairs()) add_all_near(BoxTree(boxes_));
     for (std::uint32_t f = 0; f < is_doubtful_.size(); ++f) {
       if (is_doubtful_[f] != 0) result_.faces.push_back(f);
     }
@@ -93,6 +210,7 @@ class DoubtSearch {
     const bool are_floats = has_floats_only();
     const double step = are_floats ? 0x1p-22 : 0x1p-51, least = are_floats ? 0x1p-148 : 0x1p-1000;
     is_doubtful_.assign(mesh_.face_count(), 0);
+    triangle_number_.assign(mesh_.face_count(), kNone);
     boxes_.reserve(checked_.size());
     for (const std::uint32_t f : checked_) {
       const Corners face = mesh_.face(f);
@@ -152,26 +270,63 @@ class DoubtSearch {
 
   // ---- pairs
 
-  /// Marks the faces of pairs that may meet. Returns false if there are too many pairs.
-  bool look_at_pairs(const BoxTree& tree) {
+  /// Marks the faces of pairs that may meet. Returns false if there are too many pairs. The packed
+  /// tree is given up if it finds far more pairs than there are.
+  bool look_at_pairs() {
+    const PackedBoxTree packed(boxes_);
+    const std::uint64_t most = kMostPairs * mesh_.face_count() + 4096;
+    pairs_left_ = steps_left_ = most;
+    if (packed.fits() && look_at_pairs_in(packed)) return true;
+    pairs_left_ = most;
+    return look_at_pairs_in(BoxTree(boxes_));
+  }
+  bool look_at_pairs_in(const PackedBoxTree& tree) {
+    const auto may_go_on = [&] {
+      if (--steps_left_ % 4096 == 0) checkpoint(0);
+      return pairs_left_ > 0 && steps_left_ > 0;
+    };
+    const auto look = [&](std::uint32_t i, std::uint32_t j) {
+      if (!boxes_[i].meets(boxes_[j])) return;
+      look_at(checked_[std::min(i, j)], checked_[std::max(i, j)]);
+    };
+    if (!tree.for_each_pair_inside(look, may_go_on)) return false;
+    for (std::uint32_t g = 0; g < mesh_.face_count(); ++g) {
+      if (g % 1024 == 0) checkpoint(g);
+      if (is_checked_[g] != 0 || mesh_.face(g).empty()) continue;
+      const Box3 box = box_of(g);
+      tree.for_each_meeting(box, [&](std::uint32_t i) {
+        if (may_go_on() && boxes_[i].meets(box)) look_at(checked_[i], g);
+      });
+      if (pairs_left_ == 0 || steps_left_ == 0) return false;
+    }
+    return true;
+  }
+  bool look_at_pairs_in(const BoxTree& tree) {
     const Box3 all = tree.bounds();
-    std::uint64_t left = kMostPairs * mesh_.face_count() + 4096;
     std::uint32_t checked_before = 0;  // The number of checked faces before g.
-    for (std::uint32_t g = 0; g < mesh_.face_count() && left > 0; ++g) {
-      if (g % 1024 == 0) context_.checkpoint("faces near rounded vertices", g, mesh_.face_count());
+    for (std::uint32_t g = 0; g < mesh_.face_count() && pairs_left_ > 0; ++g) {
+      if (g % 1024 == 0) checkpoint(g);
       const bool is_checked = checked_before < checked_.size() && checked_[checked_before] == g;
       const Box3 box = is_checked ? boxes_[checked_before] : box_of(g);
       checked_before += is_checked ? 1 : 0;
       if (!box.meets(all)) continue;
       tree.for_each_meeting(box, [&](std::uint32_t i) {
         const std::uint32_t f = checked_[i];
-        if (is_checked && f >= g) return true;  // Each pair of checked faces once.
-        --left;
-        if (!is_certain(f, g)) is_doubtful_[f] = is_doubtful_[g] = 1;
-        return left > 0;
+        if (!is_checked || f < g) look_at(f, g);  // Each pair of checked faces once.
+        return pairs_left_ > 0;
       });
     }
-    return left > 0;
+    return pairs_left_ > 0;
+  }
+  void checkpoint(std::uint32_t g) {
+    context_.checkpoint("faces near rounded vertices", g, mesh_.face_count());
+  }
+
+  /// Marks two faces whose boxes meet if they may meet. f is to be checked.
+  void look_at(std::uint32_t f, std::uint32_t g) {
+    if (pairs_left_ > 0) --pairs_left_;
+    if (is_doubtful_[f] != 0 && is_doubtful_[g] != 0) return;
+    if (!is_certain(f, g)) is_doubtful_[f] = is_doubtful_[g] = 1;
   }
   void add_all_near(const BoxTree& tree) {
     for (std::uint32_t g = 0; g < mesh_.face_count(); ++g) {
@@ -184,21 +339,39 @@ class DoubtSearch {
   }
 
   /// Whether it is certain that two faces meet only in common vertices and edges.
-  bool is_certain(std::uint32_t f, std::uint32_t g) const {
-    const Corners a = mesh_.face(f), b = mesh_.face(g);
-    std::uint32_t common = 0, vertex = kNone;
-    for (const std::uint32_t v : b) {
-      if (!contains_corner(a, v)) continue;
-      ++common;
-      vertex = v;
+  bool is_certain(std::uint32_t f, std::uint32_t g) {
+    const std::uint32_t i = triangle_of(f), j = triangle_of(g);
+    const FilteredTriangle &a = triangles_[i], &b = triangles_[j];
+    if (a.is_usable && b.is_usable) return FilteredPair(a, b).is_certain();
+    return are_certain_polygons(mesh_.face(f), mesh_.face(g));
+  }
+  /// Returns the index of a face in triangles_, to which it is added if it is missing.
+  std::uint32_t triangle_of(std::uint32_t f) {
+    if (triangle_number_[f] == kNone) {
+      triangle_number_[f] = static_cast<std::uint32_t>(triangles_.size());
+      triangles_.push_back(triangle(mesh_.face(f)));
     }
+    return triangle_number_[f];
+  }
+  FilteredTriangle triangle(Corners face) const {
+    FilteredTriangle t;
+    if (face.size() != 3) return t;
+    for (std::size_t i = 0; i < 3; ++i) {
+      t.corner[i] = face[i];
+      t.at[i] = place(face[i]);
+    }
+    t.plane = Form(minus(t.at[1], t.at[0]), minus(t.at[2], t.at[0]));
+    t.is_usable = face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+    return t;
+  }
+
+  /// Does the same for faces of which one may be a polygon.
+  bool are_certain_polygons(Corners a, Corners b) const {
+    std::uint32_t common = 0;
+    for (const std::uint32_t v : b) common += contains_corner(a, v) ? 1 : 0;
     if (common > 2 || (common == 2 && !have_common_edge(a, b))) return false;
-    if (a.size() == 3 && is_on_one_side(a, b)) return true;
-    if (b.size() == 3 && is_on_one_side(b, a)) return true;
-    if (a.size() == 3 && is_beyond_edge(a, b)) return true;
-    if (b.size() == 3 && is_beyond_edge(b, a)) return true;
-    if (a.size() != 3 || b.size() != 3) return false;
-    return (common == 1 && are_separate_at(vertex, a, b)) || (common == 0 && have_gap(a, b));
+    return (a.size() == 3 && (is_on_one_side(a, b) || is_beyond_edge(a, b))) ||
+           (b.size() == 3 && (is_on_one_side(b, a) || is_beyond_edge(b, a)));
   }
 
   /// Whether two corners of a face that are corners of the other one follow each other. Requires
@@ -255,51 +428,15 @@ class DoubtSearch {
     return false;
   }
 
-  /// Whether a plane through the only common vertex of two triangles and one edge of each separates
-  /// them.
-  bool are_separate_at(std::uint32_t vertex, Corners a, Corners b) const {
-    const std::array<Vec3, 2> x = spokes(vertex, a), y = spokes(vertex, b);
-    for (std::size_t i = 0; i < 2; ++i) {
-      for (std::size_t j = 0; j < 2; ++j) {
-        const Form plane(x[i], y[j]);
-        if (plane.sign(x[1 - i]) * plane.sign(y[1 - j]) < 0) return true;
-      }
-    }
-    return false;
-  }
-  /// Returns the other two vertices of a triangle, relative to one of its vertices.
-  std::array<Vec3, 2> spokes(std::uint32_t vertex, Corners t) const {
-    std::size_t i = 0;
-    while (t[i] != vertex) ++i;
-    const Vec3 o = place(vertex);
-    return {minus(place(t[(i + 1) % 3]), o), minus(place(t[(i + 2) % 3]), o)};
-  }
-
-  /// Whether a plane that is parallel to an edge of each triangle separates them. An edge of a
-  /// triangle is on the plane then, with all of the triangle on one side, so it suffices to
-  /// look at planes through vertices.
-  bool have_gap(Corners a, Corners b) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 p = place(a[i]), along = minus(place(a[(i + 1) % 3]), p);
-      const Vec3 third = minus(place(a[(i + 2) % 3]), p);
-      for (std::size_t j = 0; j < 3; ++j) {
-        const Vec3 q = place(b[j]);
-        const Form plane(along, minus(place(b[(j + 1) % 3]), q));
-        const int inside = plane.sign(third);
-        const auto is_outside = [&](std::uint32_t v) {
-          return plane.sign(minus(place(v), p)) == -inside;
-        };
-        if (inside != 0 && std::all_of(b.begin(), b.end(), is_outside)) return true;
-      }
-    }
-    return false;
-  }
-
   const PolygonMesh& mesh_;
   std::span<const std::uint8_t> is_checked_;
   Context& context_;
-  std::vector<std::uint32_t> checked_;  // The faces to be checked.
-  std::vector<Box3> boxes_;             // Their boxes.
+  std::vector<std::uint32_t> checked_;          // The faces to be checked.
+  std::vector<Box3> boxes_;                     // Their boxes.
+  std::vector<FilteredTriangle> triangles_;     // The triangles of the pairs looked at.
+  std::vector<std::uint32_t> triangle_number_;  // The index there of each face, or kNone.
+  std::uint64_t pairs_left_ = 0;                // Pairs that may still be looked at.
+  std::uint64_t steps_left_ = 0;                // Steps that a packed tree may still take.
   std::vector<std::uint8_t> is_doubtful_;
   DoubtfulFaces result_;
 };

@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,7 @@ class FlatVertices {
     }
     scale_ = largest > 0 ? std::ilogb(largest) : 0;
     width_ = std::ldexp(width, -scale_);
+    factor_ = std::abs(scale_) < 1000 ? std::ldexp(1, -scale_) : 0;
   }
 
   FlattenedMesh run() {
@@ -169,6 +171,7 @@ class FlatVertices {
   }
   Vector3 place(std::uint32_t v) const {
     const Point3& p = input_.points[v];
+    if (factor_ != 0) return {p.x * factor_, p.y * factor_, p.z * factor_};
     return {std::ldexp(p.x, -scale_), std::ldexp(p.y, -scale_), std::ldexp(p.z, -scale_)};
   }
 
@@ -365,8 +368,9 @@ class FlatVertices {
   const PolygonMesh& input_;
   std::vector<std::uint8_t> is_removable_;
   Context& context_;
-  int scale_ = 0;     // The exponent of the largest coordinate.
-  double width_ = 0;  // Divided by 2^scale_, as all distances here.
+  int scale_ = 0;      // The exponent of the largest coordinate.
+  double width_ = 0;   // Divided by 2^scale_, as all distances here.
+  double factor_ = 0;  // 2^-scale_, or 0 if it may not be a double.
   std::vector<Triangle> triangle_;
   std::vector<std::uint32_t> face_;    // The face of the input of each triangle.
   std::vector<std::uint32_t> origin_;  // The least face from which each triangle was made.

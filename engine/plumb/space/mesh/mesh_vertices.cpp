@@ -62,6 +62,12 @@ class VertexMaker {
   MeshVertices make() {
     mark_used();
     doubles_.reserve(std::min(mesh_.point_count(), mesh_.corners.size()));
+    // A vertex of a closed mesh of triangles has six corners on average.
+    const std::size_t expected = std::min(mesh_.point_count(), mesh_.corners.size() / 6 + 16);
+    inputs_.reserve(expected);
+    vertex_of_input_.reserve(expected);
+    result_.point.reserve(expected);
+    result_.input.reserve(expected);
     const auto* exact = mesh_.exact.data();
     const auto* const exact_end = exact + mesh_.exact.size();
     for (std::uint32_t i = 0; i < mesh_.point_count(); ++i) {

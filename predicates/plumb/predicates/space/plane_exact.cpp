@@ -114,7 +114,20 @@ BigPlane load_big_corners(int low, const std::array<const Point3*, 3>& at) {
 
 }  // namespace
 
+// The normal of a canonical plane across an axis runs along the axis, towards greater coordinates.
+FilteredSign side_across(const PlaneTable& table, InputPointId x, const PlaneSource& plane) {
+  constexpr std::array kCoordinates{&Point3::x, &Point3::y, &Point3::z};
+  const auto [p, q, r] = corners(table, plane);
+  for (const auto c : kCoordinates) {
+    if (!is_equal(p->*c, q->*c) || !is_equal(p->*c, r->*c)) continue;
+    return filtered(compare(table.point(x).*c, p->*c));
+  }
+  return FilteredSign::Unsure;
+}
+
 FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane) {
+  const FilteredSign s = side_across(table, x, plane);
+  if (is_decided(s)) return s;
   Grid grid = grid_of(table, plane);
   grid.add(table.grid(x));
   const auto [p, q, r] = corners(table, plane);

@@ -111,6 +111,11 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
+/// Returns the side of `plane` on which the input point x lies if the three points that define the
+/// plane have a common coordinate, which is compared with that of x; otherwise Unsure. Requires that
+/// `plane` is defined by three input points.
+FilteredSign side_across(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
+
 /// Returns the side of `plane` on which the input point x lies. Requires that `plane` is defined by
 /// three input points. The side is computed by orient3d from these three points and x. Returns
 /// Unsure if the points have too many bits for fixed widths.
