@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
@@ -169,6 +170,7 @@ void SolidText::add_attributes(OutputRounding rounding, Context& context) {
   add_new(changes_, changes);
   mesh_ = std::move(made.mesh);
   attributes_ = std::move(made.attributes);
+  merge_equal_materials(attributes_);
 }
 
 void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {
