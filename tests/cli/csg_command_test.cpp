@@ -52,6 +52,48 @@ TEST_F(CsgProgram, threads_change_no_byte) {
   EXPECT_EQ(read_file(one), read_file(four));
 }
 
+const std::string kColored =
+    "color([1, 0, 0, 1]) { difference() { cube(size = [4, 4, 4]); color([0, 0, 1, 1])\n"
+    "{ multmatrix([[1, 0, 0, 2], [0, 1, 0, 2], [0, 0, 1, 2], [0, 0, 0, 1]]) { cube(4); } } } }\n"
+    "color(\"lime\", alpha = 0.4) { multmatrix([[1, 0, 0, 9], [0, 1, 0, 0], [0, 0, 1, 0],\n"
+    "[0, 0, 0, 1]]) { sphere(r = 1, $fn = 8); } }\n";
+
+TEST_F(CsgProgram, writes_colours_that_every_format_reads_again) {
+  const std::string model = holding(kColored, "m.csg");
+  for (const std::string format : {"obj", "ply", "off", "glb"}) {
+    SCOPED_TRACE(format);
+    const std::string out = file("m." + format);
+    const RunResult made = run({"solid", "csg", model, "-o", out});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.err, "");
+    // A model that imports the file has its colours.
+    const std::string again = holding("import(file = \"m." + format + "\");", "again.csg");
+    const RunResult read = run({"solid", "csg", again, "-o", file("again.off")});
+    ASSERT_EQ(read.code, 0) << read.err;
+    const std::string text = read_file(file("again.off"));
+    EXPECT_NE(text.find(" 255 0 0"), std::string::npos) << text;
+    EXPECT_NE(text.find(" 0 255 0 102"), std::string::npos) << text;
+    EXPECT_EQ(text.find(" 0 0 255"), std::string::npos) << text;
+  }
+}
+
+TEST_F(CsgProgram, colours_can_be_left_out) {
+  const std::string model = holding(kColored, "m.csg");
+  const std::string plain = file("plain.off"), ids = file("ids.off");
+  EXPECT_EQ(run({"solid", "csg", model, "--keep", "none", "-o", plain}).code, 0);
+  EXPECT_EQ(run({"solid", "csg", model, "--keep", "ids", "-o", ids}).code, 0);
+  EXPECT_EQ(read_file(plain), read_file(ids));
+  EXPECT_EQ(read_file(plain).find("255"), std::string::npos);
+}
+
+TEST_F(CsgProgram, notes_name_colours_that_are_lost) {
+  const std::string hull = holding("hull() { color(\"red\") { cube(); } }", "h.csg");
+  const RunResult made = run({"solid", "csg", hull, "-o", file("h.off")});
+  EXPECT_EQ(made.code, 0);
+  EXPECT_NE(made.err.find("1:1: hull: the colours of its children are left out"), std::string::npos)
+      << made.err;
+}
+
 TEST_F(CsgProgram, explains_the_tree) {
   const RunResult result = run({"solid", "csg", kBracket, "--explain", "-o", file("a.off")});
   EXPECT_EQ(result.code, 0);

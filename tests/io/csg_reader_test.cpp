@@ -77,6 +77,33 @@ TEST(CsgReader, ParametersHaveNamesPlacesAndDefaults) {
             (std::vector<double>{2, 0, 90, 8, 3, 3, 0, 12, 2}));
 }
 
+TEST(CsgReader, ColoursAreVectorsNamesOrDigits) {
+  EXPECT_EQ(numbers_of("color([0.25, 0.5, 1]);"), (std::vector{0.25, 0.5, 1.0, 1.0}));
+  EXPECT_EQ(numbers_of("color(c = [-1, -1, -1, 0.3]);"), (std::vector{-1.0, -1.0, -1.0, 0.3}));
+  EXPECT_EQ(numbers_of("color(\"Red\");"), (std::vector{1.0, 0.0, 0.0, 1.0}));
+  EXPECT_EQ(numbers_of("color(\"aliceblue\", alpha = 0.5);"),
+            (std::vector{240 / 255.0, 248 / 255.0, 1.0, 0.5}));
+  EXPECT_EQ(numbers_of("color(c = \"YellowGreen\");"),
+            (std::vector{154 / 255.0, 205 / 255.0, 50 / 255.0, 1.0}));
+  EXPECT_EQ(numbers_of("color(\"#0F8\");"), (std::vector{0.0, 1.0, 8 / 15.0, 1.0}));
+  EXPECT_EQ(numbers_of("color(\"#00ff8833\");"), (std::vector{0.0, 1.0, 136 / 255.0, 0.2}));
+  EXPECT_TRUE(numbers_of("color();").empty());
+  EXPECT_TRUE(numbers_of("color(undef);").empty());
+}
+
+TEST(CsgReader, UnknownColoursAreNoColoursWithANote) {
+  for (const std::string name : {"reddish", "#12345", "#ggg", "#", "", "re"}) {
+    SCOPED_TRACE(name);
+    const CsgRead read = read_csg("m.csg", "color(\"" + name + "\") { cube(); }");
+    EXPECT_EQ(read.tree.nodes.at(1).number_count, 0U);
+    ASSERT_EQ(read.notes.size(), 1U);
+    EXPECT_NE(read.notes[0].find("is unknown"), std::string::npos) << read.notes[0];
+  }
+  expect_refusal("color([1, \"x\"]);", ErrorCode::BadArgument, "m.csg:1:11: expected a number");
+  expect_refusal("color(\"red\", alpha = \"x\");", ErrorCode::BadArgument,
+                 "m.csg:1:22: expected a number");
+}
+
 TEST(CsgReader, CommentsBlanksAndLineBreaksMayStandAnywhere) {
   EXPECT_EQ(volume_of("\xef\xbb\xbf// c\r\n cube /* ( */ (\n size // x\n =[1,\t2,3 ,],)\n;;"),
             Rational(6));

@@ -226,6 +226,209 @@ TEST_F(ThreeMf, names_what_it_does_not_read) {
   EXPECT_TRUE(has_sentence(file.warnings, "beam lattices"));
 }
 
+// ---------------------------------------------------------------- looks
+
+const std::string kLookSpaces =
+    "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" "
+    "xmlns:t=\"http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07\"";
+
+/// Reads a model with its attributes.
+MeshFile read_looks(const std::string& resources, const std::string& items, Limits limits = {}) {
+  Context context(limits);
+  ReadOptions options{"some.file"};
+  options.attributes = true;
+  return read_threemf(threemf_of(threemf_model(resources, items, kLookSpaces)), options, context);
+}
+
+/// Returns the tetrahedron with attributes of its four triangles, and more behind them.
+std::string tetrahedron_with(const std::array<std::string, 4>& attributes,
+                             const std::string& more = "") {
+  std::string mesh = kThreeMfTetrahedron;
+  std::size_t at = 0;
+  for (const std::string& each : attributes) {
+    at = mesh.find("/>", mesh.find("<triangle ", at + 1));
+    mesh.insert(at, " " + each);
+  }
+  return mesh.insert(mesh.find("</mesh>"), more);
+}
+
+const std::string kTwoMaterials =
+    "<basematerials id=\"5\"><base name=\"Red\" displaycolor=\"#FF0000\"/>"
+    "<base name=\"Glass\" displaycolor=\"#0000FF33\"/></basematerials>"
+    "<m:colorgroup id=\"6\"><m:color color=\"#00ff00\"/><m:color color=\"#00000066\"/>"
+    "</m:colorgroup>";
+
+using Rgba = std::array<double, 4>;
+
+/// The colour of a corner of a face: that of the material times that of the corner.
+std::optional<Rgba> color_at(const MeshFile& file, std::size_t face, std::size_t corner) {
+  const MeshAttributes& all = file.attributes;
+  std::optional<Rgba> color;
+  if (!all.face_material.empty() && all.face_material[face] != MeshAttributes::kNone) {
+    color = all.materials[all.face_material[face]].color;
+  }
+  for (const MeshChannel& channel : all.channels) {
+    if (channel.name != "color") continue;
+    if (!color) color = Rgba{1, 1, 1, 1};
+    for (std::size_t k = 0; k < channel.width; ++k) {
+      (*color)[k] *= channel.values[(3 * face + corner) * channel.width + k];
+    }
+  }
+  return color;
+}
+
+TEST_F(ThreeMf, reads_materials_and_colours) {
+  const std::string object =
+      threemf_object(1,
+                     tetrahedron_with({"pid=\"5\" p1=\"1\"", "",
+                                       "pid=\"6\" p1=\"0\" p2=\"1\" p3=\"0\"", "p1=\"0\""}),
+                     "pid=\"5\" pindex=\"0\"");
+  const MeshFile file = read_looks(kTwoMaterials + object, item());
+  EXPECT_TRUE(file.notes.empty());
+  ASSERT_EQ(file.attributes.face_material.size(), 4U);
+  EXPECT_EQ(file.attributes.materials[file.attributes.face_material[0]].name, "Glass");
+  EXPECT_EQ(file.attributes.materials[file.attributes.face_material[1]].name, "Red");
+  EXPECT_EQ(file.attributes.materials[file.attributes.face_material[3]].name, "Red");
+  EXPECT_EQ(color_at(file, 0, 2), (Rgba{0, 0, 1, 0.2}));
+  EXPECT_EQ(color_at(file, 1, 0), (Rgba{1, 0, 0, 1}));
+  EXPECT_EQ(file.attributes.face_material[2], MeshAttributes::kNone);
+  EXPECT_EQ(color_at(file, 2, 0), (Rgba{0, 1, 0, 1}));
+  EXPECT_EQ(color_at(file, 2, 1), (Rgba{0, 0, 0, 0.4}));
+  EXPECT_EQ(color_at(file, 2, 2), (Rgba{0, 1, 0, 1}));
+  EXPECT_TRUE(read(threemf_of(threemf_model(kTwoMaterials + object, item(), kLookSpaces)))
+                  .attributes.empty());
+}
+
+TEST_F(ThreeMf, a_mirror_turns_the_colours_of_corners) {
+  const std::string object =
+      threemf_object(1, tetrahedron_with({"", "pid=\"6\" p1=\"0\" p2=\"0\" p3=\"1\"", "", ""}));
+  const std::string mirror = item("-1 0 0 0 1 0 0 0 1 0 0 0");
+  const MeshFile file = read_looks(kTwoMaterials + object, item() + mirror);
+  ASSERT_EQ(file.mesh.face_count(), 8U);
+  for (std::size_t f = 0; f < 8; ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      // Triangle 1 has the corners 0, 1 and 3; the last one, at the top, is black.
+      const bool is_top = file.mesh.points[file.mesh.face(f)[i]].z == 1;
+      const Rgba expected = f % 4 != 1 ? Rgba{1, 1, 1, 1}
+                            : is_top   ? Rgba{0, 0, 0, 0.4}
+                                       : Rgba{0, 1, 0, 1};
+      EXPECT_EQ(color_at(file, f, i), expected) << f << ' ' << i;
+    }
+  }
+}
+
+TEST_F(ThreeMf, names_of_objects_and_sets_of_triangles_are_groups) {
+  const std::string sets =
+      "<t:trianglesets><t:triangleset name=\"top\" identifier=\"a\"><t:refrange startindex=\"2\" "
+      "endindex=\"3\"/></t:triangleset><t:triangleset name=\"low\" identifier=\"b\">"
+      "<t:ref index=\"0\"/><t:ref index=\"2\"/></t:triangleset></t:trianglesets>";
+  const std::string inner = threemf_object(1, tetrahedron_with({"", "", "", ""}, sets));
+  const std::string outer = threemf_object(
+      2, "<components><component objectid=\"1\"/></components>", "name=\"Part &lt;1&gt;\"");
+  const MeshFile file = read_looks(inner + outer, item("", 2) + item("", 1));
+  std::vector<std::string> names;
+  for (const std::uint32_t g : file.attributes.face_group) {
+    names.push_back(g == MeshAttributes::kNone ? "-" : file.attributes.groups[g]);
+  }
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"low", "Part <1>", "top", "top", "low", "-", "top", "top"}));
+}
+
+TEST_F(ThreeMf, what_is_wrong_with_looks_is_named) {
+  struct Case {
+    std::string resources;
+    std::string triangle;
+    std::string note;
+  };
+  const std::vector<Case> cases{
+      {"", "pid=\"9\" p1=\"0\"", "references to materials that are not read"},
+      {kTwoMaterials, "pid=\"5\" p1=\"2\"", "references to materials that are not read"},
+      {kTwoMaterials, "pid=\"5\" p1=\"-1\"", "references to materials that are not read"},
+      {kTwoMaterials, "pid=\"5\" p1=\"4294967296\"", "references to materials that are not read"},
+      {kTwoMaterials, "pid=\"6\" p1=\"0\" p2=\"x\"", "references to materials that are not read"},
+      {kTwoMaterials, "p1=\"0\"", "references to materials that are not read"},
+      {"<m:colorgroup id=\"1\"><m:color color=\"red\"/></m:colorgroup>", "",
+       "colours that are not #RRGGBB"},
+      {"<m:colorgroup id=\"1\"><m:color color=\"#ggffff\"/></m:colorgroup>", "",
+       "colours that are not #RRGGBB"},
+      {"<m:colorgroup><m:color color=\"#ffffff\"/></m:colorgroup>", "", "without an id"},
+      {kTwoMaterials + kTwoMaterials, "", "with the id of another one"},
+      {"<m:texture2dgroup id=\"8\" texid=\"7\"/>", "pid=\"8\" p1=\"0\"", "textures"},
+      {"", "paint_color=\"8\"", "colours painted in slicers"}};
+  for (const Case& each : cases) {
+    SCOPED_TRACE(each.resources + each.triangle);
+    const std::string object = threemf_object(3, tetrahedron_with({each.triangle, "", "", ""}));
+    const MeshFile file = read_looks(each.resources + object, item("", 3));
+    EXPECT_EQ(file.mesh.face_count(), 4U);
+    EXPECT_TRUE(has_sentence(file.notes, each.note));
+  }
+  const std::string overlapping = [] {
+    std::string sets = "<t:trianglesets><t:triangleset name=\"a\" identifier=\"a\">";
+    for (int i = 0; i < 100; ++i) sets += "<t:refrange startindex=\"0\" endindex=\"3\"/>";
+    return sets + "<t:ref index=\"4\"/></t:triangleset></t:trianglesets>";
+  }();
+  const std::string object = threemf_object(1, tetrahedron_with({"", "", "", ""}, overlapping));
+  const MeshFile file = read_looks(object, item());
+  EXPECT_TRUE(has_sentence(file.notes, "sets of triangles that overlap"));
+  EXPECT_TRUE(has_sentence(file.notes, "sets of triangles that there are not"));
+}
+
+TEST_F(ThreeMf, looks_are_charged) {
+  std::string colors = "<m:colorgroup id=\"6\">";
+  for (int i = 0; i < 50'000; ++i) colors += "<m:color color=\"#00ff00\"/>";
+  Limits limits;
+  limits.max_memory_bytes = std::uint64_t{4} << 20U;
+  try {
+    read_looks(colors + "</m:colorgroup>" + kObject, item(), limits);
+    ADD_FAILURE() << "was read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+    EXPECT_EQ(error.place().line, 2U) << error.what();
+  }
+}
+
+TEST_F(ThreeMf, reads_the_looks_that_it_wrote) {
+  const PolygonMesh mesh = testing::tetrahedron();
+  MeshAttributes all;
+  all.materials = {{"a & \"b\" <c>", Rgba{1, 0, 0.2, 1}, {}},
+                   {"", Rgba{0, 1, 0, 0.4}, {}},
+                   {"bad \xff\n", Rgba{0, 0, 0, 1}, {}}};
+  all.face_material = {0, 1, 2, MeshAttributes::kNone};
+  all.groups = {"one", "two"};
+  all.face_group = {1, MeshAttributes::kNone, 1, 1};
+  MeshFile original;
+  for (const bool has_corners : {false, true}) {
+    SCOPED_TRACE(has_corners);
+    if (has_corners) {
+      std::vector<double> values(48, 1);
+      for (std::size_t i = 36; i < 48; ++i) values[i] = static_cast<double>(i % 6) / 5;
+      for (std::size_t i = 12; i < 16; ++i) values[i] = 0;  // A corner of a face with a material.
+      all.channels = {{"color", 4, values}};
+    }
+    original.attributes = all;
+    std::ostringstream out;
+    write_threemf(out, mesh, all);
+    Context context;
+    ReadOptions options{"some.file"};
+    options.attributes = true;
+    const MeshFile copy = read_threemf(out.str(), options, context);
+    EXPECT_TRUE(copy.notes.empty());
+    EXPECT_TRUE(testing::is_same(copy.mesh, mesh));
+    for (std::size_t f = 0; f < 4; ++f) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(color_at(copy, f, i), color_at(original, f, i)) << f << ' ' << i;
+      }
+    }
+    EXPECT_EQ(copy.attributes.groups, (std::vector<std::string>{"two"}));
+    EXPECT_EQ(copy.attributes.face_group,
+              (std::vector<std::uint32_t>{0, MeshAttributes::kNone, 0, 0}));
+    ASSERT_FALSE(copy.attributes.face_material.empty());
+    EXPECT_EQ(copy.attributes.materials[copy.attributes.face_material[0]].name,
+              all.materials[0].name);
+    EXPECT_EQ(copy.attributes.materials[copy.attributes.face_material[2]].name, "bad __");
+  }
+}
+
 TEST_F(ThreeMf, places_objects_of_a_file_without_items) {
   const std::string parent = "<components><component objectid=\"1\"/></components>";
   const MeshFile file = read(threemf_of(threemf_model(kObject + threemf_object(2, parent), "")));

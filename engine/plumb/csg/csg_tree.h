@@ -27,7 +27,9 @@ enum class CsgKind : std::uint8_t {
   Root,          ///< The union of the children: the whole file.
   Group,         ///< The union of the children.
   Union,         ///< The union of the children.
-  Color,         ///< The union of the children. Four numbers: red, green, blue, opacity; or none.
+  /// The union of the children. Four numbers: red, green, blue, opacity; or none. A negative number
+  /// means that there is no colour.
+  Color,
   Render,        ///< The union of the children.
   Difference,    ///< The first child without all others.
   Intersection,  ///< What lies in all children.

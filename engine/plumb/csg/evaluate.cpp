@@ -13,7 +13,11 @@
 // regularized one by one. By the laws of the Boolean algebra of closed regular sets, the value does
 // not depend on the order in which they are done.
 //
-// Tested by tests/csg/evaluate_test.cpp: random trees against the oracle of unit cells.
+// Colours are values of the nodes that make faces (node_colors.h). Only such nodes of different
+// colours are different; Booleans differ because their operands do.
+//
+// Tested by tests/csg/evaluate_test.cpp: random trees against the oracle of unit cells; colours by
+// tests/csg/colors_test.cpp.
 #include "plumb/csg/evaluate.h"
 
 #include <algorithm>
@@ -29,10 +33,12 @@
 #include "plumb/base/set_tree.h"
 #include "plumb/convex/minkowski.h"
 #include "plumb/convex/plane_minkowski.h"
+#include "plumb/csg/node/node_colors.h"
 #include "plumb/csg/node/node_values.h"
 #include "plumb/model/hull.h"
 #include "plumb/model/transform.h"
 #include "plumb/predicates/error.h"
+#include "plumb/space/source_mesh.h"
 
 namespace plumb {
 namespace {
@@ -80,10 +86,11 @@ bool is_identity(std::span<const double> n) {
 /// Evaluates one tree.
 class Evaluator {
  public:
-  Evaluator(const CsgTree& tree, Context& context)
+  Evaluator(const CsgTree& tree, const CsgEvaluateOptions& options, Context& context)
       : tree_(tree),
         context_(context),
         memory_(context),
+        has_colors_(options.colors),
         count_(static_cast<std::uint32_t>(tree.nodes.size())),
         dimension_(count_, CsgDimension::Nothing),
         same_(count_),
@@ -97,6 +104,7 @@ class Evaluator {
     memory_.add(count_ * kBytesPerNode, "a tree of solids");
     result_.nodes.resize(count_);
     find_dimensions();
+    find_colors();
     represent_nodes();
     find_users();
     find_regions();
@@ -153,6 +161,24 @@ class Evaluator {
     if (!has_needed) return CsgDimension::Nothing;
     if (kind == CsgKind::Projection || kind == CsgKind::Offset) return CsgDimension::Plane;
     return CsgDimension::Space;
+  }
+
+  void find_colors() {
+    if (!has_colors_) return;
+    paint_ = paint_of(tree_);
+    for (const std::uint32_t i : paint_.losing) {
+      if (dimension_[i] != CsgDimension::Space) continue;
+      note(i, "the colours of its children are left out, because it makes faces of its own");
+    }
+  }
+
+  /// Returns the colour of a node that makes the faces of a set of space; otherwise nothing.
+  std::optional<CsgColor> color_at(std::uint32_t i) const {
+    if (paint_.of_node.empty() || dimension_[i] != CsgDimension::Space) return {};
+    const std::uint32_t from = paint_.of_node[i];
+    const CsgKind kind = node(i).kind;
+    const bool has_faces = is_primitive(kind) || makes_new_faces(kind);
+    return has_faces && from != CsgPaint::kNone ? color_of(tree_, node(from)) : std::nullopt;
   }
 
   /// Whether the value of a node is the union of its children.
@@ -244,6 +270,9 @@ class Evaluator {
     for (const double x : numbers_of(i)) add(std::hash<double>()(x));
     for (const std::uint32_t x : tree_.indices_of(node(i))) add(x);
     for (const std::uint32_t x : inputs_of(i)) add(x);
+    if (const std::optional<CsgColor> color = color_at(i)) {
+      for (const double x : *color) add(std::hash<double>()(x));
+    }
     return hash;
   }
 
@@ -254,7 +283,7 @@ class Evaluator {
     return kind_of(i) == kind_of(j) && dimension_[i] == dimension_[j] &&
            std::equal(a.begin(), a.end(), b.begin(), b.end()) &&
            std::equal(c.begin(), c.end(), d.begin(), d.end()) &&
-           std::equal(e.begin(), e.end(), f.begin(), f.end());
+           std::equal(e.begin(), e.end(), f.begin(), f.end()) && color_at(i) == color_at(j);
   }
 
   /// Returns the first node below a chain of maps that have one input each.
@@ -368,6 +397,10 @@ class Evaluator {
       solid = set_of<Nef3>(i, remark);
     }
     if (!remark.empty()) note(i, remark);
+    if (const std::optional<CsgColor> color = color_at(i)) {
+      solid = painted(solid, *color, phase_of(i), context_);
+    }
+    if (is_primitive(n.kind) || makes_new_faces(n.kind)) remember_sources(i, solid);
     return solid;
   }
 
@@ -540,9 +573,34 @@ class Evaluator {
   CsgResult take_result() {
     write_notes();
     result_.dimension = dimension_[0];
-    if (dimension_[0] == CsgDimension::Space) result_.solid = std::get<Nef3>(values_[same_[0]]);
+    if (dimension_[0] == CsgDimension::Space) {
+      result_.solid = with_sorted_sources(std::get<Nef3>(values_[same_[0]]));
+    }
     if (dimension_[0] == CsgDimension::Plane) result_.shape = std::get<Nef2>(values_[same_[0]]);
     return std::move(result_);
+  }
+
+  /// Remembers the sources of a node that makes faces. Values are computed in the order of falling
+  /// numbers, but the place of equal nodes is that of the first one.
+  void remember_sources(std::uint32_t i, const Nef3& solid) {
+    for (const PlacedSource& placed : solid.sources()) rank_[placed.source.get()] = i;
+  }
+
+  /// Returns the set with its sources in the order of the tree. Where faces coincide, the first
+  /// source wins, and rewriting must not decide which one this is.
+  Nef3 with_sorted_sources(Nef3 solid) const {
+    if (solid.sources().size() < 2) return solid;
+    std::vector<std::uint32_t> first(count_, kNoNode);  // The first node that is equal to a node.
+    for (std::uint32_t i = count_; i-- > 0;) first[same_[i]] = i;
+    const auto place_of = [&](const PlacedSource& placed) {
+      const auto known = rank_.find(placed.source.get());
+      return known == rank_.end() ? kNoNode : first[known->second];
+    };
+    std::vector<PlacedSource> sources(solid.sources().begin(), solid.sources().end());
+    std::stable_sort(
+        sources.begin(), sources.end(),
+        [&](const PlacedSource& a, const PlacedSource& b) { return place_of(a) < place_of(b); });
+    return solid.with_sources(sources);
   }
 
   /// Adds a remark. Equal remarks become one note, with the place of the first node.
@@ -579,8 +637,10 @@ class Evaluator {
   const CsgTree& tree_;
   Context& context_;
   MemoryCharge memory_;
+  bool has_colors_;
   std::uint32_t count_;
   std::vector<CsgDimension> dimension_;
+  CsgPaint paint_;
   std::vector<std::uint32_t> same_;         // The representative of each node.
   std::vector<std::uint32_t> inputs_;       // Representatives, last node first.
   std::vector<std::uint32_t> input_begin_;  // Index into inputs_, for each node.
@@ -591,11 +651,18 @@ class Evaluator {
   std::vector<Remark> remarks_;
   std::uint64_t needed_ = 0;  // Representatives whose values are needed.
   std::vector<Value> values_;
+  std::unordered_map<const MeshSource*, std::uint32_t> rank_;  // The node of each source.
   CsgResult result_;
 };
 
 }  // namespace
 
-CsgResult evaluate(const CsgTree& tree, Context& context) { return Evaluator(tree, context).run(); }
+CsgResult evaluate(const CsgTree& tree, Context& context) {
+  return evaluate(tree, CsgEvaluateOptions(), context);
+}
+
+CsgResult evaluate(const CsgTree& tree, const CsgEvaluateOptions& options, Context& context) {
+  return Evaluator(tree, options, context).run();
+}
 
 }  // namespace plumb

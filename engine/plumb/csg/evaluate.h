@@ -22,6 +22,11 @@
 // is an intersection with nothing. Hulls and sums pass over nothing. A map with a singular matrix
 // gives nothing, with a note.
 //
+// Colours. A set of space has its colours as sources (source_mesh.h): materials of the faces that
+// primitives, extrusions, hulls and sums make. The outermost colour wins, also over the colours of
+// imported files. A hull, a sum or an extrusion does not keep the colours of its children, with a
+// note. Sets of the plane have no colours. Colours never change the set.
+//
 // Cost: the sum of the operations. Errors: Error{BadArgument}, OpenMesh and other errors of the
 // operations get the place of the node, if the tree has places; so do ResourceLimit and NotFinite.
 // Nothing recurses over the tree.
@@ -77,8 +82,18 @@ struct CsgResult {
   std::vector<std::string> notes;
 };
 
+/// Options of an evaluation.
+struct CsgEvaluateOptions {
+  /// Whether the value has the colours of the tree. A tree without colours costs the same either
+  /// way.
+  bool colors = true;
+};
+
 /// Returns the value of a tree. The progress that is reported names the nodes: "hull at line 12".
 [[nodiscard]] CsgResult evaluate(const CsgTree& tree, Context& context = unlimited_context());
+/// Returns the value of a tree as the function above does, with options.
+[[nodiscard]] CsgResult evaluate(const CsgTree& tree, const CsgEvaluateOptions& options,
+                                 Context& context = unlimited_context());
 
 }  // namespace plumb
 #pragma GCC visibility pop

@@ -190,6 +190,7 @@ class ModelReader {
     }
     SolidReadOptions options;
     options.exact_decimals = options_.exact_decimals;
+    options.attributes = options_.attributes;
     SolidRead solid = read_solid_file(file, options, context_);
     tell(file, solid.notes, read_.notes);
     tell(file, solid.warnings, read_.warnings);

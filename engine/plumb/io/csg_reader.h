@@ -10,7 +10,8 @@
 // Nodes: all that OpenSCAD 2021.01 writes except text() and surface(), which are refused.
 // Modifiers: `*` and `%` leave a node out, `#` changes nothing, and `!` makes its node the model.
 // Parameters that do not change the shape, such as convexity, are skipped; parameters with unknown
-// names are skipped with a note. A number is read as the nearest double.
+// names are skipped with a note. A number is read as the nearest double. A colour is a vector, a
+// name of CSS, or #rgb, #rgba, #rrggbb or #rrggbbaa; an unknown name gives a note.
 //
 // Imports: a model names files. Unless the options allow more, a file must lie in the folder of the
 // model or below it, after symbolic links are resolved. The contents of a file that is refused for
@@ -33,6 +34,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/csg/csg_tree.h"
+#include "plumb/io/solid_io.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
@@ -49,6 +51,8 @@ struct CsgReadOptions {
   CsgImports imports = CsgImports::BelowModel;  ///< Where imported files may lie.
   /// Whether a number with a decimal point or an exponent of an imported file is read exactly.
   bool exact_decimals = false;
+  /// Which attributes of imported meshes are kept (solid_io.h).
+  KeptAttributes attributes = KeptAttributes::None;
 };
 
 /// A model read from a file.

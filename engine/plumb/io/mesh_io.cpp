@@ -207,6 +207,8 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes
       return write_ply_text(out, mesh, attributes);
     case MeshFormat::Gltf:
       return write_glb(out, mesh, attributes);
+    case MeshFormat::ThreeMf:
+      return write_threemf(out, mesh, attributes);
     default:
       return write_mesh(out, mesh, format);
   }
@@ -225,21 +227,25 @@ std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format)
   const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
   const bool is_obj = format == MeshFormat::Obj;
   const bool is_glb = format == MeshFormat::Gltf;
+  const bool is_3mf = format == MeshFormat::ThreeMf;
+  const bool has_colors = is_off || is_ply || is_obj || is_glb || is_3mf;
   if (!attributes.face_material.empty()) {
     for (const MeshMaterial& material : attributes.materials) {
-      add(material.color && !is_off && !is_ply && !is_obj && !is_glb, "colours of faces");
+      add(material.color && !has_colors, "colours of faces");
       const bool is_index = is_off && is_off_color_index(material);
-      add(!material.name.empty() && !is_obj && !is_glb && !is_index, "names of materials");
+      add(!material.name.empty() && !is_obj && !is_glb && !is_3mf && !is_index,
+          "names of materials");
       add(!material.texture.empty() && !is_obj, "textures");
     }
   }
-  add(!attributes.face_group.empty() && !is_obj, "groups");
+  add(!attributes.face_group.empty() && !is_obj && !is_3mf, "groups");
   add(!attributes.face_id.empty() && !is_ply, "ids of faces");
   for (const MeshChannel& channel : attributes.channels) {
     const bool is_color = channel.name == "color" && (channel.width == 3 || channel.width == 4);
     const bool is_usual = is_color || (channel.name == "normal" && channel.width == 3) ||
                           (channel.name == "texcoord_0" && channel.width == 2);
-    add(!is_ply && !((is_off || is_obj) && is_usual), "channel '" + channel.name + "'");
+    const bool is_held = is_ply || ((is_off || is_obj) && is_usual) || (is_3mf && is_color);
+    add(!is_held, "channel '" + channel.name + "'");
     add(is_obj && is_color && channel.width == 4, "opacity of vertices");
   }
   std::string sentence;

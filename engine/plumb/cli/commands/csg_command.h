@@ -137,7 +137,7 @@ class CsgOperation : public SetOperation<ModelOf<Kind>> {
     const CsgRead model = read(session);
     print_notes(model_, model, session);
     session.begin("combine");
-    CsgResult result = evaluate(model.tree, session.context());
+    CsgResult result = evaluate(model.tree, {.colors = keeps_colors()}, session.context());
     print_notes(model_, result, session);
     if (explains_) {
       for (const std::string& line : CsgTreeView(model.tree, result).lines()) session.note(line);
@@ -154,6 +154,7 @@ class CsgOperation : public SetOperation<ModelOf<Kind>> {
     CsgReadOptions options;
     options.imports = anywhere_ ? CsgImports::Anywhere : CsgImports::BelowModel;
     options.exact_decimals = session.options().exact_decimals;
+    if constexpr (kIsSolid) options.attributes = this->input().kept();
     Context& context = session.context();
     if (!model_.ends_with(".scad")) return read_csg_file(model_, options, context);
     // The places in messages are those of the flat model.
@@ -161,6 +162,15 @@ class CsgOperation : public SetOperation<ModelOf<Kind>> {
     CsgRead model = read_csg(model_ + " (as .csg)", text, options, context);
     context.release_memory(text.size());
     return model;
+  }
+
+  /// Whether --keep asks for colours.
+  bool keeps_colors() const {
+    if constexpr (kIsSolid) {
+      const KeptAttributes kept = this->input().kept();
+      return kept == KeptAttributes::All || kept == KeptAttributes::Colours;
+    }
+    return false;
   }
 
   void require_dimension(const CsgResult& result) const {

@@ -240,16 +240,20 @@ void SolidInput::declare_keep(CLI::App& app) {
              "What stays with the faces of meshes (default: all)");
 }
 
+KeptAttributes SolidInput::kept() const {
+  return keep_ == "none"      ? KeptAttributes::None
+         : keep_ == "colours" ? KeptAttributes::Colours
+         : keep_ == "ids"     ? KeptAttributes::Ids
+                              : KeptAttributes::All;
+}
+
 SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
   SolidReadOptions options;
   options.exact_decimals = common.exact_decimals;
   options.surface = surface_;
   options.may_be_empty = allows_empty_;
   options.repair = repair_.options();
-  options.attributes = keep_ == "none"      ? KeptAttributes::None
-                       : keep_ == "colours" ? KeptAttributes::Colours
-                       : keep_ == "ids"     ? KeptAttributes::Ids
-                                            : KeptAttributes::All;
+  options.attributes = kept();
   if (!rule_.empty()) {
     options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
                    : rule_ == "nonzero" ? WindingRule::NonZero

@@ -109,6 +109,8 @@ class SolidInput {
   /// Declares --keep, for commands that write solids. Without it, attributes are passed over. Where
   /// a command has another option of this name, it is called --attributes.
   void declare_keep(CLI::App& app);
+  /// Returns which attributes are kept.
+  KeptAttributes kept() const;
   /// Returns a set of the plane, if a command accepts both. Throws Error{Usage} if an option says
   /// how meshes are read.
   Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session) const;

@@ -13,6 +13,7 @@
 #include <limits>
 #include <span>
 
+#include "plumb/io/csg/color_names.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -168,7 +169,28 @@ void CsgNodes::append_map() {
 
 void CsgNodes::append_color() {
   const std::optional<CsgValue> color = find_or_first("c");
-  if (color && color->kind == Kind::Vector) append_vector(color, 4, 1);
+  if (!color || (color->kind != Kind::Vector && color->kind != Kind::Text)) return;
+  const std::size_t first = tree_.numbers.size();
+  if (color->kind == Kind::Vector) {
+    append_vector(color, 4, 1);
+  } else {
+    append_named_color(*color);
+  }
+  const bool is_complete = tree_.numbers.size() == first + 4;
+  if (const std::optional<CsgValue> alpha = find("alpha"); alpha && is_complete) {
+    tree_.numbers.back() = number_of(*alpha);
+  }
+}
+
+/// Appends the numbers of a colour that is a text. An unknown name gives no colour, with a note, as
+/// it does in OpenSCAD.
+void CsgNodes::append_named_color(const CsgValue& text) {
+  const std::string name = scanner_.text_of(text);
+  if (const auto color = color_named(name)) {
+    for (const double part : *color) push(part);
+    return;
+  }
+  add_note("the colour " + plumb::quoted(name) + " is unknown, so its children keep theirs");
 }
 
 void CsgNodes::append_resize() {
@@ -351,9 +373,13 @@ void CsgNodes::note_unknown(CsgKind kind) {
     if (parameter.name.empty() || word.parameters.find(padded) != std::string_view::npos) continue;
     const std::string note = "the parameter " + plumb::quoted(parameter.name) + " of " +
                              std::string(name_of(kind)) + " is passed over";
-    const bool is_known = std::find(notes_.begin(), notes_.end(), note) != notes_.end();
-    if (!is_known && notes_.size() < kMostNotes) notes_.push_back(note);
+    add_note(note);
   }
+}
+
+void CsgNodes::add_note(const std::string& note) {
+  const bool is_known = std::find(notes_.begin(), notes_.end(), note) != notes_.end();
+  if (!is_known && notes_.size() < kMostNotes) notes_.push_back(note);
 }
 
 }  // namespace plumb

@@ -39,6 +39,7 @@ class CsgNodes {
   void append_numbers(CsgKind kind);
   void append_map();
   void append_color();
+  void append_named_color(const CsgValue& text);
   void append_resize();
   void append_offset();
   void append_linear();
@@ -48,6 +49,7 @@ class CsgNodes {
   void append_import();
   void append_division();
   void note_unknown(CsgKind kind);
+  void add_note(const std::string& note);
 
   std::optional<CsgValue> find(std::string_view name);
   std::optional<CsgValue> find_or_first(std::string_view name);

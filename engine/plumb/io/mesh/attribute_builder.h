@@ -68,6 +68,8 @@ class AttributeBuilder {
 
   /// Returns the material that has this colour and no name.
   std::uint32_t material_of(const std::array<double, 4>& color);
+  /// Appends a material, even if there is an equal one, and returns it.
+  std::uint32_t add_material(MeshMaterial material);
   /// Returns the material with this name.
   std::uint32_t material_named(std::string_view name);
   /// Returns the material with this name if it has been asked for before.
@@ -104,7 +106,6 @@ class AttributeBuilder {
  private:
   void set(std::vector<std::uint32_t>& of_faces, std::size_t face, std::uint32_t value);
   bool has_room(std::string_view name, std::uint32_t width) const;
-  std::uint32_t add_material(MeshMaterial material);
 
   MemoryCharge charge_;
   Context& context_;

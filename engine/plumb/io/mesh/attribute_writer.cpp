@@ -11,8 +11,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "plumb/predicates/arithmetic/seeded_hash.h"
@@ -81,6 +84,24 @@ void require_complete(const MeshAttributes& attributes, const PolygonMesh& mesh)
     if (channel.width > 0 && channel.values.size() == channel.width * mesh.corners.size()) continue;
     fail_attributes("channel '" + channel.name + "' has not " + std::to_string(channel.width) +
                     " numbers per corner");
+  }
+}
+
+void merge_equal_materials(MeshAttributes& attributes) {
+  const auto is_less = [](const MeshMaterial& a, const MeshMaterial& b) {
+    return std::tie(a.name, a.color, a.texture) < std::tie(b.name, b.color, b.texture);
+  };
+  std::map<MeshMaterial, std::uint32_t, decltype(is_less)> known(is_less);
+  std::vector<std::uint32_t> number;
+  std::vector<MeshMaterial> kept;
+  for (MeshMaterial& material : attributes.materials) {
+    const auto [at, is_new] = known.emplace(material, static_cast<std::uint32_t>(kept.size()));
+    if (is_new) kept.push_back(std::move(material));
+    number.push_back(at->second);
+  }
+  attributes.materials = std::move(kept);
+  for (std::uint32_t& material : attributes.face_material) {
+    if (material != MeshAttributes::kNone) material = number[material];
   }
 }
 

@@ -89,6 +89,7 @@ void note_other_files(const ZipArchive& archive, ThreeMfScene& scene) {
 MeshFile read_package(std::string_view bytes, const ReadOptions& options, Context& context) {
   ZipArchive archive(bytes, context);
   ThreeMfScene scene(context);
+  scene.looks.is_kept = options.attributes;
   scene.part_of(start_part(archive, options.name));
   for (std::uint32_t part = 0; part < scene.parts.size(); ++part) {
     read_threemf_model(archive, part, options, bytes.size(), scene, context);
@@ -133,31 +134,44 @@ constexpr std::string_view kPackageRelationships =
 </Relationships>
 )";
 
-void write_object(TextOutput& out, const PolygonMesh& mesh) {
-  out << "<object id=\"1\" type=\"model\"><mesh>\n<vertices>\n";
+constexpr std::string_view kThreeMfMaterials =
+    "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
+constexpr std::string_view kThreeMfSets =
+    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
+
+void write_object(TextOutput& out, const PolygonMesh& mesh, const ThreeMfResources& looks) {
+  out << "<object id=\"1\" type=\"model\"";
+  looks.write_object(out);
+  out << "><mesh>\n<vertices>\n";
   for (const Point3& p : mesh.points) {
     out << "<vertex x=\"" << p.x << "\" y=\"" << p.y << "\" z=\"" << p.z << "\"/>\n";
   }
   out << "</vertices>\n<triangles>\n";
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
-    out << "<triangle v1=\"" << face[0] << "\" v2=\"" << face[1] << "\" v3=\"" << face[2]
-        << "\"/>\n";
+    out << "<triangle v1=\"" << face[0] << "\" v2=\"" << face[1] << "\" v3=\"" << face[2] << '"';
+    looks.write_triangle(out, f);
+    out << "/>\n";
   }
-  out << "</triangles>\n</mesh></object>\n";
+  out << "</triangles>\n";
+  looks.write_sets(out);
+  out << "</mesh></object>\n";
 }
 
 /// Returns the model part. A mesh without faces is a model without objects: 3MF has no empty mesh.
-std::string model_text(const PolygonMesh& mesh) {
+std::string model_text(const PolygonMesh& mesh, const MeshAttributes& attributes) {
   std::ostringstream stream;
   TextOutput out(stream);
+  const ThreeMfResources looks(mesh, attributes);
   const bool has_object = mesh.face_count() > 0;
   out << R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en-US"
- xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
-<resources>
-)";
-  if (has_object) write_object(out, mesh);
+ xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02")";
+  if (looks.has_colors()) out << "\n xmlns:m=\"" << kThreeMfMaterials << '"';
+  if (looks.has_sets()) out << "\n xmlns:t=\"" << kThreeMfSets << '"';
+  out << ">\n<resources>\n";
+  looks.write_groups(out);
+  if (has_object) write_object(out, mesh, looks);
   out << "</resources>\n<build>\n"
       << (has_object ? "<item objectid=\"1\"/>\n" : "") << "</build>\n</model>\n";
   out.flush();
@@ -166,10 +180,10 @@ std::string model_text(const PolygonMesh& mesh) {
 
 }  // namespace
 
-void write_threemf(std::ostream& out, const PolygonMesh& mesh) {
+void write_threemf(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes) {
   require_doubles(mesh);
   require_triangles(mesh);
-  const std::string model = model_text(mesh);
+  const std::string model = model_text(mesh, attributes);
   const std::array<ZipEntry, 3> entries{
       ZipEntry{"[Content_Types].xml", kContentTypes},
       ZipEntry{kRelationships, kPackageRelationships},

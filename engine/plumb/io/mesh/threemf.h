@@ -10,7 +10,8 @@
 //  4. build     places the objects of all items, exactly, in millimetres (threemf_build.h)
 //
 // Left out with a warning: objects for supports, negative volumes, modifiers, beam lattices. Named
-// in a note: metadata, thumbnails, colours, settings of slicers. Refused: extensions that the file
+// in a note: metadata, thumbnails, textures, settings of slicers; and base materials, colours and
+// names of parts (threemf_looks.h), if attributes are not asked for. Refused: extensions that the file
 // requires and that are not supported, document types, archives that unpack to more than 256 times
 // their size.
 //
@@ -26,6 +27,7 @@
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/read_options.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/mesh_attributes.h"
 
 namespace plumb {
 
@@ -35,9 +37,11 @@ bool begins_like_zip(std::string_view bytes);
 /// The memory of the mesh stays charged to `context`.
 MeshFile read_threemf(std::string_view bytes, const ReadOptions& options, Context& context);
 
-/// Writes one object in millimetres. Equal meshes give equal bytes. Throws Error{NumberOutOfRange}
+/// Writes one object in millimetres, with the materials, colours and groups of its faces. Equal
+/// meshes give equal bytes. Throws Error{NumberOutOfRange}
 /// if a vertex lies beyond the largest double, Error{BadArgument} if a face is no triangle, the
 /// errors of write_zip(), and what `out` throws.
-void write_threemf(std::ostream& out, const PolygonMesh& mesh);
+void write_threemf(std::ostream& out, const PolygonMesh& mesh,
+                   const MeshAttributes& attributes = {});
 
 }  // namespace plumb

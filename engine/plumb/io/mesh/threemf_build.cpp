@@ -116,7 +116,12 @@ class SceneBuilder3mf {
  public:
   SceneBuilder3mf(const ThreeMfScene& scene, const ThreeMfSettings& settings,
                   const std::string& file, Context& context)
-      : scene_(scene), settings_(settings), file_(file), out_(context), context_(context) {}
+      : scene_(scene),
+        settings_(settings),
+        file_(file),
+        out_(context),
+        painter_(scene.looks, context),
+        context_(context) {}
 
   MeshFile build() {
     for (const ThreeMfPlacement& item : scene_.items) place(item);
@@ -126,6 +131,7 @@ class SceneBuilder3mf {
     for (const std::string& what : scene_.left_out) out_.leave_out(what);
     MeshFile result = out_.take();
     result.faces_left_out = flat_;
+    if (scene_.looks.is_kept) result.attributes = painter_.take(result.mesh);
     if (!has_build) {
       result.notes.emplace_back("the file has no build items; its objects are read as they are");
     }
@@ -281,7 +287,7 @@ class SceneBuilder3mf {
 
   /// Adds the triangles that are parts of the shape, without those that repeat a corner.
   void add_faces(const ThreeMfObject& object, std::uint32_t base, bool turns) {
-    const PolygonMesh& mesh = scene_.source.mesh();
+    const std::uint32_t name = name_of_top();
     std::vector<ThreeMfSettings::Range> excluded;
     for (const ThreeMfSettings::Range& range : settings_.ranges) {
       if (object.part == 0 && range.object == object.id) excluded.push_back(range);
@@ -296,11 +302,22 @@ class SceneBuilder3mf {
         out_.leave_out(range->called);
         continue;
       }
-      add_face(mesh.face(f), base - object.first_point, turns);
+      add_face(f, base - object.first_point, turns, name);
     }
   }
 
-  void add_face(std::span<const std::uint32_t> corners, std::uint32_t shift, bool turns) {
+  /// Returns the name of the object on top of the path, or of the innermost one above it that has
+  /// one.
+  std::uint32_t name_of_top() const {
+    for (std::size_t i = path_.size(); i-- > 0;) {
+      const std::uint32_t name = scene_.objects[path_[i].object].name;
+      if (name != ThreeMfLook::kNone) return name;
+    }
+    return ThreeMfLook::kNone;
+  }
+
+  void add_face(std::uint32_t face, std::uint32_t shift, bool turns, std::uint32_t name) {
+    const std::span<const std::uint32_t> corners = scene_.source.mesh().face(face);
     const std::uint32_t a = corners[0];
     const std::uint32_t b = corners[turns ? 2 : 1];
     const std::uint32_t c = corners[turns ? 1 : 2];
@@ -310,6 +327,7 @@ class SceneBuilder3mf {
     }
     for (const std::uint32_t corner : {a, b, c}) out_.add_corner(corner + shift);
     out_.end_face();
+    if (scene_.looks.is_kept) painter_.add_face(face, name, turns);
   }
 
   void watch() {
@@ -339,6 +357,7 @@ class SceneBuilder3mf {
   const ThreeMfSettings& settings_;
   const std::string& file_;
   MeshCollector out_;
+  ThreeMfPainter painter_;
   Context& context_;
   std::vector<Open> path_;
   std::uint64_t placed_ = 0;

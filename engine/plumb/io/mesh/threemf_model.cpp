@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <system_error>
 
@@ -27,12 +28,17 @@ namespace {
 constexpr std::string_view kCore = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 constexpr std::string_view kProduction =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
+constexpr std::string_view kMaterials =
+    "http://schemas.microsoft.com/3dmanufacturing/material/2015/02";
+constexpr std::string_view kTriangleSets =
+    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07";
+constexpr std::string_view kTriangleSets2 =
+    "http://schemas.3mf.io/3dmanufacturing/trianglesets/2021/07";
+constexpr std::string_view kSlic3r = "http://schemas.slic3r.org/3mf/2017/06";
 
 /// Extensions that may be required, because what they add is read or does not change the shape.
-constexpr std::array<std::string_view, 5> kUnderstood{
-    kCore, kProduction, "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
-    "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
-    "http://schemas.3mf.io/3dmanufacturing/trianglesets/2021/07"};
+constexpr std::array<std::string_view, 5> kUnderstood{kCore, kProduction, kMaterials, kTriangleSets,
+                                                      kTriangleSets2};
 
 enum class ModelElement : std::uint8_t {
   Outside,
@@ -50,6 +56,14 @@ enum class ModelElement : std::uint8_t {
   Item,
   Settings,
   Setting,
+  BaseMaterials,
+  Base,
+  ColorGroup,
+  Color,
+  TriangleSets,
+  TriangleSet,
+  SetTriangle,
+  SetRange,
   Passed,
 };
 
@@ -75,6 +89,29 @@ constexpr std::array<GrammarRule, 15> kGrammar{{
     {ModelElement::Build, "item", ModelElement::Item},
     {ModelElement::Item, "metadatagroup", ModelElement::Settings},
     {ModelElement::Settings, "metadata", ModelElement::Setting},
+}};
+
+/// Elements that state looks. They are skipped if attributes are not kept.
+struct LookRule {
+  ModelElement parent;
+  std::string_view space;
+  std::string_view name;
+  ModelElement element;
+};
+
+constexpr std::array<LookRule, 12> kLookGrammar{{
+    {ModelElement::Resources, kCore, "basematerials", ModelElement::BaseMaterials},
+    {ModelElement::BaseMaterials, kCore, "base", ModelElement::Base},
+    {ModelElement::Resources, kMaterials, "colorgroup", ModelElement::ColorGroup},
+    {ModelElement::ColorGroup, kMaterials, "color", ModelElement::Color},
+    {ModelElement::Mesh, kTriangleSets, "trianglesets", ModelElement::TriangleSets},
+    {ModelElement::TriangleSets, kTriangleSets, "triangleset", ModelElement::TriangleSet},
+    {ModelElement::TriangleSet, kTriangleSets, "ref", ModelElement::SetTriangle},
+    {ModelElement::TriangleSet, kTriangleSets, "refrange", ModelElement::SetRange},
+    {ModelElement::Mesh, kTriangleSets2, "trianglesets", ModelElement::TriangleSets},
+    {ModelElement::TriangleSets, kTriangleSets2, "triangleset", ModelElement::TriangleSet},
+    {ModelElement::TriangleSet, kTriangleSets2, "ref", ModelElement::SetTriangle},
+    {ModelElement::TriangleSet, kTriangleSets2, "refrange", ModelElement::SetRange},
 }};
 
 /// Elements that are not read: what a note or a warning calls them.
@@ -175,6 +212,16 @@ class ModelReader3mf : public XmlListener {
   void add_item(const XmlTag& tag);
   void end_setting();
 
+  void start_group(const XmlTag& tag);
+  void add_entry(const XmlTag& tag, const char* color);
+  std::uint32_t name_of(const XmlTag& tag);
+  void add_to_set(const XmlTag& tag, const char* first, const char* last);
+  void add_look(const XmlTag& tag);
+  ThreeMfLook& look_of(std::size_t face);
+  std::optional<std::uint32_t> entry_of(std::uint32_t group, std::uint32_t index) const;
+  std::optional<std::uint32_t> look_number(const XmlTag& tag, const char* name);
+  void pass_over(const char* what) { scene_.passed.insert(what); }
+
   ThreeMfPlacement placement_of(const XmlTag& tag);
   std::uint32_t transform_of(std::string_view text);
   std::uint32_t whole_number(const XmlTag& tag, const char* name);
@@ -195,16 +242,27 @@ class ModelReader3mf : public XmlListener {
   std::map<std::string, std::string, std::less<>> spaces_;  // Prefixes at the root.
   std::string setting_name_;
   std::string setting_;
+  ThreeMfGroup* group_ = nullptr;                // The group that is open.
+  std::uint32_t set_name_ = ThreeMfLook::kNone;  // Of the set of triangles that is open.
+  std::size_t set_steps_ = 0;                    // Triangles that sets of the object name.
+  std::optional<std::uint32_t> object_group_, object_entry_;  // Defaults of triangles.
   ReadNumber x_, y_, z_;
 };
 
 // ---------------------------------------------------------------- elements
 
 ModelElement ModelReader3mf::element_of(const XmlTag& tag) const {
-  if (tag.space != kCore) return ModelElement::Passed;
   const ModelElement parent = top();
-  for (const GrammarRule& rule : kGrammar) {
-    if (rule.parent == parent && rule.name == tag.name) return rule.element;
+  if (tag.space == kCore) {
+    for (const GrammarRule& rule : kGrammar) {
+      if (rule.parent == parent && rule.name == tag.name) return rule.element;
+    }
+  }
+  if (!scene_.looks.is_kept) return ModelElement::Passed;
+  for (const LookRule& rule : kLookGrammar) {
+    if (rule.parent == parent && rule.name == tag.name && rule.space == tag.space) {
+      return rule.element;
+    }
   }
   return ModelElement::Passed;
 }
@@ -234,6 +292,20 @@ void ModelReader3mf::start(const XmlTag& tag) {
       setting_name_ = tag.attribute("name").value_or("");
       setting_.clear();
       return;
+    case ModelElement::BaseMaterials:
+    case ModelElement::ColorGroup:
+      return start_group(tag);
+    case ModelElement::Base:
+      return add_entry(tag, "displaycolor");
+    case ModelElement::Color:
+      return add_entry(tag, "color");
+    case ModelElement::TriangleSet:
+      set_name_ = name_of(tag);
+      return;
+    case ModelElement::SetTriangle:
+      return add_to_set(tag, "index", "index");
+    case ModelElement::SetRange:
+      return add_to_set(tag, "startindex", "endindex");
     default:
       return;
   }
@@ -312,7 +384,14 @@ void ModelReader3mf::start_object(const XmlTag& tag) {
   object.first_point = object.end_point = scene_.source.point_count();
   object.first_face = object.end_face = static_cast<std::uint32_t>(scene_.source.face_count());
   object.first_component = static_cast<std::uint32_t>(scene_.components.size());
-  if (tag.attribute("pid")) scene_.passed.insert("materials and colours");
+  if (scene_.looks.is_kept) {
+    object.name = name_of(tag);
+    set_steps_ = 0;
+    object_group_ = look_number(tag, "pid");
+    object_entry_ = look_number(tag, "pindex");
+  } else if (tag.attribute("pid")) {
+    pass_over("materials and colours");
+  }
   const auto number = static_cast<std::uint32_t>(scene_.objects.size());
   const bool is_new = scene_.object_of.emplace(std::pair(part_, object.id), number).second;
   if (!is_new) {
@@ -352,7 +431,8 @@ void ModelReader3mf::add_triangle(const XmlTag& tag) {
     scene_.source.add_corner(first + vertex);
   }
   scene_.source.end_face();
-  if (tag.attribute("pid") || tag.attribute("p1")) scene_.passed.insert("materials and colours");
+  if (scene_.looks.is_kept) return add_look(tag);
+  if (tag.attribute("pid") || tag.attribute("p1")) pass_over("materials and colours");
 }
 
 void ModelReader3mf::add_component(const XmlTag& tag) {
@@ -387,6 +467,116 @@ void ModelReader3mf::end_setting() {
     owner = open_.back() = ModelElement::Passed;  // The item is gone; other settings do not matter.
     return;
   }
+}
+
+// ---------------------------------------------------------------- looks
+//
+// A look never decides whether a file is refused. What is wrong with one is named in a note.
+
+/// Starts a group of base materials or colours. Of two groups with one id, the first counts.
+void ModelReader3mf::start_group(const XmlTag& tag) {
+  constexpr std::uint64_t kGroupBytes = 96;
+  group_ = nullptr;
+  const auto id = look_number(tag, "id");
+  if (!id) return pass_over("groups of materials without an id");
+  scene_.charge.add(kGroupBytes, "the materials of the file");
+  const auto first = static_cast<std::uint32_t>(scene_.looks.entries.size());
+  const auto [group, is_new] =
+      scene_.looks.groups.try_emplace(std::pair(part_, *id), ThreeMfGroup{first, first});
+  if (is_new) group_ = &group->second;
+  if (!is_new) pass_over("groups of materials with the id of another one");
+}
+
+void ModelReader3mf::add_entry(const XmlTag& tag, const char* color) {
+  if (group_ == nullptr) return;
+  ThreeMfEntry entry;
+  if (top() == ModelElement::Base) entry.name = tag.attribute("name").value_or("");
+  const auto text = tag.attribute(color);
+  entry.color = threemf_color(text.value_or(""));
+  if (text && !entry.color) pass_over("colours that are not #RRGGBB or #RRGGBBAA");
+  scene_.charge.add(2 * sizeof entry + 2 * entry.name.size(), "the materials of the file");
+  scene_.looks.entries.push_back(std::move(entry));
+  group_->end = static_cast<std::uint32_t>(scene_.looks.entries.size());
+}
+
+/// Returns the index of the name of an object or a set of triangles; kNone if it has none.
+std::uint32_t ModelReader3mf::name_of(const XmlTag& tag) {
+  const std::string_view name = tag.attribute("name").value_or("");
+  if (name.empty()) return ThreeMfLook::kNone;
+  scene_.charge.add(2 * sizeof(std::string) + 2 * name.size(), "the names of the file");
+  scene_.looks.names.emplace_back(name);
+  return static_cast<std::uint32_t>(scene_.looks.names.size() - 1);
+}
+
+/// Gives triangles of the object the name of the open set. Of several sets, the first counts.
+void ModelReader3mf::add_to_set(const XmlTag& tag, const char* first, const char* last) {
+  if (set_name_ == ThreeMfLook::kNone) return;
+  const auto begin = look_number(tag, first), end = look_number(tag, last);
+  const std::size_t base = object().first_face, count = scene_.source.face_count() - base;
+  if (!begin || !end || *begin > *end || *end >= count) {
+    return pass_over("sets of triangles that there are not");
+  }
+  // Without a bound, a few ranges of many triangles would take long.
+  constexpr std::size_t kMostSetsOfTriangle = 64;
+  set_steps_ += *end - *begin + 1;
+  if (set_steps_ > kMostSetsOfTriangle * count) return pass_over("sets of triangles that overlap");
+  for (std::size_t f = base + *begin; f <= base + *end; ++f) {
+    ThreeMfLook& look = look_of(f);
+    if (look.name == ThreeMfLook::kNone) look.name = set_name_;
+  }
+}
+
+/// Adds the look of the last triangle. What it lacks is that of the object.
+void ModelReader3mf::add_look(const XmlTag& tag) {
+  if (tag.attribute("paint_color") || tag.attribute(kSlic3r, "mmu_segmentation")) {
+    pass_over("colours painted in slicers");
+  }
+  const auto own = tag.attribute("p1");
+  if (!own && !(object_group_ && object_entry_)) return;
+  const auto group = tag.attribute("pid") && own ? look_number(tag, "pid") : object_group_;
+  const auto first = own ? look_number(tag, "p1") : object_entry_;
+  if (!group || !first) return pass_over("references to materials that are not read");
+  ThreeMfLook look;
+  constexpr std::array<const char*, 3> kCorners{"p1", "p2", "p3"};
+  for (std::size_t i = 0; i < kCorners.size(); ++i) {
+    const bool is_stated = own && tag.attribute(kCorners[i]);
+    const auto index = is_stated ? look_number(tag, kCorners[i]) : first;
+    const auto entry = index ? entry_of(*group, *index) : std::nullopt;
+    if (!entry) return pass_over("references to materials that are not read");
+    look.entry[i] = *entry;
+  }
+  // A face has one base material: that of its first corner.
+  if (!scene_.looks.entries[look.entry[0]].name.empty()) look.entry.fill(look.entry[0]);
+  look_of(scene_.source.face_count() - 1).entry = look.entry;
+}
+
+ThreeMfLook& ModelReader3mf::look_of(std::size_t face) {
+  std::vector<ThreeMfLook>& looks = scene_.looks.faces;
+  if (face >= looks.size()) {
+    if (face >= looks.capacity()) {
+      scene_.charge.add((2 * face + 64) * sizeof(ThreeMfLook), "the materials of the file");
+      looks.reserve(2 * face + 64);
+    }
+    looks.resize(face + 1);
+  }
+  return looks[face];
+}
+
+std::optional<std::uint32_t> ModelReader3mf::entry_of(std::uint32_t group,
+                                                      std::uint32_t index) const {
+  const auto found = scene_.looks.groups.find({part_, group});
+  if (found == scene_.looks.groups.end()) return {};
+  const auto [first, end] = found->second;
+  return index < end - first ? std::optional(first + index) : std::nullopt;
+}
+
+/// Returns the whole number that an attribute states, or nothing.
+std::optional<std::uint32_t> ModelReader3mf::look_number(const XmlTag& tag, const char* name) {
+  const std::string_view text = tag.attribute(name).value_or("");
+  std::uint32_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, code] = std::from_chars(text.data(), last, value);
+  return code == std::errc() && end == last ? std::optional(value) : std::nullopt;
 }
 
 // ---------------------------------------------------------------- attributes

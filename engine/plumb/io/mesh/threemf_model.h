@@ -20,6 +20,7 @@
 #include "plumb/base/context.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh/threemf_archive.h"
+#include "plumb/io/mesh/threemf_looks.h"
 #include "plumb/io/read_options.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
@@ -54,6 +55,7 @@ struct ThreeMfObject {
   std::uint32_t first_point = 0, end_point = 0;
   std::uint32_t first_face = 0, end_face = 0;
   std::uint32_t first_component = 0, end_component = 0;
+  std::uint32_t name = ThreeMfLook::kNone;  ///< The index of its name in ThreeMfLooks::names.
 };
 
 /// A part of the archive that describes a model.
@@ -75,6 +77,7 @@ struct ThreeMfScene {
   bool has_lost_items = false;          ///< Whether items were left out because of a setting.
   std::deque<ThreeMfTransform> transforms;
   MeshCollector source;            ///< Points and faces of all objects.
+  ThreeMfLooks looks;              ///< Materials and names, if they are kept.
   std::set<std::string> passed;    ///< What no mesh holds, for a note.
   std::set<std::string> left_out;  ///< Geometry that is not read, for a warning.
   std::map<std::string, std::uint32_t, std::less<>> part_numbers;  ///< Of the names of parts.

@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
@@ -113,18 +114,21 @@ bool holds_any(const MeshAttributes& outline, MeshFormat format) {
   const bool is_off = format == MeshFormat::Off || format == MeshFormat::ExactOff;
   const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
   const bool is_obj = format == MeshFormat::Obj;
+  const bool is_3mf = format == MeshFormat::ThreeMf;
   if (format == MeshFormat::Gltf) return !outline.face_material.empty();
-  if (!is_off && !is_ply && !is_obj) return false;
+  if (!is_off && !is_ply && !is_obj && !is_3mf) return false;
   const bool has_color =
       std::any_of(outline.materials.begin(), outline.materials.end(),
                   [](const MeshMaterial& material) { return material.color.has_value(); });
-  const bool has_usual =
-      std::any_of(outline.channels.begin(), outline.channels.end(), [](const MeshChannel& channel) {
-        return channel.name == "color" || channel.name == "normal" || channel.name == "texcoord_0";
+  const bool has_usual = std::any_of(
+      outline.channels.begin(), outline.channels.end(), [&](const MeshChannel& channel) {
+        const bool is_shape = channel.name == "normal" || channel.name == "texcoord_0";
+        return channel.name == "color" || (is_shape && !is_3mf);
       });
   if (has_color || has_usual) return true;
   if (is_ply) return !outline.face_id.empty() || !outline.channels.empty();
-  return is_obj && !(outline.face_material.empty() && outline.face_group.empty());
+  const bool has_names = is_obj || is_3mf;
+  return has_names && !(outline.face_material.empty() && outline.face_group.empty());
 }
 
 }  // namespace
@@ -169,6 +173,7 @@ void SolidText::add_attributes(OutputRounding rounding, Context& context) {
   add_new(changes_, changes);
   mesh_ = std::move(made.mesh);
   attributes_ = std::move(made.attributes);
+  merge_equal_materials(attributes_);
 }
 
 void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {
