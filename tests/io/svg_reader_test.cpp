@@ -244,6 +244,73 @@ TEST(svg_reader, what_means_nothing) {
             (std::vector<std::string>{"left out: svg", "left out: text", "left out: use"}));
 }
 
+/// A drawing without a size has nothing that a percentage is a part of (hostile_drawings()).
+TEST(svg_reader, percentages_are_parts_of_the_drawing) {
+  const auto in_box = [](const std::string& shape) {
+    return read("<svg width='100%' height='100%' viewBox='5 5 300 400'>" + shape + "</svg>");
+  };
+  const auto expect_same = [&](const std::string& a, const std::string& b) {
+    EXPECT_EQ(ring(in_box(a), 0), ring(in_box(b), 0)) << a;
+  };
+  expect_same("<rect x='10%' y='10%' width='50%' height='25%'/>",
+              "<rect x='30' y='40' width='150' height='100'/>");
+  expect_same("<line x1='1%' y1='1%' x2='100%' y2='100%'/>",
+              "<line x1='3' y1='4' x2='300' y2='400'/>");
+  expect_same("<ellipse cx='50%' cy='50%' rx='10%' ry='10%'/>",
+              "<ellipse cx='150' cy='200' rx='30' ry='40'/>");
+  // The radius of a circle is a part of the diagonal, divided by the root of 2.
+  const Ring circle = ring(in_box("<circle r='10%'/>"), 0);
+  const auto [left, right] = std::ranges::minmax(circle, {}, &Point2::x);
+  EXPECT_NEAR(right.x - left.x, 2 * 500 / std::sqrt(2.) / 10, 1);
+}
+
+TEST(svg_reader, hidden_shapes_are_left_out) {
+  const std::string shape = "<rect width='1' height='1'/>";
+  for (const std::string hides :
+       {"display='none'", "style='display:none'", "style='fill:red; display : none ;'",
+        "style='display:none !important'", "visibility='hidden'", "style='visibility:collapse'",
+        "display='inline' style='display:none'"}) {
+    EXPECT_EQ(drawn("<g " + hides + ">" + shape + "</g>" + shape).shape_count(), 1U) << hides;
+    EXPECT_EQ(drawn("<g><rect width='1' height='1' " + hides + "/></g>").shape_count(), 0U);
+  }
+  for (const std::string shows :
+       {"display='inline'", "style='display:inline'", "style='-x-display:none'",
+        "display='none' style='display:inline'", "style='fill:url(#none)'"}) {
+    EXPECT_EQ(drawn("<g " + shows + ">" + shape + "</g>").shape_count(), 1U) << shows;
+  }
+  // Visibility is inherited, and display is not.
+  const std::string visible = "<rect style='visibility:visible' width='1' height='1'/>";
+  EXPECT_EQ(drawn("<g visibility='hidden'><g>" + shape + visible + "</g></g>").shape_count(), 1U);
+}
+
+TEST(svg_reader, style_sheets_are_not_applied) {
+  const SvgDrawing drawing = drawn("<style>.a{fill:red}</style><style>.b{display:none}</style>");
+  EXPECT_EQ(drawing.notes,
+            (std::vector<std::string>{
+                "the style sheet sets 'display', which is read from attributes only"}));
+}
+
+/// Old versions of Illustrator declare entities for name spaces.
+TEST(svg_reader, declarations_of_entities_are_skipped) {
+  const std::string type =
+      "<!DOCTYPE svg PUBLIC 'a' 'b' [\n<!-- ]>' -->\n<!ENTITY ns_svg \"http://[x]>\">\n] >\n";
+  const SvgDrawing drawing = read(type +
+                                  "<svg xmlns='&ns_svg;'><title>&amp;&#65;</title>"
+                                  "<rect width='1' height='1'/></svg>");
+  EXPECT_EQ(drawing.shape_count(), 1U);
+}
+
+TEST(svg_reader, declared_encodings_of_single_bytes) {
+  const std::string body =
+      "<svg><!-- Gr\xF6\xDF"
+      "e --><rect id='\xFC' width='1' height='1'/></svg>";
+  for (const std::string encoding : {"ISO-8859-1", "iso-8859-15", "windows-1252"}) {
+    EXPECT_EQ(read("<?xml version='1.0' encoding='" + encoding + "'?>" + body).shape_count(), 1U);
+  }
+  EXPECT_THROW(read("<?xml version='1.0' encoding='UTF-8'?>" + body), Error);
+  EXPECT_THROW(read("<?xml version='1.0'?>" + body), Error);
+}
+
 std::vector<HostileText> hostile_drawings() {
   const std::string open = "<svg>\n", close = "</svg>";
   const auto element = [&](const std::string& text) { return open + text + close; };
@@ -266,7 +333,11 @@ std::vector<HostileText> hostile_drawings() {
       {"no blank between", element("<rect x='1'y='2'/>"), 2, 12, "blank"},
       {"given twice", element("<rect x='1' x='2'/>"), 2, 13, "given twice"},
       {"comment not ended", element("<!-- "), 2, 1, "a comment without an end"},
-      {"entities", "<!DOCTYPE svg [\n<!ENTITY a 'aaaa'>]><svg>&a;</svg>", 1, 15, "not expanded"},
+      {"entities", "<!DOCTYPE svg [\n<!ENTITY a 'aaaa'>]><svg>&a;</svg>", 2, 26, "not expanded"},
+      {"an entity as style", "<!DOCTYPE svg [<!ENTITY a ''>]>\n<svg>\n<g style='&a;'/></svg>", 3,
+       11, "not expanded"},
+      {"a type without an end", "<!DOCTYPE svg [<!ENTITY a ']>\n<svg/>", 1, 1, "without an end"},
+      {"a type that goes on", "<!DOCTYPE svg [] x><svg/>", 1, 1, "without an end"},
       {"late type", "<svg><!DOCTYPE svg></svg>", 1, 6, "in the middle"},
       {"nested", repeated("<svg>", 257), 1, 5 * 256 + 1, "nested more than 256"},
       {"attributes", "<svg>\n<g " + repeated("a='' ", 4097) + "/></svg>", 2, 1, "4096 attributes"},

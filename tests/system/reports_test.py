@@ -89,6 +89,9 @@ ROWS = [
     # A sliver that rounds to nothing is left out.
     Row("26-plane-output-invalid-with-warning", "plane difference a.geojson b.geojson", 0, ("EMPTY", "1 face was left out")),
     Row("26-plane-output-invalid-with-warning", "plane difference a.geojson b.geojson --strict", 2, "--strict"),
+    # Drawings as Inkscape and Illustrator write them: hidden layers, entities, percentages, Latin-1.
+    *[Row("28-svg-hidden-and-declared", "plane info " + name, 0, "area 6\n")
+      for name in ("hidden.svg", "entities.svg", "percent.svg", "latin.svg")],
 ]
 
 

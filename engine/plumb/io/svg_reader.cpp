@@ -3,9 +3,10 @@
 // XmlScanner reports elements one after the other; a stack holds the product of all transforms of
 // the open ones. Groups are entered, shapes are given to SvgOutline, which flattens them in the
 // coordinates of the drawing, and elements that would be drawn but are not supported (text, images,
-// uses) are left out with a note. The root fixes the frame: the middle of the drawing becomes the
-// origin, the y axis is turned upwards, and the default tolerance is a thousandth of the larger
-// side. Format: W3C, Scalable Vector Graphics (SVG) 1.1; docs/formats.md, section Drawings.
+// uses) are left out with a note. What is not drawn (display, visibility) is left out; style sheets
+// are not applied, and a note says so if one could hide elements or set their fill rules. The root
+// fixes the frame: the middle of the drawing becomes the origin, the y axis is turned upwards, and
+// the default tolerance is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics (SVG) 1.1; docs/formats.md, section Drawings.
 // Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg_reader.h"
 
@@ -59,6 +60,7 @@ class SvgReader {
   void start_element();
   void skip_element();
   std::optional<SvgValue> value(std::string_view name);
+  double whole_of(std::string_view name) const;
   std::optional<double> length_if(std::string_view name);
   double length(std::string_view name);
   double size(std::string_view name);
@@ -75,7 +77,10 @@ class SvgReader {
   void read_points();
   void read_path();
 
+  std::string_view property(std::string_view name) const;
   bool is_even_odd(bool inherited) const;
+  bool is_hidden(bool inherited) const;
+  void read_style_sheet();
   std::optional<double> millimetres(std::string_view name);
   void set_frame(double x, double y, double width, double height);
 
@@ -89,7 +94,10 @@ class SvgReader {
   // Transforms of the open elements, each the product of all above it.
   std::vector<SvgTransform> transforms_;
   std::vector<std::uint8_t> even_odd_;  // Fill rules of the open elements.
+  std::vector<std::uint8_t> hidden_;    // Whether the open elements are invisible.
+  Point2 size_{0, 0};                   // Width and height, if they are known.
   std::set<std::string_view> left_out_;
+  std::set<std::string_view> style_properties_;  // Those that a style sheet sets.
 };
 
 const std::array<SvgReader::Kind, 7> SvgReader::kKinds{{
@@ -117,11 +125,16 @@ SvgDrawing SvgReader::read() {
         for (const std::string_view name : left_out_) {
           outline_.note("left out: " + std::string(name));
         }
+        for (const std::string_view name : style_properties_) {
+          outline_.note("the style sheet sets '" + std::string(name) +
+                        "', which is read from attributes only");
+        }
         return outline_.take();
       }
       case XmlScanner::Event::End:
         transforms_.pop_back();
         even_odd_.pop_back();
+        hidden_.pop_back();
         break;
       case XmlScanner::Event::Start:
         if (is_first) {
@@ -161,8 +174,10 @@ void SvgReader::start_root() {
   if (width < 0 || height < 0) {
     scanner_.fail(ErrorCode::BadShape, "a drawing of negative size", scanner_.tag());
   }
+  size_ = {width, height};
   set_frame(x, y, width, height);
   even_odd_.push_back(is_even_odd(false) ? 1 : 0);
+  hidden_.push_back(is_hidden(false) ? 1 : 0);
 }
 
 /// Sets the root's transform and, if none is given, the tolerance.
@@ -197,18 +212,54 @@ std::optional<double> SvgReader::millimetres(std::string_view name) {
   return {};
 }
 
-/// Returns whether the fill rule of the element that started last is evenodd. The attribute style
-/// decides before the attribute fill-rule; without both, the rule is inherited.
-bool SvgReader::is_even_odd(bool inherited) const {
-  constexpr std::string_view kProperty = "fill-rule", kBlanks = ": \t\r\n";
-  std::string_view rule = scanner_.attribute(kProperty).value_or("");
-  const std::string_view style = scanner_.attribute("style").value_or("");
-  if (const std::size_t at = style.find(kProperty); at != style.npos) {
-    rule = style.substr(at + kProperty.size());
+/// Returns a presentation property of the element that started last, or an empty text. A
+/// declaration in the attribute style decides before the attribute of this name.
+std::string_view SvgReader::property(std::string_view name) const {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const auto trimmed = [&](std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+  };
+  std::string_view value = scanner_.attribute(name).value_or("");
+  std::string_view style = scanner_.attribute("style").value_or("");
+  if (const std::size_t entity = find_entity(style); entity != style.npos) {
+    scanner_.fail(ErrorCode::Syntax, "a reference to an entity: entities are not expanded",
+                  style.data() + entity);
   }
-  rule.remove_prefix(std::min(rule.find_first_not_of(kBlanks), rule.size()));
-  if (rule.starts_with("evenodd")) return true;
-  return rule.starts_with("nonzero") ? false : inherited;
+  while (!style.empty()) {
+    const std::string_view declaration = style.substr(0, style.find(';'));
+    style.remove_prefix(std::min(declaration.size() + 1, style.size()));
+    const std::size_t colon = declaration.find(':');
+    if (trimmed(declaration.substr(0, colon)) != name || colon == declaration.npos) continue;
+    value = declaration.substr(colon + 1);
+    value = value.substr(0, value.find("!important"));
+  }
+  return trimmed(value);
+}
+
+/// Returns whether the fill rule of the element that started last is evenodd.
+bool SvgReader::is_even_odd(bool inherited) const {
+  const std::string_view rule = property("fill-rule");
+  if (rule == "evenodd") return true;
+  return rule == "nonzero" ? false : inherited;
+}
+
+bool SvgReader::is_hidden(bool inherited) const {
+  const std::string_view visibility = property("visibility");
+  if (visibility == "hidden" || visibility == "collapse") return true;
+  return visibility == "visible" ? false : inherited;
+}
+
+/// Skips a style sheet, and notes what it may change.
+void SvgReader::read_style_sheet() {
+  const char* const begin = scanner_.tag();
+  skip_element();
+  const std::string_view sheet(begin, static_cast<std::size_t>(scanner_.tag() - begin));
+  for (const std::string_view name : {"display", "visibility", "fill-rule"}) {
+    const std::size_t at = sheet.find(name);
+    if (at == sheet.npos) continue;
+    style_properties_.insert(name);
+  }
 }
 
 void SvgReader::skip_element() {
@@ -220,9 +271,10 @@ void SvgReader::skip_element() {
 /// Enters a group, reads a shape, or skips an element with all it contains.
 void SvgReader::start_element() {
   const std::string_view name = plain_name(scanner_.element());
+  if (name == "style") return read_style_sheet();
   const auto kind = std::ranges::find(kKinds, name, &Kind::name);
   const bool is_group = name == "g" || name == "a";
-  if ((kind == kKinds.end() && !is_group) || scanner_.attribute("display") == "none") {
+  if ((kind == kKinds.end() && !is_group) || property("display") == "none") {
     if (std::ranges::count(kLeftOut, name) > 0) left_out_.insert(name);
     return skip_element();
   }
@@ -230,11 +282,13 @@ void SvgReader::start_element() {
   if (std::optional<SvgValue> text = value("transform")) {
     transform = product(transform, read_transform(std::move(*text)));
   }
-  with_place(here(), [&] { context_.charge_memory(2 * sizeof(SvgTransform) + 2, "the drawing"); });
+  with_place(here(), [&] { context_.charge_memory(2 * sizeof(SvgTransform) + 4, "the drawing"); });
   transforms_.push_back(transform);
   const bool fills_by_evenodd = is_even_odd(even_odd_.back() != 0);
   even_odd_.push_back(fills_by_evenodd ? 1 : 0);
-  if (is_group) return;
+  const bool hides = is_hidden(hidden_.back() != 0);
+  hidden_.push_back(hides ? 1 : 0);
+  if (is_group || hides) return;
   outline_.set_transform(transform);
   (this->*kind->outline)();
   outline_.end_shape(fills_by_evenodd);
@@ -252,10 +306,17 @@ void SvgReader::end_value(SvgValue& text) {
   if (!text.at_end()) text.fail_expected("the end of the value");
 }
 
+/// Returns what a percentage in an attribute is a part of; 0 if that is unknown.
+double SvgReader::whole_of(std::string_view name) const {
+  if (name == "r") return std::hypot(size_.x, size_.y) / std::numbers::sqrt2;
+  const bool is_vertical = name == "height" || name.find('y') != name.npos;
+  return is_vertical ? size_.y : size_.x;
+}
+
 std::optional<double> SvgReader::length_if(std::string_view name) {
   std::optional<SvgValue> text = value(name);
   if (!text) return {};
-  const double length = text->length();
+  const double length = text->length(whole_of(name));
   end_value(*text);
   return length;
 }

@@ -2,9 +2,8 @@
 //
 // The whole text is checked once for UTF-8 and control characters, so later steps may search bytes.
 // The scanner then moves from tag to tag; open elements are a stack of names, whose depth and whose
-// attributes are limited and charged. It never resolves references or loads anything, and it
-// refuses internal subsets of document types, so entity expansion (the "billion laughs") cannot
-// occur.
+// attributes are limited and charged. It skips the declarations of document types and never
+// resolves references or loads anything, so entity expansion (the "billion laughs") cannot occur.
 //
 // In values, a number ends where its longest valid prefix ends: "1.2.3" is 1.2 and .3, and "1em" is
 // 1 followed by a unit that is refused. Format: W3C, XML 1.0, and SVG 1.1; docs/formats.md, section
@@ -39,7 +38,36 @@ bool ends_name(char c) {
   return is_blank(c) || kMarks.find(c) != kMarks.npos;
 }
 
+/// Whether the XML declaration names an encoding whose first 128 characters are ASCII and whose
+/// characters are single bytes, such as ISO-8859-1 or windows-1252.
+bool declares_single_bytes(std::string_view text) {
+  constexpr std::array<std::string_view, 3> kFamilies{"iso-8859-", "windows-125", "cp125"};
+  constexpr std::string_view kEncoding = "encoding";
+  if (!text.starts_with("<?xml")) return false;
+  std::string_view declaration = text.substr(0, text.find("?>"));
+  const std::size_t at = declaration.find(kEncoding);
+  if (at == declaration.npos) return false;
+  declaration.remove_prefix(at + kEncoding.size());
+  declaration.remove_prefix(
+      std::min(declaration.find_first_not_of(" \t\r\n=\"'"), declaration.size()));
+  return std::ranges::any_of(kFamilies, [&](std::string_view family) {
+    return std::ranges::equal(declaration.substr(0, family.size()), family, {},
+                              [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
+  });
+}
+
 }  // namespace
+
+std::size_t find_entity(std::string_view text) {
+  constexpr std::array<std::string_view, 6> kKnown{"#", "amp;", "lt;", "gt;", "quot;", "apos;"};
+  for (std::size_t at = text.find('&'); at != text.npos; at = text.find('&', at + 1)) {
+    const std::string_view name = text.substr(at + 1);
+    const bool is_known = std::ranges::any_of(
+        kKnown, [&](std::string_view known) { return name.starts_with(known); });
+    if (!is_known) return at;
+  }
+  return text.npos;
+}
 
 XmlScanner::XmlScanner(std::string_view text, const std::string& name, Context& context)
     : p_(text.data()),
@@ -48,6 +76,7 @@ XmlScanner::XmlScanner(std::string_view text, const std::string& name, Context& 
       cursor_(text, name),
       context_(context) {
   p_ = tag_ = cursor_.position();
+  is_utf8_ = !declares_single_bytes({p_, static_cast<std::size_t>(end_ - p_)});
   require_text();
 }
 
@@ -62,7 +91,8 @@ void XmlScanner::require_text() const {
     while (at != end) {
       at += text_prefix({at, static_cast<std::size_t>(end - at)});
       if (at == end) break;
-      if (*at == '\n' || *at == '\r') {
+      const bool is_single_byte = !is_utf8_ && static_cast<unsigned char>(*at) >= 0x80;
+      if (*at == '\n' || *at == '\r' || is_single_byte) {
         ++at;
       } else if (end == end_ || static_cast<std::size_t>(end - at) >= kLongestCharacter) {
         fail(ErrorCode::NotText, "a byte that is no text: is this XML?", at);
@@ -107,10 +137,26 @@ bool XmlScanner::skip_from(std::string_view open, std::string_view close, const 
 void XmlScanner::skip_document_type() {
   const char* const found = std::find_if(p_, end_, [](char c) { return c == '[' || c == '>'; });
   if (found == end_) fail(ErrorCode::Syntax, "a document type without an end", p_);
-  if (*found == '[') {
-    fail(ErrorCode::Syntax, "a document type with declarations: entities are not expanded", found);
+  declares_entities_ = *found == '[';
+  const char* const last = declares_entities_ ? end_of_subset(found) : found;
+  if (last == end_ || *last != '>') fail(ErrorCode::Syntax, "a document type without an end", p_);
+  p_ = last + 1;
+}
+
+/// Returns the first byte that is no blank behind the declarations that begin with '[': strings and
+/// comments in them may have brackets.
+const char* XmlScanner::end_of_subset(const char* from) const {
+  const char* at = from + 1;
+  while (at != end_ && *at != ']') {
+    const std::string_view rest(at, static_cast<std::size_t>(end_ - at));
+    std::string_view close;
+    if (rest.starts_with("<!--")) close = "-->";
+    if (*at == '"' || *at == '\'') close = rest.substr(0, 1);
+    const std::size_t found = close.empty() ? 0 : rest.find(close, 1);
+    if (found == rest.npos) return end_;
+    at += found + std::max<std::size_t>(close.size(), 1);
   }
-  p_ = found + 1;
+  return at == end_ ? end_ : std::find_if_not(at + 1, end_, is_blank);
 }
 
 /// Moves to the next tag; returns false at the end of the text.
@@ -121,6 +167,11 @@ bool XmlScanner::find_tag() {
     const char* const stray = std::find_if_not(p_, tag, is_blank);
     if (open_.empty() && stray != tag) {
       fail(ErrorCode::Syntax, "text outside of the root element", stray);
+    }
+    const std::string_view between(p_, static_cast<std::size_t>(tag - p_));
+    const std::size_t entity = declares_entities_ ? find_entity(between) : between.npos;
+    if (entity != between.npos) {
+      fail(ErrorCode::Syntax, "a reference to an entity: entities are not expanded", p_ + entity);
     }
     p_ = tag;
     cursor_.move_to(p_);
@@ -333,10 +384,13 @@ double SvgValue::number() {
   return value;
 }
 
-double SvgValue::length() {
+double SvgValue::length(double whole) {
   skip_blanks();
   double value = number_alone();
-  if (!rest_.empty() && !is_value_blank(rest_.front()) && rest_.front() != ',') {
+  if (whole > 0 && peek() == '%') {
+    value *= whole / 100;
+    rest_.remove_prefix(1);
+  } else if (!rest_.empty() && !is_value_blank(rest_.front()) && rest_.front() != ',') {
     const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
                                    [this](const Unit& u) { return rest_.starts_with(u.name); });
     if (unit == kUnits.end()) fail_expected("a number, or a length in px, in, cm, mm, pt or pc");

@@ -2,13 +2,15 @@
 // of attributes.
 //
 // Elements and their attributes are reported in order. Text between elements, comments, CDATA,
-// processing instructions and a document type without a subset are skipped. Nothing is expanded and
-// nothing is loaded: values are bytes of the file, references in them stay as they are, and a
-// document type with a subset of its own (where entities are declared) is refused.
+// processing instructions and document types are skipped. Nothing is expanded and nothing is
+// loaded: values are bytes of the file, and references in them stay as they are. Drawing programs
+// declare entities for name spaces; a reference to an entity between elements could stand for
+// elements, and is refused.
 //
-// Checked are UTF-8 without control characters, tags that match, one root, and attributes in quotes
-// without '<'. Errors at their places: NotText, Syntax, CountMismatch (nothing but blanks),
-// ResourceLimit; Cancelled. Cost: O(bytes).
+// Checked are control characters, UTF-8 unless the XML declaration names another encoding that has
+// ASCII in it, tags that match, one root, and attributes in quotes without '<'. Errors at their
+// places: NotText, Syntax, CountMismatch (nothing but blanks), ResourceLimit; Cancelled. Cost:
+// O(bytes).
 #pragma once
 
 #include <cstddef>
@@ -30,6 +32,10 @@ struct XmlAttribute {
   std::string_view name;
   std::string_view value;  ///< The value without its quotes.
 };
+
+/// Returns the first reference to an entity other than the five of XML and to characters; npos if
+/// there is none.
+std::size_t find_entity(std::string_view text);
 
 /// Reports the elements of a text one after the other.
 class XmlScanner {
@@ -59,6 +65,7 @@ class XmlScanner {
   bool find_tag();
   bool skip_from(std::string_view open, std::string_view close, const char* what);
   void skip_document_type();
+  const char* end_of_subset(const char* from) const;
   void skip_blanks();
   std::string_view take_name(const char* what);
   void take(char c, const char* what);
@@ -77,6 +84,8 @@ class XmlScanner {
   std::vector<std::string_view> open_;
   bool is_empty_ = false;  // Whether the element that started last has no content.
   bool has_root_ = false;
+  bool declares_entities_ = false;
+  bool is_utf8_ = true;    // False if the XML declaration names an encoding of single bytes.
   std::size_t steps_ = 0;  // Tags, comments and attributes.
 };
 
@@ -101,8 +110,8 @@ class SvgValue {
   /// Returns a finite number and takes what separates it from the next.
   double number();
   /// Does the same for a number with a unit: px counts as none, in, cm, mm, pt and pc are
-  /// converted, others fail.
-  double length();
+  /// converted, a percentage is one of `whole` unless this is 0, others fail.
+  double length(double whole);
   /// Returns one digit, 0 or 1, which needs no separator.
   bool flag();
   /// Returns a word of letters.
