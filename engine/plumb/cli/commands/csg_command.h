@@ -100,22 +100,10 @@ class CsgTreeView {
   const CsgResult& result_;
 };
 
-/// A kind of sets that come from a model. No option says how files are read, because imports are
-/// read as OpenSCAD reads them.
+/// The set that a model describes. No option says how files are read, because imports are read as
+/// OpenSCAD reads them.
 template <SetKind Kind>
-struct ModelOf : Kind {
-  struct Input {
-    using Read = decltype(std::declval<typename Kind::Input>().load(
-        std::string(), std::declval<CommonOptions>(), std::declval<Context&>()));
-
-    void declare(CLI::App&) {}
-    Read load(const std::string&, const CommonOptions&, Context&) const { return {}; }
-  };
-};
-
-/// The set that a model describes.
-template <SetKind Kind>
-class CsgOperation : public SetOperation<ModelOf<Kind>> {
+class CsgOperation : public SetOperation<Kind> {
  public:
   using Set = typename Kind::Set;
 
@@ -129,7 +117,9 @@ class CsgOperation : public SetOperation<ModelOf<Kind>> {
         ->type_name("");
     app.add_flag("--anywhere", anywhere_, "Import files from anywhere, not only below MODEL");
     app.add_flag("--explain", explains_, "Print the tree with times and sizes (standard error)");
+    if constexpr (kIsSolid) this->input().declare_keep(app);
   }
+  bool reads_sets() const override { return false; }
   ProgressStages stages() const override { return {Kind::reading(), Kind::combining()}; }
 
   Set compute(Session& session) override {
