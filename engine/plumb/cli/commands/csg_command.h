@@ -117,6 +117,7 @@ class CsgOperation : public SetOperation<Kind> {
     app.add_flag("--anywhere", anywhere_, "Import files from anywhere, not only below MODEL");
     app.add_flag("--explain", explains_, "Print the tree with times and sizes (standard error)");
   }
+  bool reads_sets() const override { return false; }
   ProgressStages stages() const override { return {Kind::reading(), Kind::combining()}; }
 
   Set compute(Session& session) override {

@@ -113,8 +113,10 @@ class SetOperation : public CommandBody {
 
   void declare(CLI::App& app) override {
     declare_operands(app);
-    input_.declare(app);
-    if constexpr (requires { input_.declare_keep(app); }) input_.declare_keep(app);
+    if (reads_sets()) {
+      input_.declare(app);
+      if constexpr (requires { input_.declare_keep(app); }) input_.declare_keep(app);
+    }
     app.add_flag("--strict", strict_, "Exit 2 if the file would differ from the result");
     rounding_.declare(app, kHasGrid);
     if constexpr (kHasCanonical) {
@@ -148,6 +150,8 @@ class SetOperation : public CommandBody {
  protected:
   const typename Kind::Input& input() const { return input_; }
   virtual void declare_operands(CLI::App& app) = 0;
+  /// Whether the command reads sets, so that the options of their readers have an effect.
+  virtual bool reads_sets() const { return true; }
   /// Returns the stages up to the result.
   virtual ProgressStages stages() const { return stages_of_sets<Kind>(1, 1); }
   /// Returns the result. Begins a stage "combine" for each operation.
