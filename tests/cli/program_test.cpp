@@ -493,6 +493,117 @@ TEST(Progress, is_not_shown_if_unwanted) {
   EXPECT_EQ(seen_on_terminal(arguments).find('['), std::string::npos);
 }
 
+TEST(Json, has_errors_as_one_object_on_standard_error) {
+  const ScratchDirectory scratch;
+  const std::string bad = (scratch / "a \"b\".off").string();
+  write_file(bad, "OFF\n1 0 0\n0 0 x\n");
+  struct Case {
+    Words arguments;
+    int exit_code;
+    std::string code, file;
+    int line, column;  // 0: null
+  };
+  const std::vector<Case> cases{
+      {{"solid", "info", bad, "--json"}, 2, "syntax", bad, 3, 5},
+      {{"solid", "info", "no-such-file", "--json"}, 2, "cannot-open", "no-such-file", 0, 0},
+      {{"solid", "info", "--json"}, 2, "usage", "", 0, 0},
+      {{"map", "check", kDefective, "--json", "--limit-memory", "1"},
+       3,
+       "resource-limit",
+       "-",
+       0,
+       0},
+      {{"map", "check", kDefective, "--json", "--limit-seconds", "1e-6"},
+       3,
+       "resource-limit",
+       "",
+       0,
+       0},
+      {{"solid", "union", "corpus/solids/l-block.off", "corpus/solids/l-block.off", "--json", "-o",
+        (scratch / "no/out.off").string()},
+       2,
+       "cannot-write",
+       (scratch / "no/out.off").string(),
+       0,
+       0},
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(::testing::PrintToString(c.arguments));
+    const RunResult result = run(c.arguments);
+    EXPECT_EQ(result.code, c.exit_code);
+    EXPECT_EQ(result.out, "");
+    const nlohmann::json error = nlohmann::json::parse(result.err).at("error");
+    EXPECT_EQ(error.at("code"), c.code) << error;
+    EXPECT_FALSE(error.at("message").get<std::string>().empty());
+    if (c.file.empty()) EXPECT_TRUE(error.at("file").is_null()) << error;
+    if (c.file.size() > 1) EXPECT_EQ(error.at("file"), c.file);
+    for (const auto& [name, value] : {std::pair("line", c.line), std::pair("column", c.column)}) {
+      if (value == 0) EXPECT_TRUE(error.at(name).is_null()) << error;
+      if (value != 0) EXPECT_EQ(error.at(name), value) << error;
+    }
+  }
+}
+
+/// Tetrahedra that cross each other, with coordinates that are fractions of `digits` digits.
+void write_number_bomb(const std::string& file, std::size_t digits, int count) {
+  std::ostringstream out;
+  out << "OFF\n" << 4 * count << ' ' << 4 * count << " 0\n";
+  std::uint64_t state = 7;
+  const auto number = [&](int digit) {
+    std::string above(1, static_cast<char>('1' + digit)), below = "1";
+    for (std::size_t i = 1; i < digits; ++i) {
+      state = state * 6364136223846793005U + 1442695040888963407U;
+      above += static_cast<char>('0' + (state >> 40U) % 10);
+      below += static_cast<char>('0' + (state >> 50U) % 10);
+    }
+    return above + "/" + below;
+  };
+  for (int i = 0; i < 4 * count; ++i) {
+    for (int axis = 1; axis <= 3; ++axis) out << number(i % 4 == axis ? 7 : 0) << ' ';
+    out << '\n';
+  }
+  for (int i = 0; i < 4 * count; i += 4) {
+    out << "3 " << i << ' ' << i + 2 << ' ' << i + 1 << "\n3 " << i << ' ' << i + 1 << ' ' << i + 3
+        << "\n3 " << i << ' ' << i + 3 << ' ' << i + 2 << "\n3 " << i + 1 << ' ' << i + 2 << ' '
+        << i + 3 << '\n';
+  }
+  write_file(file, out.str());
+}
+
+TEST(Limits, hold_for_numbers_of_thousands_of_digits) {
+  const ScratchDirectory scratch;
+  const std::string bomb = (scratch / "bomb.off").string();
+  write_number_bomb(bomb, 2040, 10);
+  const RunResult refused = run({"solid", "info", bomb});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "--digits")) << refused.err;
+  for (const double limit : {0.3, 0.7, 1.5}) {
+    const RunResult result =
+        run({"solid", "info", bomb, "--digits", "4096", "--limit-seconds", std::to_string(limit)});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.err, "raise --limit-seconds")) << result.err;
+    if (kMeasures) EXPECT_LT(result.user_seconds, limit + 0.15);
+  }
+}
+
+TEST(Limits, bound_the_memory_of_the_whole_command) {
+  const ScratchDirectory scratch;
+  const std::string out = (scratch / "out.nef").string();
+  const Words job{"solid", "union", "corpus/solids/bunny.off", "corpus/solids/bunny.off",
+                  "-o",    out};
+  const double base = run({"--version"}).megabytes;
+  for (const int limit : {2, 8, 20}) {
+    Words arguments = job;
+    arguments.insert(arguments.end(), {"--limit-memory", std::to_string(limit)});
+    const RunResult result = run(arguments);
+    EXPECT_TRUE(result.code == 0 || result.code == 3) << result.code << result.err;
+    if (result.code == 3) EXPECT_EQ(scratch.files(), Words{});
+    // The libraries that a command needs are a part of its base.
+    constexpr double kLibraries = 8;
+    if (kMeasures) EXPECT_LT(result.megabytes, base + kLibraries + 1.1 * limit) << limit;
+  }
+}
+
 /// Exact decimals expand beyond what the reader allows, one by one or all together.
 int expected_code(const std::string& bomb, bool exact) {
   if (!exact) return 0;
@@ -521,7 +632,7 @@ TEST(MapCheckProgram, bounds_time_and_memory_on_bombs) {
       std::string text = std::to_string(count) + " 0\n";
       for (std::size_t i = 0; i < count; ++i) text += line;
       write_file(map, text);
-      Words arguments{"map", "check", map, "--json"};
+      Words arguments{"map", "check", map, "--json", "--digits", "4096"};
       if (exact) arguments.push_back("--exact-decimals");
       const RunResult result = run(arguments);
       const double megabytes = static_cast<double>(text.size()) / 1e6;

@@ -126,6 +126,46 @@ TEST_F(OutputFileTest, follows_links) {
   EXPECT_EQ(content(path("real")), "new");
 }
 
+TEST_F(OutputFileTest, follows_links_to_files_that_do_not_exist_yet) {
+  fs::create_directory(path("folder"));
+  fs::create_symlink("folder/second", path("first"));
+  fs::create_symlink("../real", path("folder/second"));
+  OutputFile file(path("first"));
+  file.stream() << "new";
+  file.finish();
+  file.commit();
+  EXPECT_TRUE(fs::is_symlink(path("first")));
+  EXPECT_TRUE(fs::is_symlink(path("folder/second")));
+  EXPECT_FALSE(fs::is_symlink(path("real")));
+  EXPECT_EQ(content(path("real")), "new");
+}
+
+TEST_F(OutputFileTest, refuses_links_in_a_circle) {
+  fs::create_symlink("b", path("a"));
+  fs::create_symlink("a", path("b"));
+  EXPECT_THROW(
+      {
+        OutputFile file(path("a"));
+        file.finish();
+        file.commit();
+      },
+      Error);
+  EXPECT_TRUE(fs::is_symlink(path("a")));
+  EXPECT_TRUE(fs::is_symlink(path("b")));
+}
+
+TEST_F(OutputFileTest, takes_the_longest_names) {
+  const std::string name(255, 'n');
+  OutputFile file(path(name));
+  file.stream() << "new";
+  file.finish();
+  file.commit();
+  EXPECT_EQ(content(path(name)), "new");
+  EXPECT_EQ(file_count(), 1U);
+  EXPECT_THROW(OutputFile(path(name + "n")), Error);
+  EXPECT_EQ(file_count(), 1U);
+}
+
 TEST_F(OutputFileTest, writes_devices_directly) {
   OutputFile file("/dev/null");
   file.stream() << "gone";

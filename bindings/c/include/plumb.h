@@ -120,7 +120,7 @@ typedef struct plumb_context plumb_context;
  * an exception nor jump out. It may call plumb_context_cancel(). */
 typedef void (*plumb_progress)(const char* phase, uint64_t done, uint64_t total, void* user_data);
 
-/** Makes a context: 16 GiB, no time limit, numbers of at most 4096 digits, one thread. */
+/** Makes a context: 16 GiB, no time limit, numbers of at most 1100 digits, one thread. */
 PLUMB_API plumb_status plumb_context_new(plumb_context** out, plumb_error** error);
 /** Releases a context. No call may be using it. */
 PLUMB_API void plumb_context_free(plumb_context* context);

@@ -81,6 +81,7 @@ Call::Call(const plumb_context* settings) {
   }
   own_.emplace(settings->limits, settings->stop.get_token(), std::move(progress),
                settings->threads);
+  watch_.emplace(*own_);
   // A stop that was requested before the call stops short calls, too.
   if (settings->stop.stop_requested()) throw Error(ErrorCode::Cancelled, "cancelled");
 }

@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/arithmetic_watch.h"
 #include "plumb/base/context.h"
 #include "plumb/base/marks.h"
 #include "plumb/convex/convexity.h"
@@ -167,6 +168,7 @@ class Call {
 
  private:
   std::optional<Context> own_;
+  std::optional<ArithmeticWatch> watch_;
 };
 
 // --- arrays -------------------------------------------------------------------------------------

@@ -40,6 +40,7 @@
 #include <variant>
 #include <vector>
 
+#include "plumb/base/arithmetic_watch.h"
 #include "plumb/base/context.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rational.h"
@@ -170,6 +171,7 @@ template <class F>
 auto run(const CallLimits& call, F&& f) {
   Watcher watcher(call.progress);
   Context context(call.limits(), watcher.token(), watcher.callback(), call.threads);
+  const ArithmeticWatch watch(context);
   // A signal that came too late to stop the operation is not lost either.
   const auto finish = [&watcher](auto result) {
     watcher.rethrow();

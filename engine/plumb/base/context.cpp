@@ -18,7 +18,8 @@ Context::Context(Limits limits, std::stop_token stop, ProgressCallback progress,
       start_(Clock::now()),
       last_report_(start_) {}
 
-Context::Context(const Context& of, std::stop_token stop, unsigned threads, JobProgress progress)
+Context::Context(Job, const Context& of, std::stop_token stop, unsigned threads,
+                 JobProgress progress)
     : limits_(of.limits_),
       stops_(of.stops_),
       progress_(progress == JobProgress::Reported ? of.progress_ : ProgressCallback()),
@@ -29,22 +30,33 @@ Context::Context(const Context& of, std::stop_token stop, unsigned threads, JobP
   stops_.push_back(std::move(stop));
 }
 
+Context Context::of_job(const Context& of, std::stop_token stop, unsigned threads,
+                        JobProgress progress) {
+  return Context(Job(), of, std::move(stop), threads, progress);
+}
+
 Context& unlimited_context() {
   thread_local Context context{
       Limits{.max_memory_bytes = std::numeric_limits<std::uint64_t>::max()}};
   return context;
 }
 
-void Context::checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total) {
+void Context::check_limits(std::string_view phase, Clock::time_point now) const {
   for (const std::stop_token& stop : stops_) {
     if (stop.stop_requested()) throw Error(ErrorCode::Cancelled, "cancelled");
   }
-  const auto now = Clock::now();
   if (limits_.max_seconds > 0 &&
       std::chrono::duration<double>(now - start_).count() > limits_.max_seconds) {
-    throw Error(ErrorCode::ResourceLimit, "the time limit was reached during " +
-                                              std::string(phase) + " (raise --limit-seconds)");
+    throw Error(ErrorCode::ResourceLimit,
+                "the time limit was reached during " + std::string(phase));
   }
+}
+
+void Context::check_limits(std::string_view phase) const { check_limits(phase, Clock::now()); }
+
+void Context::checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total) {
+  const auto now = Clock::now();
+  check_limits(phase, now);
   const bool is_done = total != 0 && done == total;  // A total of 0 means that it is not known.
   if (progress_ && (now - last_report_ >= std::chrono::milliseconds(50) || is_done)) {
     last_report_ = now;
@@ -57,8 +69,7 @@ void Context::charge_memory(std::uint64_t bytes, std::string_view what) {
   do {
     if (bytes > limits_.max_memory_bytes - charged) {
       throw Error(ErrorCode::ResourceLimit, std::string(what) + " needs " + std::to_string(bytes) +
-                                                " more bytes than the memory limit leaves (raise "
-                                                "--limit-memory)");
+                                                " more bytes than the memory limit leaves");
     }
   } while (!charged_bytes_->compare_exchange_weak(charged, charged + bytes));
 }

@@ -20,9 +20,11 @@ namespace plumb {
 struct Limits {
   std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
   double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
-  std::uint32_t max_number_digits = 4096;  ///< Largest number of digits of one number.
+  /// Largest number of digits of one integer that is read. A fraction may have this number of digits
+  /// above and this number below together. Every double, written out exactly, has fewer.
+  std::uint32_t max_number_digits = 1100;
   /// The largest absolute value of an exponent for which a number is read exactly.
-  std::uint32_t max_decimal_exponent = 4096;
+  std::uint32_t max_decimal_exponent = 1100;
 };
 
 /// Callback that receives the name of a phase, the number of steps done, and the total number of
@@ -43,10 +45,11 @@ class Context {
   /// operation may use; 0 means 1.
   explicit Context(Limits limits = {}, std::stop_token stop = {}, ProgressCallback progress = {},
                    unsigned threads = 1);
-  /// Constructs the context of a job within an operation. `of` is the context of the operation. The
+  /// Returns the context of a job within an operation. `of` is the context of the operation. The
   /// job shares the limits, the start time and the charged memory of `of`. The job stops if a stop
   /// is requested through `of` or through `stop`.
-  Context(const Context& of, std::stop_token stop, unsigned threads, JobProgress progress);
+  static Context of_job(const Context& of, std::stop_token stop, unsigned threads,
+                        JobProgress progress);
 
   const Limits& limits() const { return limits_; }  ///< Returns the limits.
   unsigned threads() const { return threads_; }     ///< Returns the number of threads (>= 1).
@@ -56,6 +59,9 @@ class Context {
   /// the time limit is exceeded. The callback is called at most 20 times a second. The callback is
   /// also called at the end of a phase, that is, if total > 0 and done == total.
   void checkpoint(std::string_view phase, std::uint64_t done, std::uint64_t total);
+  /// Checks for a stop request and for the time limit, and reports no progress. Throws as
+  /// checkpoint() does.
+  void check_limits(std::string_view phase) const;
 
   /// Charges memory that is about to be allocated. If `bytes` more bytes would exceed the memory
   /// limit, the function charges nothing. In this case it throws Error{ResourceLimit} with a
@@ -66,6 +72,10 @@ class Context {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  struct Job {};
+  Context(Job, const Context& of, std::stop_token stop, unsigned threads, JobProgress progress);
+  void check_limits(std::string_view phase, Clock::time_point now) const;
 
   Limits limits_;
   // The stop tokens of the operation and of all jobs that contain this job.

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iterator>
 #include <memory>
@@ -158,7 +159,7 @@ std::string overview(std::string_view group = {}) {
   text +=
       "\nOptions of every command:\n"
       "  --json  -o OUT  --format NAME  --exact-decimals  --threads N  --progress  -q\n"
-      "  --limit-memory MB  --limit-seconds S  --help; FILE, OUT: - is stdin, stdout\n"
+      "  --limit-memory MB  --limit-seconds S  --digits N  --help; FILE, OUT: - is stdin, stdout\n"
       "plumb COMMAND --help says more; plumb --version prints the version.\n"
       "Exit: 0 yes, 1 no, 2 bad input, 3 limit, 4 cancelled, 70 bug in plumb.\n";
   return text;
@@ -271,7 +272,7 @@ ExitCode run_command(const Command& command, Arguments arguments, std::stop_toke
     fail_usage(name + ": " + parse_message(app, error) + "\nplumb " + name + " --help says more");
   }
   const std::uint64_t megabytes = known.common.limit_memory_mb;
-  if (megabytes > 0) limit_address_space(megabytes << 20U);
+  if (megabytes > 0) limit_memory(megabytes << 20U, known.common.threads);
   Session session(known.common, std::move(stop));
   return known.body->run(session);
 }
@@ -313,49 +314,199 @@ ExitCode exit_code_of(ErrorCode code) {
   }
 }
 
-ExitCode report_refused_memory() {
-  std::fputs("plumb: out of memory (raise --limit-memory, or use a smaller input)\n", stderr);
-  return ExitCode::Limit;
+// Reports of errors: a line for people, or with --json an object. They allocate no memory, as there
+// may be none.
+
+constexpr std::string_view kOutOfMemory =
+    "out of memory (raise --limit-memory, or use a smaller input)";
+
+/// Returns the word for the code in a JSON report (docs/formats.md, "JSON").
+std::string_view word_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::CannotOpen:
+      return "cannot-open";
+    case ErrorCode::CannotWrite:
+      return "cannot-write";
+    case ErrorCode::NotText:
+      return "not-text";
+    case ErrorCode::Syntax:
+      return "syntax";
+    case ErrorCode::NumberOutOfRange:
+      return "number-out-of-range";
+    case ErrorCode::CountMismatch:
+      return "count-mismatch";
+    case ErrorCode::BadIndex:
+      return "bad-index";
+    case ErrorCode::DegenerateFace:
+      return "degenerate-face";
+    case ErrorCode::UnknownFormat:
+      return "unknown-format";
+    case ErrorCode::Usage:
+      return "usage";
+    case ErrorCode::ClosedPipe:
+      return "closed-pipe";
+    case ErrorCode::BadShape:
+      return "bad-shape";
+    case ErrorCode::ResourceLimit:
+      return "resource-limit";
+    case ErrorCode::Cancelled:
+      return "cancelled";
+    case ErrorCode::NotFinite:
+      return "not-finite";
+    case ErrorCode::BadArgument:
+      return "bad-argument";
+  }
+  return "internal";
 }
 
-/// Prints text that files have a part in: one line, without control characters, and of bounded
-/// length. Allocates no memory.
-void print_line(std::string_view text) {
-  std::array<char, 4096> line{};
-  const std::size_t size = std::min(text.size(), line.size());
-  std::copy_n(text.begin(), size, line.begin());
-  hide_controls(std::span(line).first(size));
-  std::fprintf(stderr, "%.*s\n", static_cast<int>(size), line.data());
+/// Returns what the user may do about a limit that the message of an error names.
+std::string_view advice_on(ErrorCode code, std::string_view message) {
+  const auto names = [&](std::string_view words) { return message.find(words) != message.npos; };
+  if (code == ErrorCode::NumberOutOfRange) {
+    return names(" digits") ? " (raise --digits)" : "";
+  }
+  if (code != ErrorCode::ResourceLimit) return "";
+  return names("time limit")     ? " (raise --limit-seconds)"
+         : names("memory limit") ? " (raise --limit-memory)"
+                                 : "";
+}
+
+/// Text that files have a part in, of bounded length.
+class BoundedText {
+ public:
+  explicit BoundedText(std::string_view text) : size_(std::min(text.size(), text_.size())) {
+    std::copy_n(text.begin(), size_, text_.begin());
+  }
+  /// Replaces control characters, apart from line breaks if `keeps_lines`.
+  std::string_view without_controls(bool keeps_lines) {
+    for (std::size_t begin = 0; begin < size_;) {
+      const std::size_t end =
+          keeps_lines ? std::min(std::string_view(text_.data(), size_).find('\n', begin), size_)
+                      : size_;
+      hide_controls(std::span(text_).subspan(begin, end - begin));
+      begin = end + 1;
+    }
+    return {text_.data(), size_};
+  }
+
+ private:
+  std::array<char, 4096> text_{};
+  std::size_t size_;
+};
+
+void print_bytes(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+/// Prints a text as a string of JSON.
+void print_json_string(std::string_view text) {
+  BoundedText bounded(text);
+  std::fputc('"', stderr);
+  for (const char c : bounded.without_controls(true)) {
+    if (c == '"' || c == '\\') std::fputc('\\', stderr);
+    c == '\n' ? print_bytes("\\n") : static_cast<void>(std::fputc(c, stderr));
+  }
+  std::fputc('"', stderr);
+}
+
+/// Prints a member of an object: a number, or null if it is 0.
+void print_json_number(const char* name, std::size_t value) {
+  if (value == 0) {
+    std::fprintf(stderr, ",\"%s\":null", name);
+  } else {
+    std::fprintf(stderr, ",\"%s\":%zu", name, value);
+  }
+}
+
+/// Prints the object that --json promises for an error. A message that is too long is cut.
+void print_json_error(std::string_view code, std::string_view message, std::string_view advice,
+                      const TextPlace& place) {
+  std::array<char, 2048> whole{};
+  const std::size_t size = std::min(message.size(), whole.size() - advice.size());
+  std::copy(advice.begin(), advice.end(), std::copy_n(message.begin(), size, whole.begin()));
+  print_bytes("{\"error\":{\"code\":");
+  print_json_string(code);
+  print_bytes(",\"message\":");
+  print_json_string({whole.data(), size + advice.size()});
+  print_bytes(",\"file\":");
+  place.file.empty() ? print_bytes("null") : print_json_string(place.file);
+  print_json_number("line", place.line);
+  print_json_number("column", place.column);
+  print_bytes("}}\n");
+}
+
+/// Prints a line without control characters.
+void print_line(std::string_view text, std::string_view advice) {
+  BoundedText bounded(text);
+  print_bytes(bounded.without_controls(false));
+  print_bytes(advice);
+  print_bytes("\n");
+}
+
+ExitCode report_refused_memory() {
+  if (are_errors_json()) {
+    print_json_error(word_of(ErrorCode::ResourceLimit), kOutOfMemory, "", {});
+  } else {
+    std::fprintf(stderr, "plumb: %s\n", kOutOfMemory.data());
+  }
+  return ExitCode::Limit;
 }
 
 /// Errors with a place begin with "FILE:LINE:COLUMN: ..."; others get the program's name.
 ExitCode report(const Error& error) {
   const ExitCode code = exit_code_of(error.code());
   if (code == ExitCode::ClosedPipe) return code;
-  const std::string_view text = error.what();
-  if (error.place().file.empty()) {
-    std::fprintf(stderr, "plumb: %s\n", error.what());
+  const std::string_view advice = advice_on(error.code(), error.message());
+  if (are_errors_json()) {
+    print_json_error(word_of(error.code()), error.message(), advice, error.place());
+  } else if (error.place().file.empty()) {
+    std::fprintf(stderr, "plumb: %s%s\n", error.what(), advice.data());
   } else {
-    print_line(text);
+    print_line(error.what(), advice);
   }
   return code;
 }
 
-}  // namespace
+ExitCode report(const std::exception& error) {
+  constexpr std::string_view kWhatToDo =
+      "This is a bug in plumb. Please report it with the input and the command line.";
+  if (are_errors_json()) {
+    print_json_error("internal", error.what(), kWhatToDo, {});
+  } else {
+    std::fprintf(stderr, "plumb: internal error: %s.\n%s\n", error.what(), kWhatToDo.data());
+  }
+  return ExitCode::Internal;
+}
 
-ExitCode run_program(const Arguments& arguments, std::stop_token stop) noexcept {
+/// Returns the exit code for the exception that is being handled, and reports it.
+ExitCode report_current_exception() {
   try {
-    return dispatch(arguments, std::move(stop));
+    throw;
   } catch (const Error& error) {
     return report(error);
   } catch (const std::bad_alloc&) {
     return report_refused_memory();
   } catch (const std::exception& error) {
-    std::fprintf(stderr,
-                 "plumb: internal error: %s.\nThis is a bug in plumb. Please report it with the "
-                 "input and the command line.\n",
-                 error.what());
-    return ExitCode::Internal;
+    return report(error);
+  }
+}
+
+/// Called if an exception cannot leave a function, for example a destructor of the JSON library: a
+/// limit that is met there is reported as any other.
+[[noreturn]] void on_terminate() {
+  if (std::current_exception() == nullptr) std::abort();
+  leave(report_current_exception());
+}
+
+}  // namespace
+
+ExitCode run_program(const Arguments& arguments, std::stop_token stop) noexcept {
+  if (std::find(arguments.begin(), arguments.end(), "--json") != arguments.end()) {
+    report_errors_as_json();
+  }
+  std::set_terminate(on_terminate);
+  try {
+    return dispatch(arguments, std::move(stop));
+  } catch (...) {
+    return report_current_exception();
   }
 }
 

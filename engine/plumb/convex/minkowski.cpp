@@ -315,7 +315,7 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   memory.add(memory_of(parts_a) + memory_of(parts_b), kMemoryName);
   const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
   // Reports one phase, not one for each pair.
-  Context quiet(context, {}, context.threads(), JobProgress::Silent);
+  Context quiet = Context::of_job(context, {}, context.threads(), JobProgress::Silent);
   std::size_t pairs = 0;
   for (const ConvexPart& p : parts_a) {
     for (const ConvexPart& q : parts_b) {

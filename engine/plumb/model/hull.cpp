@@ -37,19 +37,42 @@ namespace {
 
 constexpr std::uint32_t kNoIndex = 0xffffffff;
 constexpr std::uint64_t kBytesPerHullPoint = 160;
+constexpr std::uint64_t kBytesPerExactHullPoint = 300;  // Three fractions of some limbs.
+constexpr std::uint32_t kStepsPerHullCheckpoint = 1024;
+
+/// Checks the limits once in a while, and charges memory for a list that grows.
+class HullSteps {
+ public:
+  explicit HullSteps(Context& context) : context_(context), memory_(context) {}
+  /// Counts a step: one predicate, or one entry of a list that takes `bytes`.
+  void step(std::uint64_t bytes = 0) {
+    bytes_ += bytes;
+    if (++steps_ % kStepsPerHullCheckpoint != 0) return;
+    context_.checkpoint("convex hull", 0, 0);
+    memory_.add(std::exchange(bytes_, 0), "a convex hull");
+  }
+
+ private:
+  Context& context_;
+  MemoryCharge memory_;
+  std::uint32_t steps_ = 0;
+  std::uint64_t bytes_ = 0;
+};
 
 /// Points of space, with predicates: doubles, or exact numbers with their nearest doubles.
 class HullPoints {
  public:
-  explicit HullPoints(std::span<const Point3> points) : near_(points.begin(), points.end()) {
+  HullPoints(std::span<const Point3> points, HullSteps& steps)
+      : steps_(steps), near_(points.begin(), points.end()) {
     for (const Point3& p : near_) {
       if (is_finite(p.x) && is_finite(p.y) && is_finite(p.z)) continue;
       throw Error(ErrorCode::NotFinite, "the coordinates of a point must be finite");
     }
   }
-  explicit HullPoints(std::span<const RationalPoint3> points) {
+  HullPoints(std::span<const RationalPoint3> points, HullSteps& steps) : steps_(steps) {
     bool are_doubles = true;
     for (const RationalPoint3& p : points) {
+      steps_.step(sizeof(Point3) + kBytesPerExactHullPoint);
       near_.push_back({clamped_to_finite(nearest_double(p.x)),
                        clamped_to_finite(nearest_double(p.y)),
                        clamped_to_finite(nearest_double(p.z))});
@@ -78,6 +101,7 @@ class HullPoints {
   /// Returns Negative if p lies in front of the face.
   Sign side(const std::array<std::uint32_t, 3>& face, std::uint32_t p) const {
     const auto [a, b, c] = face;
+    steps_.step();
     if (are_doubles()) return orient3d(near_[a], near_[b], near_[c], near_[p]);
     if (const Sign filtered = filtered_side(face, p); filtered != Sign::Zero) return filtered;
     return orient3d(exact_[a], exact_[b], exact_[c], exact_[p]);
@@ -96,6 +120,7 @@ class HullPoints {
   }
   RationalPoint2 flat(std::uint32_t i, std::size_t axis) const {
     const RationalPoint3 p = rational(i);
+    steps_.step();
     if (axis == 0) return {p.y, p.z};
     return axis == 1 ? RationalPoint2{p.z, p.x} : RationalPoint2{p.x, p.y};
   }
@@ -124,6 +149,7 @@ class HullPoints {
   }
 
  private:
+  HullSteps& steps_;
   std::vector<Point3> near_;
   std::vector<RationalPoint3> exact_;  ///< Empty if all points are doubles.
   double largest_ = 0;                 ///< Of the magnitudes of near_.
@@ -187,7 +213,7 @@ class HullBuilder {
  public:
   HullBuilder(const HullPoints& points, const Simplex& simplex, Context& context)
       : points_(points),
-        context_(context),
+        faces_made_(context),
         memory_(context),
         next_(points.size(), kNoIndex),
         face_from_(points.size(), kNoIndex) {
@@ -238,6 +264,7 @@ class HullBuilder {
 
   void add_face(const std::array<std::uint32_t, 3>& corner,
                 const std::array<std::uint32_t, 3>& neighbour) {
+    faces_made_.step(2 * sizeof(Face));  // Faces that were removed keep their memory.
     Face face;
     face.corner = corner;
     face.neighbour = neighbour;
@@ -261,7 +288,6 @@ class HullBuilder {
   }
 
   void insert(std::uint32_t f) {
-    context_.checkpoint("convex hull", 0, 0);
     const std::uint32_t p = faces_[f].farthest;
     find_horizon(f, p);
     const auto first_new = static_cast<std::uint32_t>(faces_.size());
@@ -313,7 +339,7 @@ class HullBuilder {
   }
 
   const HullPoints& points_;
-  Context& context_;
+  HullSteps faces_made_;
   MemoryCharge memory_;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> next_;       ///< In the list of a face.
@@ -343,10 +369,14 @@ PolygonMesh mesh_of(const HullPoints& points,
 /// Returns the corners of the convex hull of points of the plane, counter-clockwise: none, one, the
 /// two ends of a segment, or more. Points on edges are left out. (A. M. Andrew, Another efficient
 /// algorithm for convex hulls in two dimensions, Information Processing Letters 9, 1979.)
-std::vector<std::uint32_t> corners_of_hull(const PointTable2& points) {
+std::vector<std::uint32_t> corners_of_hull(const PointTable2& points, Context& context) {
+  HullSteps steps(context);
+  MemoryCharge memory(context);
+  memory.add(2 * sizeof(std::uint32_t) * points.size(), "a convex hull");
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    steps.step();
     return compare_xy(points, i, j) == Sign::Negative;
   });
   order.erase(std::unique(order.begin(), order.end(),
@@ -359,8 +389,10 @@ std::vector<std::uint32_t> corners_of_hull(const PointTable2& points) {
   const auto extend = [&](std::uint32_t p, std::size_t fixed) {
     while (hull.size() >= fixed + 2 &&
            orient2d(points, hull[hull.size() - 2], hull.back(), p) != Sign::Positive) {
+      steps.step();
       hull.pop_back();
     }
+    steps.step();
     hull.push_back(p);
   };
   for (const std::uint32_t p : order) extend(p, 0);
@@ -371,7 +403,7 @@ std::vector<std::uint32_t> corners_of_hull(const PointTable2& points) {
 }
 
 Nef2 hull_of_table(const PointTable2& points, Context& context) {
-  const std::vector<std::uint32_t> corners = corners_of_hull(points);
+  const std::vector<std::uint32_t> corners = corners_of_hull(points, context);
   const std::vector<std::uint32_t> begin{0, static_cast<std::uint32_t>(corners.size())};
   return Nef2::polygons(points, corners, begin, WindingRule::NonZero, Boundary::Closed, context);
 }
@@ -384,7 +416,8 @@ Nef3 flat_hull(const HullPoints& points, std::size_t axis, Context& context) {
     table.push_back(p.x, p.y);
   }
   std::vector<RationalPoint3> corners;
-  for (const std::uint32_t i : corners_of_hull(table)) corners.push_back(points.rational(i));
+  for (const std::uint32_t i : corners_of_hull(table, context))
+    corners.push_back(points.rational(i));
   return Nef3::facet(corners, context);
 }
 
@@ -432,33 +465,42 @@ void require_bounded_sets(std::span<const Set> sets) {
 }  // namespace
 
 Nef3 convex_hull(std::span<const Point3> points, Context& context) {
-  return hull_of(HullPoints(points), context);
+  HullSteps steps(context);
+  return hull_of(HullPoints(points, steps), context);
 }
 
 Nef3 convex_hull(std::span<const RationalPoint3> points, Context& context) {
-  return hull_of(HullPoints(points), context);
+  HullSteps steps(context);
+  return hull_of(HullPoints(points, steps), context);
 }
 
 Nef3 convex_hull(std::span<const Nef3> sets, Context& context) {
   require_bounded_sets(sets);
+  HullSteps steps(context);
   std::vector<RationalPoint3> points;
   for (const Nef3& set : sets) {
     const SpaceComplex& c = set.complex();
-    for (const SpacePoint p : c.vertex_point) points.push_back(exact(c.points(), p));
+    for (const SpacePoint p : c.vertex_point) {
+      steps.step(kBytesPerExactHullPoint);
+      points.push_back(exact(c.points(), p));
+    }
   }
   return convex_hull(points, context);
 }
 
 PolygonMesh hull_mesh(std::span<const Point3> points, Context& context) {
-  const HullPoints table(points);
+  HullSteps steps(context);
+  const HullPoints table(points, steps);
   const Simplex simplex = simplex_of(table);
   if (simplex.size() < 4) return {};
   return mesh_of(table, HullBuilder(table, simplex, context).triangles());
 }
 
 Nef2 convex_hull(std::span<const Point2> points, Context& context) {
+  HullSteps steps(context);
   PointTable2 table;
   for (const Point2& p : points) {
+    steps.step(sizeof(Point2));
     if (!is_finite(p.x) || !is_finite(p.y)) {
       throw Error(ErrorCode::NotFinite, "the coordinates of a point must be finite");
     }
@@ -468,17 +510,23 @@ Nef2 convex_hull(std::span<const Point2> points, Context& context) {
 }
 
 Nef2 convex_hull(std::span<const RationalPoint2> points, Context& context) {
+  HullSteps steps(context);
   PointTable2 table;
-  for (const RationalPoint2& p : points) table.push_back(p.x, p.y);
+  for (const RationalPoint2& p : points) {
+    steps.step(kBytesPerExactHullPoint);
+    table.push_back(p.x, p.y);
+  }
   return hull_of_table(table, context);
 }
 
 Nef2 convex_hull(std::span<const Nef2> sets, Context& context) {
   require_bounded_sets(sets);
+  HullSteps steps(context);
   PointTable2 table;
   for (const Nef2& set : sets) {
     const PlaneComplex& c = set.complex();
     for (const std::uint32_t p : c.vertex_point) {
+      steps.step(kBytesPerExactHullPoint);
       const RationalPoint2 at = exact(c.points, p);
       table.push_back(at.x, at.y);
     }

@@ -33,6 +33,8 @@ constexpr int kChordsPerCheckpoint = 1024;   // A chord costs some microseconds.
 constexpr double kChordsPerDistance = 1e-3;  // The default of OffsetOptions::chord_error.
 constexpr std::size_t kCornersPerOffsetCheckpoint = 256;
 constexpr std::uint64_t kBytesPerOffsetCorner = 120;  // Exact coordinates and an index.
+// Two fractions, and their numerators and denominators of one or two limbs.
+constexpr std::uint64_t kBytesPerOutlineCorner = 240;
 
 using Vector = RationalPoint2;
 
@@ -133,8 +135,12 @@ class Joiner {
                                     const AngleOf& angle_of) const {
     const Vector up = turned_left(from);
     std::vector<Vector> points;
+    MemoryCharge charge(context_);
     for (int i = 1; i < chords; ++i) {
-      if (i % kChordsPerCheckpoint == 0) context_.checkpoint("offset", 0, 0);
+      if (i % kChordsPerCheckpoint == 0) {
+        context_.checkpoint("offset", 0, 0);
+        charge.add(kChordsPerCheckpoint * kBytesPerOutlineCorner, "the offset");
+      }
       const double a = angle_of(i);
       const Vector at =
           sum(scaled(from, exact_rational(std::cos(a))), scaled(up, exact_rational(std::sin(a))));
@@ -204,11 +210,16 @@ class RawChains {
  private:
   Vector at(VertexId v) const { return exact(complex_.points, complex_.vertex_point[v]); }
 
-  /// The corners of a loop of a face, with the face on the right.
-  std::vector<Vector> outline(LoopId l) const {
+  /// The corners of a loop of a face, with the face on the right. Their memory is charged.
+  std::vector<Vector> outline(LoopId l, MemoryCharge& charge) const {
     std::vector<Vector> corners;
-    for (const HalfedgeId h : complex_.dcel.along(l))
+    for (const HalfedgeId h : complex_.dcel.along(l)) {
+      if (corners.size() % kCornersPerOffsetCheckpoint == 0) {
+        context_.checkpoint("offset", 0, 0);
+        charge.add(kCornersPerOffsetCheckpoint * kBytesPerOutlineCorner, "the offset");
+      }
       corners.push_back(at(complex_.dcel.origin(h)));
+    }
     std::reverse(corners.begin(), corners.end());
     return corners;
   }
@@ -216,7 +227,8 @@ class RawChains {
   void add_loop(LoopId l) {
     const Corner first = complex_.dcel.first(l);
     if (first.is_halfedge()) {
-      add_outline(outline(l));
+      MemoryCharge charge(context_);
+      add_outline(outline(l, charge));
     } else {
       for (const Vector& offset : joiner_.around_point()) push(sum(at(first.other()), offset));
     }

@@ -17,6 +17,7 @@
 #include <ostream>
 
 #include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/work_meter.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -68,6 +69,12 @@ void add_whole(mpq_ptr result, mpq_srcptr x, mpz_srcptr n) {
   mpz_set(new_denominator(result), mpq_denref(x));
 }
 
+std::size_t limbs_of(mpq_srcptr x) { return mpz_size(mpq_numref(x)) + mpz_size(mpq_denref(x)); }
+
+/// Counts an operation on two fractions before it begins, as its cost is that of greatest common
+/// divisors.
+void count_work_on(mpq_srcptr a, mpq_srcptr b) { detail::count_work(limbs_of(a) + limbs_of(b)); }
+
 /// Adds or subtracts. Whole operands need no gcd.
 template <bool kAdds>
 void combine(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
@@ -81,6 +88,7 @@ void combine(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
     add_whole<kAdds>(result, b, mpq_numref(a));  // b - a
     if (!kAdds) mpz_neg(mpq_numref(result), mpq_numref(result));
   } else {
+    count_work_on(a, b);
     (kAdds ? mpq_add : mpq_sub)(target(result, a, b), a, b);
   }
 }
@@ -126,6 +134,7 @@ void multiply(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   } else if (mpq_sgn(a) == 0 || mpq_sgn(b) == 0) {
     set_to_zero(result);
   } else {
+    count_work_on(a, b);
     mpq_mul(target(result, a, b), a, b);
   }
 }
@@ -135,6 +144,7 @@ void divide(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   if (mpq_sgn(a) == 0) {
     set_to_zero(result);
   } else {
+    count_work_on(a, b);
     mpq_div(target(result, a, b), a, b);
   }
 }
@@ -225,6 +235,7 @@ Rational::Rational(double value) : Rational() {
 Rational::Rational(Integer numerator, Integer denominator) : Rational(std::move(numerator)) {
   if (denominator.is_zero()) detail::throw_division_by_zero();
   if (is_one(denominator.mpz())) return;
+  detail::count_work(mpz_size(mpq_numref(value_)) + mpz_size(denominator.mpz()));
   std::swap(*mpq_denref(value_), *denominator.mpz());
   denominator.mpz()->_mp_size = 0;
   mpq_canonicalize(value_);

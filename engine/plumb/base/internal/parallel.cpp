@@ -4,10 +4,13 @@
 #include <atomic>
 #include <exception>
 #include <new>
+#include <optional>
 #include <stop_token>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include "plumb/base/arithmetic_watch.h"
 
 namespace plumb {
 namespace {
@@ -40,8 +43,10 @@ class Jobs {
     for (std::size_t i = next_++; i < stop_.size(); i = next_++) {
       if (stop_[i].stop_requested()) continue;
       try {
-        Context own(context_, stop_[i].get_token(), share_,
-                    is_caller ? JobProgress::Reported : JobProgress::Silent);
+        Context own = Context::of_job(context_, stop_[i].get_token(), share_,
+                                      is_caller ? JobProgress::Reported : JobProgress::Silent);
+        std::optional<ArithmeticWatch> watch;
+        if (is_watched_) watch.emplace(own);
         job_(i, own);
       } catch (...) {
         error_[i] = std::current_exception();
@@ -56,6 +61,7 @@ class Jobs {
   std::vector<std::exception_ptr> error_;  // The error of each job, if it failed.
   std::atomic<std::size_t> next_ = 0;
   unsigned share_ = 1;
+  const bool is_watched_ = ArithmeticWatch::is_active();
 };
 
 }  // namespace

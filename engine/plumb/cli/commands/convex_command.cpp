@@ -185,7 +185,7 @@ class NoteReport : public CommandBody {
     session.begin("read");
     const Nef3 set = input_.read(file, session);
     session.begin("cut");
-    if (check(name + ": IsPolyhedronConvex", set.closure().is_convex())) return;
+    if (check(name + ": IsPolyhedronConvex", set.closure(session.context()).is_convex())) return;
     const ConvexPieces pieces = decompose(set, {DecomposeMethod::Cuts, true}, session.context());
     check(name + ": ConcaveToConvexPolyhedron", true);
     for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {

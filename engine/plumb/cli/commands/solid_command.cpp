@@ -246,6 +246,7 @@ class HalfSpaces : public SolidOperation {
         ->required()
         ->type_name("");
   }
+  bool reads_sets() const override { return false; }
   ProgressStages stages() const override { return {reading_solid(), intersecting_half_spaces()}; }
   Nef3 compute(Session& session) override {
     session.begin("read");

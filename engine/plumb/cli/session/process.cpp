@@ -10,8 +10,14 @@
 #include <psapi.h>
 #else
 #include <sys/resource.h>
+#include <sys/time.h>
+#endif
+#if defined(__GLIBC__)
+#include <malloc.h>
 #endif
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace plumb::cli::process {
@@ -44,10 +50,15 @@ void handle(int signal, void (*handler)(int)) {
 
 void ignore_failed_writes() {}
 
+void handle_alarm(void (* /*handler*/)(int)) {}
+void alarm_after(double /*seconds*/) {}
+
 void use_bytes_in_standard_streams() {
   ::_setmode(STDIN_FILENO, O_BINARY);
   ::_setmode(STDOUT_FILENO, O_BINARY);
 }
+
+namespace {
 
 std::uint64_t memory_now() {
   PROCESS_MEMORY_COUNTERS counters{};
@@ -56,12 +67,15 @@ std::uint64_t memory_now() {
   return is_known ? counters.PagefileUsage : 0;
 }
 
-void limit_memory(std::uint64_t bytes) {
+}  // namespace
+
+void limit_growth(std::uint64_t bytes, unsigned threads) {
+  constexpr std::uint64_t kStack = std::uint64_t{1} << 20;
   const HANDLE job = ::CreateJobObjectA(nullptr, nullptr);
   if (job == nullptr) return;
   JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
   limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_PROCESS_MEMORY;
-  limits.ProcessMemoryLimit = static_cast<SIZE_T>(bytes);
+  limits.ProcessMemoryLimit = static_cast<SIZE_T>(memory_now() + bytes + kStack * threads);
   ::SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof(limits));
   ::AssignProcessToJobObject(job, ::GetCurrentProcess());
   ::CloseHandle(job);  // The job lives as long as its process.
@@ -83,25 +97,69 @@ void ignore_failed_writes() {
   handle(SIGXFSZ, SIG_IGN);
 }
 
-void use_bytes_in_standard_streams() {}
+void handle_alarm(void (*handler)(int)) { handle(SIGALRM, handler); }
 
-std::uint64_t memory_now() {
-  std::uint64_t pages = 0;
-  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-    unsigned long long read = 0;
-    if (std::fscanf(file, "%llu", &read) == 1) pages = read;
-    std::fclose(file);
-  }
-  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+void alarm_after(double seconds) {
+  constexpr double kLongest = 1e9, kMicroseconds = 1e6;
+  const double whole = std::floor(std::min(seconds, kLongest));
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  // Below a million; 0 seconds and 0 microseconds would cancel the timer.
+  timer.it_value.tv_usec = static_cast<suseconds_t>(
+      std::max(1.0, (std::min(seconds, kLongest) - whole) * (kMicroseconds - 1)));
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-void limit_memory(std::uint64_t bytes) {
+void use_bytes_in_standard_streams() {}
+
+namespace {
+
+/// Returns the private writable memory of the process, which the system compares with RLIMIT_DATA.
+std::uint64_t private_memory() {
+  std::uint64_t kilobytes = 0;
+  if (std::FILE* file = std::fopen("/proc/self/status", "r")) {
+    char line[256];
+    unsigned long long read = 0;
+    while (std::fgets(line, sizeof(line), file) != nullptr) {
+      if (std::sscanf(line, "VmData: %llu kB", &read) == 1) kilobytes = read;
+    }
+    std::fclose(file);
+  }
+  return kilobytes << 10U;
+}
+
+/// Returns the memory that malloc holds without using it. If this is more than `most`, the memory
+/// at the end of the heap is given back first.
+std::uint64_t free_memory_of_heap(std::uint64_t most) {
+#if defined(__GLIBC__)
+  if (::mallinfo2().fordblks > most) ::malloc_trim(0);
+  return ::mallinfo2().fordblks;
+#else
+  static_cast<void>(most);
+  return 0;
+#endif
+}
+
+/// Returns the greatest size of the stack of a thread.
+std::uint64_t bytes_of_stack() {
+  constexpr rlim_t kUsual = rlim_t{8} << 20;
   rlimit limit{};
-  if (::getrlimit(RLIMIT_AS, &limit) != 0) return;
-  const auto wanted = static_cast<rlim_t>(bytes);
+  const bool is_known = ::getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return is_known ? limit.rlim_cur : kUsual;
+}
+
+}  // namespace
+
+void limit_growth(std::uint64_t bytes, unsigned threads) {
+  const std::uint64_t free = free_memory_of_heap(bytes);
+  const std::uint64_t mapped = private_memory();
+  rlimit limit{};
+  if (mapped == 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  const std::uint64_t used = mapped - std::min(free, mapped);
+  const auto wanted = static_cast<rlim_t>(used + bytes + bytes_of_stack() * threads);
   if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur <= wanted) return;
   limit.rlim_cur = wanted;
-  ::setrlimit(RLIMIT_AS, &limit);
+  ::setrlimit(RLIMIT_DATA, &limit);
 }
 
 BlockedSignals::BlockedSignals() {

@@ -15,11 +15,17 @@ void handle(int signal, void (*handler)(int));
 /// Makes a write to a closed pipe, or beyond the largest size of a file, fail as any other write.
 void ignore_failed_writes();
 
-/// Returns the bytes of address space (on Windows, of memory promised to the process) in use.
-std::uint64_t memory_now();
+/// Sets the handler of alarm_after().
+void handle_alarm(void (*handler)(int));
+/// Calls the handler once, after this wall time, instead of at a time that was set before. On
+/// Windows, there are no alarms. May be called by a signal handler.
+void alarm_after(double seconds);
 
-/// Makes allocations fail beyond this many bytes, unless a lower limit holds.
-void limit_memory(std::uint64_t bytes);
+/// Makes allocations fail once the memory of the process has grown by `bytes`, unless a lower limit
+/// holds. The memory of the stacks of `threads` threads that start later is added. On Linux, private
+/// writable memory counts; on Windows, memory promised to the process. Elsewhere the function does
+/// nothing.
+void limit_growth(std::uint64_t bytes, unsigned threads);
 
 /// Makes standard input and output carry bytes as they are. Windows would change ends of lines.
 void use_bytes_in_standard_streams();

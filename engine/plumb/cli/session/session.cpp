@@ -11,9 +11,11 @@
 #include <gmp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <limits>
 #include <new>
 #include <utility>
@@ -24,6 +26,12 @@
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
+
+void leave(ExitCode code) {
+  remove_temporary_files();
+  ::_exit(static_cast<int>(code));
+}
+
 namespace {
 
 std::stop_source& stop_source() {
@@ -31,14 +39,42 @@ std::stop_source& stop_source() {
   return source;
 }
 
-[[noreturn]] void leave(ExitCode code) {
-  remove_temporary_files();
-  ::_exit(static_cast<int>(code));
-}
+// How long a command may take to reach its next checkpoint.
+constexpr double kGraceSeconds = 0.1;
+
+// While standard output is written and files get their names, a command is not ended by an alarm.
+std::atomic<bool> is_delivering = false;
+std::atomic<bool> is_json = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 /// request_stop() is an atomic exchange as long as no stop callback is registered, and none is.
 extern "C" void on_stop_signal(int) {
   if (!stop_source().request_stop()) leave(ExitCode::Cancelled);
+  process::alarm_after(kGraceSeconds);
+}
+
+void write_to_stderr(std::string_view text) {
+  while (!text.empty()) {
+    const auto wrote = ::write(STDERR_FILENO, text.data(), static_cast<unsigned>(text.size()));
+    if (wrote <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(wrote));
+  }
+}
+
+/// Calls only what a signal handler may call.
+extern "C" void on_alarm(int) {
+  if (is_delivering) return process::alarm_after(kGraceSeconds);
+  const bool is_cancelled = stop_source().stop_requested();
+  constexpr std::string_view kTimeLimit = "the time limit was reached (raise --limit-seconds)";
+  if (is_json) {
+    write_to_stderr(is_cancelled ? "{\"error\":{\"code\":\"cancelled\",\"message\":\""
+                                 : "{\"error\":{\"code\":\"resource-limit\",\"message\":\"");
+  } else {
+    write_to_stderr("plumb: ");
+  }
+  write_to_stderr(is_cancelled ? "cancelled" : kTimeLimit);
+  write_to_stderr(is_json ? "\",\"file\":null,\"line\":null,\"column\":null}}\n" : "\n");
+  leave(is_cancelled ? ExitCode::Cancelled : ExitCode::Limit);
 }
 
 extern "C" void on_abort(int) { leave(ExitCode::Internal); }
@@ -48,8 +84,13 @@ void* require(void* memory) {
   return memory;
 }
 
-void* gmp_allocate(std::size_t size) { return require(std::malloc(size)); }
+// Numbers of thousands of digits make single operations long, so limits are checked here, too.
+void* gmp_allocate(std::size_t size) {
+  ArithmeticWatch::count_allocation(size);
+  return require(std::malloc(size));
+}
 void* gmp_reallocate(void* memory, std::size_t, std::size_t size) {
+  ArithmeticWatch::count_allocation(size);
   return require(std::realloc(memory, size));
 }
 void gmp_free(void* memory, std::size_t) { std::free(memory); }
@@ -85,6 +126,9 @@ void hide_controls(std::span<char> text) {
   }
 }
 
+void report_errors_as_json() { is_json = true; }
+bool are_errors_json() { return is_json; }
+
 bool is_stop_requested() { return stop_source().stop_requested(); }
 
 std::stop_token prepare_process() {
@@ -92,6 +136,7 @@ std::stop_token prepare_process() {
   process::handle(SIGINT, on_stop_signal);
   process::handle(SIGTERM, on_stop_signal);
   process::handle(SIGABRT, on_abort);
+  process::handle_alarm(on_alarm);
   process::ignore_failed_writes();
   process::use_bytes_in_standard_streams();
   ::mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
@@ -100,9 +145,9 @@ std::stop_token prepare_process() {
   return stop_source().get_token();
 }
 
-void limit_address_space(std::uint64_t bytes) {
-  constexpr std::uint64_t kSlack = std::uint64_t{64} << 20U;
-  process::limit_memory(process::memory_now() + bytes + kSlack);
+void limit_memory(std::uint64_t bytes, unsigned threads) {
+  constexpr std::uint64_t kLeast = std::uint64_t{2} << 20U, kShare = 20;
+  process::limit_growth(std::max(bytes + bytes / kShare, kLeast), threads - 1);
 }
 
 namespace {
@@ -111,6 +156,8 @@ Limits limits_of(const CommonOptions& options) {
   Limits limits;
   if (options.limit_memory_mb > 0) limits.max_memory_bytes = options.limit_memory_mb << 20U;
   limits.max_seconds = options.limit_seconds;
+  limits.max_number_digits = options.digits;
+  limits.max_decimal_exponent = options.digits;
   return limits;
 }
 
@@ -147,6 +194,10 @@ void CommonOptions::declare(CLI::App& app) {
       ->group(kCommonGroup);
   app.add_flag("--exact-decimals", exact_decimals, "Read 0.1 as 1/10, not as the nearest double")
       ->group(kCommonGroup);
+  app.add_option("--digits", digits, "Digits of the longest number to read (default 1100)")
+      ->check(CLI::Range(16U, 1'000'000U).description(""))
+      ->type_name("N")
+      ->group(kCommonGroup);
   app.add_option("--threads", threads, "Threads to use (default 1)")
       ->check(CLI::Range(1U, 1024U).description(""))
       ->type_name("N")
@@ -174,6 +225,15 @@ void Outputs::add(const std::string& path, Writer writer) {
   to_stdout_ = std::move(writer);
 }
 
+/// While it exists, the process is not ended by an alarm.
+class Delivery {
+ public:
+  Delivery() { is_delivering = true; }
+  ~Delivery() { is_delivering = false; }
+  Delivery(const Delivery&) = delete;
+  Delivery& operator=(const Delivery&) = delete;
+};
+
 /// Delivers outputs. Writers do not check the Context, so files are not put in place if a stop came
 /// before all was written.
 void Outputs::deliver(const std::function<void()>& before_stdout) {
@@ -184,6 +244,7 @@ void Outputs::deliver(const std::function<void()>& before_stdout) {
     pending.file->finish();
     finished.push_back(std::move(pending.file));
   }
+  const Delivery delivery;
   require_no_stop();
   if (to_stdout_) {
     before_stdout();
@@ -200,7 +261,14 @@ Session::Session(const CommonOptions& options, std::stop_token stop)
       progress_(wants_progress(options)),
       context_(limits_of(options), std::move(stop),
                progress_.is_shown() ? ProgressCallback(std::ref(progress_)) : ProgressCallback(),
-               options.threads) {}
+               options.threads),
+      watch_(context_) {
+  if (options.limit_seconds > 0) process::alarm_after(options.limit_seconds + kGraceSeconds);
+}
+
+Session::~Session() {
+  if (!held_back_.empty() && std::uncaught_exceptions() == 0) progress_.print(held_back_);
+}
 
 void Session::answer(const std::string& json, const Outputs::Writer& text) {
   outputs_.add(options_.out.empty() ? "-" : options_.out, [&](std::ostream& out) {
@@ -231,7 +299,11 @@ void Session::warn(const std::string& file, const std::string& text) {
 
 void Session::print(std::string line) {
   hide_controls(line);
-  progress_.print(line);
+  if (options_.json) {
+    held_back_ += held_back_.empty() ? line : '\n' + line;
+  } else {
+    progress_.print(line);
+  }
 }
 
 }  // namespace plumb::cli

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/arithmetic_watch.h"
 #include "plumb/base/context.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/text/files.h"
@@ -57,16 +58,27 @@ inline constexpr std::array kExitMeanings{
 ///   SIGPIPE, SIGXFSZ  Ignored: a failed write reports the reason (closed pipe, file too large)
 ///   SIGABRT           A broken invariant that has been reported: temporary files are removed, exit
 ///                     70
+///   SIGALRM           No checkpoint was reached within a tenth of a second after a stop or after the
+///                     time limit: the process reports it and ends with 4 or 3 at once, with
+///                     temporary files removed
 ///   malloc            Keeps what is freed
 ///   GMP               Throws std::bad_alloc when memory runs out, instead of aborting
 std::stop_token prepare_process();
 
+/// Whether errors are reported as objects of JSON: set once, before the first command.
+void report_errors_as_json();
+bool are_errors_json();
+
+/// Ends the process at once, with temporary files removed.
+[[noreturn]] void leave(ExitCode code);
+
 /// Whether a signal has asked for a stop. For work that has no Context.
 bool is_stop_requested();
 
-/// Lets the address space grow by `bytes` and a little more; allocations beyond that throw
-/// std::bad_alloc. A safety net below the accounts of Context.
-void limit_address_space(std::uint64_t bytes);
+/// Lets the memory of the process grow by `bytes` and a twentieth, and at least by 2 MB;
+/// allocations beyond that throw std::bad_alloc. `threads` is the number of threads that the
+/// command may use. The estimates of Context bound each step of a command; this bounds the command.
+void limit_memory(std::uint64_t bytes, unsigned threads);
 
 // What every command is given: the options that all commands take, the context, messages, outputs.
 
@@ -84,6 +96,7 @@ struct CommonOptions {
   std::uint64_t limit_memory_mb = 0;  ///< 0 means none.
   double limit_seconds = 0;           ///< 0 means none.
   bool exact_decimals = false;
+  std::uint32_t digits = Limits().max_number_digits;  ///< Of one number that is read.
 
   void declare(CLI::App& app);
 };
@@ -118,6 +131,10 @@ void hide_controls(std::span<char> text);
 class Session {
  public:
   Session(const CommonOptions& options, std::stop_token stop);
+  /// Prints the notes that were held back.
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   const CommonOptions& options() const { return options_; }
   Context& context() { return context_; }
@@ -145,7 +162,9 @@ class Session {
 
   CommonOptions options_;
   ProgressBar progress_;
+  std::string held_back_;  // Notes, with --json: if an error follows, it is printed alone.
   Context context_;
+  const ArithmeticWatch watch_;
   Outputs outputs_;
 };
 

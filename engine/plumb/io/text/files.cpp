@@ -177,9 +177,9 @@ class TemporaryNames {
       if (slot.compare_exchange_strong(expected, nullptr)) return;
     }
   }
-  void unlink_all() const noexcept {
+  void remove_all(int (*remove)(const char*)) const noexcept {
     for (const std::atomic<const char*>& slot : names_) {
-      if (const char* name = slot.load()) ::unlink(name);
+      if (const char* name = slot.load()) remove(name);
     }
   }
 
@@ -188,6 +188,7 @@ class TemporaryNames {
 };
 
 TemporaryNames temporary_names;
+TemporaryNames made_directories;  // The innermost first.
 
 }  // namespace
 
@@ -251,6 +252,7 @@ OutputFile::OutputFile(const std::string& path)
     : path_(path), target_(system_files::resolve_links(path)) {
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail();  // A name that is too long, or links in a circle.
   if (exists && S_ISDIR(status.st_mode)) {
     errno = EISDIR;
     fail();
@@ -283,8 +285,10 @@ void OutputFile::open_directly() {
 
 void OutputFile::open_temporary() {
   const std::filesystem::path target(target_);
+  // The longest name that file systems accept has 255 bytes, and a temporary name has 8 more.
+  constexpr std::size_t kMost = 255, kMore = 8;
   std::string name = ".";
-  name += target.filename().string();
+  name += target.filename().string().substr(0, kMost - kMore);
   name += ".XXXXXX";
   temporary_ = (target.parent_path() / name).string();
   descriptor_ = system_files::create_temporary(temporary_);
@@ -335,7 +339,10 @@ void commit_all(std::span<const std::unique_ptr<OutputFile>> files) {
   }
 }
 
-void remove_temporary_files() noexcept { temporary_names.unlink_all(); }
+void remove_temporary_files() noexcept {
+  temporary_names.remove_all(::unlink);
+  made_directories.remove_all(::rmdir);  // Fails for those that are not empty.
+}
 
 OutputDirectory::OutputDirectory(const std::filesystem::path& path) {
   std::error_code failed;
@@ -348,14 +355,23 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& path) {
       remove_made();
       throw Error(ErrorCode::CannotWrite, path.string() + ": " + failed.message());
     }
-    made_.insert(made_.begin(), at);
+    made_.insert(made_.begin(), at.string());
   }
+  for (const std::string& made : made_) made_directories.add(made.c_str());
 }
 
-OutputDirectory::~OutputDirectory() { remove_made(); }
+OutputDirectory::~OutputDirectory() {
+  remove_made();
+  keep();
+}
+
+void OutputDirectory::keep() {
+  for (const std::string& made : made_) made_directories.remove(made.c_str());
+  made_.clear();
+}
 
 void OutputDirectory::remove_made() {
-  for (const std::filesystem::path& made : made_) {
+  for (const std::string& made : made_) {
     std::error_code not_empty;
     if (!std::filesystem::remove(made, not_empty)) return;
   }

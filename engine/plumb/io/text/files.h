@@ -110,7 +110,8 @@ class OutputFile {
 /// output is left behind.
 void commit_all(std::span<const std::unique_ptr<OutputFile>> files);
 
-/// Removes the temporary files of all OutputFile objects that exist. For signal handlers that end
+/// Removes the temporary files of all OutputFile objects that exist, and the empty folders of all
+/// OutputDirectory objects that were not kept. For signal handlers that end
 /// the process: async-signal-safe.
 void remove_temporary_files() noexcept;
 
@@ -124,12 +125,12 @@ class OutputDirectory {
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;
 
-  void keep() { made_.clear(); }
+  void keep();
 
  private:
   void remove_made();
 
-  std::vector<std::filesystem::path> made_;  // Folders that were created, the last first.
+  std::vector<std::string> made_;  // Folders that were created, the last first.
 };
 
 }  // namespace plumb

@@ -98,9 +98,20 @@ bool replace_file(const std::string& from, const std::string& to) {
 }
 
 std::string resolve_links(const std::string& path) {
+  namespace fs = std::filesystem;
   const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
                                                          &std::free);
-  return real ? std::string(real.get()) : path;
+  if (real) return real.get();
+  // A link may lead to a file that does not exist yet. The system follows at most 40 links.
+  constexpr int kMostLinks = 40;
+  fs::path target = path;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(target, error); ++i) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) return path;
+    target = target.parent_path() / next;  // An absolute path replaces the folder.
+  }
+  return target.string();
 }
 
 #endif

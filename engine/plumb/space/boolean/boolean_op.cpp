@@ -82,8 +82,8 @@ namespace {
 Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const Context& context) {
   constexpr std::size_t kLeastUses = 4000;
   const bool is_small = a.use_count() + b.use_count() < kLeastUses;
-  return Context(context, std::stop_token(), is_small ? 1U : context.threads(),
-                 JobProgress::Reported);
+  return Context::of_job(context, std::stop_token(), is_small ? 1U : context.threads(),
+                         JobProgress::Reported);
 }
 
 /// Returns an estimate of the bytes of the draft and of the assembled complex: so many for each

@@ -1,0 +1,51 @@
+// ArithmeticWatch: stops exact arithmetic on very long numbers within the limits of a Context.
+//
+// Operations call Context::checkpoint() between their steps. If a file has coordinates of thousands
+// of digits, a single step may take seconds. While an ArithmeticWatch exists, operations on such
+// numbers check the Context as well.
+//
+// Main flow:
+//   Context context(Limits{.max_seconds = 5});
+//   const ArithmeticWatch watch(context);
+//   Nef3 result = boolean_op(a, b, BooleanOp::Union, context);
+//
+// Cost: a few nanoseconds for each operation on fractions. Errors: those of
+// Context::checkpoint(), from every function that computes with numbers.
+#pragma once
+
+#include <cstdint>
+
+#include "plumb/base/context.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// While the object exists, arithmetic of the calling thread on long fractions throws
+/// Error{Cancelled} if a stop of `context` was requested, and Error{ResourceLimit} if its time
+/// limit is exceeded. This holds also for the threads that an operation starts. The fractions of
+/// the caller are included. Watches of one thread must be destroyed in the reverse order of their
+/// construction.
+class ArithmeticWatch {
+ public:
+  /// Requires that the context outlives the watch.
+  explicit ArithmeticWatch(const Context& context);
+  /// Restores the watch that was active before.
+  ~ArithmeticWatch();
+  ArithmeticWatch(const ArithmeticWatch&) = delete;
+  ArithmeticWatch& operator=(const ArithmeticWatch&) = delete;
+
+  /// Whether a watch of the calling thread exists.
+  static bool is_active();
+  /// Counts `bytes` that GMP allocates. A program that replaces the allocators of GMP by functions
+  /// that may throw can call this function there before it allocates. Then a single operation on
+  /// numbers of millions of digits can be stopped as well. Throws if the limits are exceeded.
+  static void count_allocation(std::uint64_t bytes);
+
+ private:
+  // The check that was active before, and its argument.
+  void (*check_before_)(const void*);
+  const void* context_before_;
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop
