@@ -17,6 +17,7 @@
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/rounded_point3.h"
 #include "plumb/space/boolean/frame.h"
+#include "plumb/space/mesh/closure_report.h"
 #include "plumb/space/set/corner_values.h"
 #include "plumb/space/set/cut_boundary.h"
 #include "plumb/space/set/round_mesh.h"
@@ -198,6 +199,7 @@ MeshWithAttributes mesh_with_attributes(const Nef3& set, const AttributeOptions&
   MeshWithAttributes result;
   result.mesh = std::move(valid.made.mesh);
   result.repair = valid.repair;
+  result.report = closure_report(set.complex());
   std::vector<std::uint32_t> piece;
   for (const FacetId id : valid.made.facet) piece.push_back(id.value());
   sort_by_source(set.sources().size(), piece, result, sources_of(cut, triangles));

@@ -94,6 +94,9 @@ struct MeshWithAttributes {
   /// the end.
   std::vector<std::uint32_t> run_begin;
   RoundingRepair repair;  ///< What was repaired after rounding.
+  /// What the mesh does not say of the set. The counts of edges and vertices that are not manifold
+  /// are 0.
+  ToMeshReport report;
 };
 
 /// Returns the boundary of regularization() with the attributes of the sources of the set. In the

@@ -20,6 +20,7 @@
 #include "plumb/base/internal/union_find.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/rounded_point3.h"
+#include "plumb/space/mesh/closure_report.h"
 #include "plumb/space/planar/facet_triangles.h"
 
 namespace plumb {
@@ -443,6 +444,12 @@ MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
   result = mesh_of_sides(complex, boundary_sides(complex), options, context);
   ClosureCount(complex, result.report).run();
   return result;
+}
+
+ToMeshReport closure_report(const SpaceComplex& complex) {
+  ToMeshReport report;
+  ClosureCount(complex, report).run();
+  return report;
 }
 
 bool is_unbounded(const SpaceComplex& complex, FacetId f) {

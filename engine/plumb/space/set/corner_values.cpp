@@ -19,8 +19,9 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/scaled.h"
 #include "plumb/predicates/arithmetic/seeded_hash.h"
-#include "plumb/predicates/rounding.h"
 #include "plumb/predicates/space/rounded_point3.h"
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/set/barycentric_form.h"
@@ -33,17 +34,11 @@ Point3 rounded_to(CoordinateType type, const Point3& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-/// Returns the homogeneous coordinates of a point of doubles. Denominators are powers of two, so
-/// the greatest one is a multiple of the others.
+/// Returns the homogeneous coordinates of a point of doubles.
 IntegerRow row_of(const Point3& p) {
-  const std::array<Rational, 3> c{exact_rational(p.x), exact_rational(p.y), exact_rational(p.z)};
-  IntegerRow row;
-  row[3] = 1;
-  for (const Rational& x : c) row[3] = std::max(row[3], Integer(mpq_denref(x.mpq())));
-  for (std::size_t i = 0; i < 3; ++i) {
-    row[i] = Integer(mpq_numref(c[i].mpq())) * (row[3] / Integer(mpq_denref(c[i].mpq())));
-  }
-  return row;
+  const int low = std::min(Grid{p.x, p.y, p.z}.low(), 0);
+  return {to_integer(p.x, low), to_integer(p.y, low), to_integer(p.z, low),
+          shifted(Integer(1), -low)};
 }
 
 // ---------------------------------------------------------------- normals

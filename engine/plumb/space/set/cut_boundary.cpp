@@ -818,9 +818,8 @@ class RegionFaces {
   /// Whether the options allow cycle_ as a face.
   bool may_be_polygon() const {
     if (faces_ != MeshFaces::PlanarPolygons) return faces_ == MeshFaces::Polygons;
-    return std::all_of(cycle_.begin(), cycle_.end(), [&](VertexId v) {
-      return complex_.vertex_point[v].is_input();
-    });
+    return std::all_of(cycle_.begin(), cycle_.end(),
+                       [&](VertexId v) { return complex_.vertex_point[v].is_input(); });
   }
   bool has_repeats() {
     vertices_ = cycle_;

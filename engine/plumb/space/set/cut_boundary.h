@@ -32,8 +32,8 @@ struct BoundaryPiece {
 struct CutBoundary {
   std::vector<BoundaryPiece> pieces;
   std::vector<std::uint32_t> face_begin = {0};  ///< Where each face starts in `corners`; the end.
-  std::vector<VertexId> corners;     ///< Counter-clockwise seen from outside.
-  std::vector<std::uint32_t> piece;  ///< For each face, its piece.
+  std::vector<VertexId> corners;                ///< Counter-clockwise seen from outside.
+  std::vector<std::uint32_t> piece;             ///< For each face, its piece.
 
   /// Returns the vertices of a face.
   std::span<const VertexId> face(std::size_t f) const {

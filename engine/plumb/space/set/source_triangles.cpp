@@ -20,8 +20,8 @@
 
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/planar/triangulate.h"
-#include "plumb/space/repair_mesh.h"
 #include "plumb/space/set/barycentric_form.h"
+#include "plumb/space/set/source_faces.h"
 
 namespace plumb {
 namespace {
@@ -76,38 +76,6 @@ std::vector<SpacePoint> places_of(const Plane3& plane, const AffineMap3& map, Sp
   return {place({0, 0, 0}), place(u), place(v)};
 }
 
-/// Returns the index of the corner of a face at a point.
-std::uint32_t corner_at(const PolygonMesh& mesh, std::uint32_t face, std::uint32_t point) {
-  std::uint32_t corner = mesh.face_begin[face];
-  while (mesh.corners[corner] != point) ++corner;
-  return corner;
-}
-
-/// Calls visit(face, corners) for each triangle of a mesh.
-template <class Visit>
-void for_each_triangle(const PolygonMesh& mesh, Context& context, const Visit& visit) {
-  const auto is_small = [&](std::uint32_t f) { return mesh.face(f).size() <= 3; };
-  std::uint32_t polygons = 0;
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) polygons += is_small(f) ? 0 : 1;
-  PolygonMesh cut;
-  if (polygons > 0) cut = triangulated(mesh, context);
-  std::uint32_t next = 0;  // The next face of `cut`.
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const auto corners = mesh.face(f);
-    const std::uint32_t begin = mesh.face_begin[f];
-    if (is_small(f)) {
-      ++next;
-      if (corners.size() == 3) visit(f, std::array{begin, begin + 1, begin + 2});
-      continue;
-    }
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      const auto t = cut.face(next++);
-      visit(f, std::array{corner_at(mesh, f, t[0]), corner_at(mesh, f, t[1]),
-                          corner_at(mesh, f, t[2])});
-    }
-  }
-}
-
 OrientedPlane plane_through(PlaneTable& planes, const std::array<RationalPoint3, 3>& t) {
   const RationalPoint3 u = t[1] - t[0], v = t[2] - t[0];
   const Rational a = u.y * v.z - u.z * v.y, b = u.z * v.x - u.x * v.z, c = u.x * v.y - u.y * v.x;
@@ -150,10 +118,9 @@ void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
   }
   places_.push_back(places_of(mesh_source->mesh, map, tables_));
   triangles_.reserve(triangles_.size() + mesh_source->mesh.face_count());
-  for_each_triangle(mesh_source->mesh, context,
-                    [&](std::uint32_t f, const std::array<std::uint32_t, 3>& c) {
-                      triangles_.push_back({source, f, c, {}, false});
-                    });
+  for (const FaceTriangle& t : triangles_of_faces(mesh_source->mesh, context)) {
+    triangles_.push_back({source, t.face, t.corner, {}, false});
+  }
 }
 
 /// Most planes of a set are defined by the corners of the source triangle itself. A plane that is
