@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <span>
@@ -18,6 +20,7 @@
 #include "generate/near_solids.h"
 #include "oracle/valid_mesh_check.h"
 #include "plumb/predicates/error.h"
+#include "plumb/space/repair_mesh.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::mesh_with_attributes_test {
@@ -469,6 +472,413 @@ TEST(MeshWithAttributes, MaterialsFollowTheirSourcesThroughChains) {
   }
 }
 
+// ---------------------------------------------------------------- polygons
+
+/// Returns twice the vector area of a face.
+Point3 vector_area(const PolygonMesh& mesh, std::size_t f) {
+  const auto face = mesh.face(f);
+  Point3 sum{};
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    const Point3 n = cross({mesh.points[face[0]], mesh.points[face[i]], mesh.points[face[i + 1]]});
+    sum = {sum.x + n.x, sum.y + n.y, sum.z + n.z};
+  }
+  return sum;
+}
+
+/// Returns the triangles of each face, as corners of the mesh. Requires faces whose corners are
+/// different points.
+std::vector<std::vector<std::array<std::uint32_t, 3>>> triangles_of(const PolygonMesh& mesh) {
+  const PolygonMesh cut = triangulated(mesh);
+  std::vector<std::vector<std::array<std::uint32_t, 3>>> result(mesh.face_count());
+  std::size_t next = 0;
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      std::array<std::uint32_t, 3> t{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = std::find(face.begin(), face.end(), cut.face(next)[i]);
+        t[i] = mesh.face_begin[f] + static_cast<std::uint32_t>(at - face.begin());
+      }
+      result[f].push_back(t);
+      ++next;
+    }
+  }
+  return result;
+}
+
+/// Returns the numbers of a channel at a point of a face, from the triangle that contains the point
+/// best.
+std::vector<double> numbers_at(const MeshSource& source, const std::string& name, const Point3& p,
+                               std::span<const std::array<std::uint32_t, 3>> triangles) {
+  const MeshChannel& from = channel(source.attributes, name);
+  double best = -1e300;
+  std::vector<double> numbers(from.width);
+  for (const auto& t : triangles) {
+    std::array<Point3, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = source.mesh.points[source.mesh.corners[t[i]]];
+    const std::array<double, 3> weights = weights_in(corners, p);
+    const double least = std::min({weights[0], weights[1], weights[2]});
+    if (least <= best) continue;
+    best = least;
+    for (std::uint32_t k = 0; k < from.width; ++k) {
+      numbers[k] = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        numbers[k] += weights[i] * from.values[std::size_t{t[i]} * from.width + k];
+      }
+    }
+  }
+  EXPECT_GT(best, -1e-9) << "the point is not in the face";
+  return numbers;
+}
+
+/// Checks the numbers at each corner against the triangles of the source face.
+void expect_numbers(const MeshWithAttributes& made, std::span<const SharedSource> sources) {
+  std::vector<std::vector<std::vector<std::array<std::uint32_t, 3>>>> triangles;
+  for (const SharedSource& source : sources) triangles.push_back(triangles_of(source->mesh));
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const FaceSource from = made.source[f];
+    ASSERT_NE(from.source, FaceSource::kNone);
+    const auto& of_face = triangles[from.source][from.face];
+    for (std::uint32_t c = made.mesh.face_begin[f]; c < made.mesh.face_begin[f + 1]; ++c) {
+      const Point3& p = made.mesh.points[made.mesh.corners[c]];
+      for (const char* name : {"place", "noise"}) {
+        const MeshChannel& to = channel(made.attributes, name);
+        const auto numbers = numbers_at(*sources[from.source], name, p, of_face);
+        for (std::uint32_t k = 0; k < to.width; ++k) {
+          EXPECT_NEAR(to.values[std::size_t{c} * to.width + k], numbers[k], 1e-7);
+        }
+      }
+    }
+  }
+}
+
+/// Checks the numbers inside triangles: a random point of each has the numbers of the source face
+/// at this point.
+void expect_samples(const MeshWithAttributes& made, std::span<const SharedSource> sources,
+                    Dice& dice) {
+  std::vector<std::vector<std::vector<std::array<std::uint32_t, 3>>>> triangles;
+  for (const SharedSource& source : sources) triangles.push_back(triangles_of(source->mesh));
+  const MeshChannel& to = channel(made.attributes, "noise");
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const FaceSource from = made.source[f];
+    ASSERT_EQ(made.mesh.face(f).size(), 3U);
+    const double u = static_cast<double>(1 + dice.below(499)) / 1000, v = u * u;
+    const std::array<double, 3> weight{1 - u - v, u, v};
+    const std::array<Point3, 3> t = corners_of(made.mesh, f);
+    Point3 p{};
+    std::array<double, 2> found{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      p = {p.x + weight[i] * t[i].x, p.y + weight[i] * t[i].y, p.z + weight[i] * t[i].z};
+      for (std::size_t k = 0; k < 2; ++k) found[k] += weight[i] * to.values[(3 * f + i) * 2 + k];
+    }
+    const auto numbers =
+        numbers_at(*sources[from.source], "noise", p, triangles[from.source][from.face]);
+    EXPECT_NEAR(found[0], numbers[0], 1e-7);
+    EXPECT_NEAR(found[1], numbers[1], 1e-7);
+  }
+}
+
+/// Returns the area of each owner in a mesh of polygons.
+std::map<Owner, double> polygon_areas(const MeshWithAttributes& made) {
+  std::map<Owner, double> area;
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const Point3 n = vector_area(made.mesh, f);
+    const std::array<double, 3> c{n.x, n.y, n.z};
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i) axis = c[i] != 0 ? i : axis;
+    area[{made.source[f].source, made.source[f].is_flipped, axis, c[axis] > 0}] +=
+        std::fabs(c[axis]) / 2;
+  }
+  return area;
+}
+
+// Cubes with faces of four corners, written as polygons: areas of sources are exact, and so are the
+// numbers at corners.
+TEST(MeshWithAttributes, PolygonsOfCubesHaveExactAreas) {
+  std::size_t polygons = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const CubeScene scene = random_cubes(dice, seed % 3 != 0);
+    std::vector<SharedSource> sources;
+    Nef3 set;
+    for (std::size_t i = 0; i < scene.low.size(); ++i) {
+      const auto& low = scene.low[i];
+      const Point3 at{static_cast<double>(low[0]), static_cast<double>(low[1]),
+                      static_cast<double>(low[2])};
+      PolygonMesh box = box_mesh(at, {at.x + kSide, at.y + kSide, at.z + kSide});
+      sources.push_back(random_source(std::move(box), dice));
+      const Nef3 cube = from_source(sources.back());
+      set = i == 0 ? cube : boolean_op(set, cube, scene.op[i]);
+    }
+    for (const PieceJoin join : {PieceJoin::None, PieceJoin::SameAttributes, PieceJoin::SameFace}) {
+      for (const MeshFaces faces : {MeshFaces::Triangles, MeshFaces::PlanarPolygons}) {
+        const MeshWithAttributes made =
+            mesh_with_attributes(set, {join, CoordinateType::Double, faces});
+        expect_complete(made, set.sources().size());
+        EXPECT_EQ(polygon_areas(made), squares(scene));
+        expect_numbers(made, sources);
+        if (faces == MeshFaces::Triangles) expect_samples(made, sources, dice);
+        EXPECT_EQ(Nef3::from_mesh(made.mesh), set.regularization());
+        for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+          polygons += made.mesh.face(f).size() > 3 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(polygons, 1000U);
+}
+
+/// Returns the corners of each face as coordinates, the least corner first, sorted.
+std::vector<std::vector<std::array<double, 3>>> cycles_of(const PolygonMesh& mesh) {
+  std::vector<std::vector<std::array<double, 3>>> cycles;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    std::vector<std::array<double, 3>> cycle;
+    for (const std::uint32_t v : mesh.face(f)) {
+      cycle.push_back({mesh.points[v].x, mesh.points[v].y, mesh.points[v].z});
+    }
+    std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+    cycles.push_back(std::move(cycle));
+  }
+  std::sort(cycles.begin(), cycles.end());
+  return cycles;
+}
+
+/// Returns a cube of n x n squares on each side.
+PolygonMesh grid_of_squares(int n) {
+  std::map<std::array<int, 3>, std::uint32_t> index;
+  PolygonMesh mesh;
+  const auto point = [&](const std::array<int, 3>& at) {
+    const auto [known, is_new] = index.emplace(at, mesh.points.size());
+    if (is_new) mesh.points.push_back({double(at[0]), double(at[1]), double(at[2])});
+    return known->second;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int side = 0; side < 2; ++side) {
+      for (int i = 0; i < n * n; ++i) {
+        std::array<std::uint32_t, 4> face{};
+        for (std::size_t k = 0; k < 4; ++k) {
+          std::array<int, 3> at{};
+          at[axis] = side * n;
+          at[(axis + 1) % 3] = i % n + (k == 1 || k == 2 ? 1 : 0);
+          at[(axis + 2) % 3] = i / n + (k >= 2 ? 1 : 0);
+          face[side == 1 ? k : 3 - k] = point(at);
+        }
+        mesh.add_face(face);
+      }
+    }
+  }
+  return mesh;
+}
+
+// Faces that nothing touches are the faces of the input, with the numbers of their corners, even if
+// these do not lie on one affine function.
+TEST(MeshWithAttributes, UntouchedFacesStay) {
+  Dice dice(5);
+  const AttributeOptions options{PieceJoin::SameFace, CoordinateType::Double,
+                                 MeshFaces::PlanarPolygons};
+  const SharedSource box = random_source(box_mesh({0, 0, 0}, {3, 4, 5}), dice);
+  const std::array alone{box};
+  const MeshWithAttributes made = mesh_with_attributes(from_source(box), options);
+  EXPECT_EQ(cycles_of(made.mesh), cycles_of(box->mesh));
+  expect_numbers(made, alone);
+
+  // Squares in one plane stay apart if their channels are affine over each of them.
+  MeshSource squares{"squares", grid_of_squares(3), {}};
+  MeshChannel place{"place", 3, {}};
+  for (const std::uint32_t v : squares.mesh.corners) {
+    const Point3& p = squares.mesh.points[v];
+    place.values.insert(place.values.end(), {p.x, p.y, p.z});
+  }
+  squares.attributes.channels = {place};
+  const auto shared = std::make_shared<const MeshSource>(std::move(squares));
+  const Nef3 grid = from_source(shared);
+  EXPECT_EQ(cycles_of(mesh_with_attributes(grid, options).mesh), cycles_of(shared->mesh));
+  const AttributeOptions joined{PieceJoin::SameAttributes, CoordinateType::Double,
+                                MeshFaces::PlanarPolygons};
+  EXPECT_EQ(mesh_with_attributes(grid, joined).mesh.face_count(), 6U);
+
+  // A far smaller cube takes away a corner; the squares that it does not touch stay.
+  const Nef3 corner = from_source(plain_source(box_mesh({2.5, 2.5, 2.5}, {4, 4, 4})));
+  const auto before = cycles_of(shared->mesh);
+  const auto after = cycles_of(mesh_with_attributes(grid - corner, options).mesh);
+  std::vector<std::vector<std::array<double, 3>>> same;
+  std::set_intersection(before.begin(), before.end(), after.begin(), after.end(),
+                        std::back_inserter(same));
+  EXPECT_EQ(same.size(), before.size() - 3);
+}
+
+// A polygon gets a vertex inside an edge from a cut that ends there. Its numbers do not change.
+TEST(MeshWithAttributes, PolygonsOfSpheresAndBoxesHaveTheNumbersOfTheirFaces) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const auto coordinate = [&] { return static_cast<double>(dice.between(0, 4000)) / 1013; };
+    std::vector<SharedSource> sources{random_source(grid_of_squares(4), dice),
+                                      random_source(box_mesh({1, 1, 2}, {5, 3, 6}), dice)};
+    sources.push_back(
+        random_source(icosphere_mesh(1, 1.7, {coordinate(), coordinate(), coordinate()}), dice));
+    const Nef3 set = from_source(sources[0]) + from_source(sources[1]) - from_source(sources[2]);
+    for (const PieceJoin join : {PieceJoin::SameAttributes, PieceJoin::SameFace}) {
+      for (const MeshFaces faces : {MeshFaces::PlanarPolygons, MeshFaces::Triangles}) {
+        const MeshWithAttributes made =
+            mesh_with_attributes(set, {join, CoordinateType::Double, faces});
+        expect_complete(made, 3);
+        expect_numbers(made, sources);
+        if (faces == MeshFaces::Triangles) expect_samples(made, sources, dice);
+        MeshReport report;
+        FromMeshOptions options;
+        options.report = &report;
+        const Nef3 read = Nef3::from_mesh(made.mesh, options);
+        EXPECT_FALSE(report.crosses_itself());
+        EXPECT_TRUE(report.not_planar.empty());
+        EXPECT_NEAR(static_cast<double>(*read.volume()), static_cast<double>(*set.volume()), 1e-9);
+      }
+    }
+  }
+}
+
+// from_mesh() cuts a polygon that is not planar into triangles. Each of them knows its face.
+TEST(MeshWithAttributes, PolygonsThatAreNotPlanarHaveASource) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    PolygonMesh mesh = grid_of_squares(2);
+    for (Point3& p : mesh.points) {
+      p.x += static_cast<double>(dice.below(8)) / 32;
+      p.y += static_cast<double>(dice.below(8)) / 32;
+      p.z += static_cast<double>(dice.below(8)) / 32;
+    }
+    const SharedSource source = random_source(mesh, dice);
+    const Nef3 warped = from_source(source);
+    for (const AffineMap3& map : {turn_map(1), AffineMap3(turn_map(-2))}) {
+      for (const Nef3& set : {warped, warped.transformed(map)}) {
+        const Nef3 half = set * Nef3::half_space({1, 2, 3, -7}, Boundary::Closed);
+        const MeshWithAttributes whole = mesh_with_attributes(set);
+        const MeshWithAttributes cut = mesh_with_attributes(half);
+        EXPECT_EQ(whole.run_begin[1], whole.mesh.face_count());
+        double without = 0;
+        for (std::size_t f = cut.run_begin[1]; f < cut.mesh.face_count(); ++f) {
+          const Point3 n = vector_area(cut.mesh, f);
+          without += std::sqrt(dot(n, n)) / 2;
+          EXPECT_NEAR(std::fabs(n.x + 2 * n.y + 3 * n.z), std::sqrt(14 * dot(n, n)), 1e-9);
+        }
+        EXPECT_GT(without, 0);
+      }
+    }
+    const MeshWithAttributes made = mesh_with_attributes(warped);
+    for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+      const auto face = source->mesh.face(made.source[f].face);
+      for (std::uint32_t c = made.mesh.face_begin[f]; c < made.mesh.face_begin[f + 1]; ++c) {
+        const Point3& p = made.mesh.points[made.mesh.corners[c]];
+        const auto at = std::find_if(face.begin(), face.end(),
+                                     [&](std::uint32_t v) { return source->mesh.points[v] == p; });
+        ASSERT_NE(at, face.end()) << "a corner is none of its face";
+        const auto corner = source->mesh.face_begin[made.source[f].face] +
+                            static_cast<std::size_t>(at - face.begin());
+        for (std::size_t k = 0; k < 2; ++k) {
+          EXPECT_EQ(channel(made.attributes, "noise").values[2 * c + k],
+                    channel(source->attributes, "noise").values[2 * corner + k]);
+        }
+      }
+    }
+  }
+}
+
+/// Returns a block with a hole from top to bottom. Its top and its bottom are polygons with a bridge
+/// to the hole, whose ends are corners twice.
+PolygonMesh block_with_bridges() {
+  PolygonMesh mesh;
+  for (const double z : {0.0, 1.0}) {
+    for (const double r : {4.0, 1.0}) {
+      mesh.points.insert(
+          mesh.points.end(),
+          {{5 - r, 5 - r, z}, {5 + r, 5 - r, z}, {5 + r, 5 + r, z}, {5 - r, 5 + r, z}});
+    }
+  }
+  const std::array<std::uint32_t, 10> top{8, 9, 10, 11, 8, 12, 15, 14, 13, 12};
+  std::array<std::uint32_t, 10> bottom{};
+  for (std::size_t i = 0; i < 10; ++i) bottom[9 - i] = top[i] - 8;
+  mesh.add_face(top);
+  mesh.add_face(bottom);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t j = (i + 1) % 4;
+    mesh.add_face(std::array{i, j, j + 8, i + 8});
+    mesh.add_face(std::array{j + 4, i + 4, i + 12, j + 12});
+  }
+  return mesh;
+}
+
+// Numbers on an edge of the block are linear between its ends, whatever triangles its top has.
+TEST(MeshWithAttributes, PolygonsWithBridgesKeepTheNumbersOfTheirEdges) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    MeshSource source{"block", block_with_bridges(), {}};
+    std::vector<double> at_point;
+    for (std::size_t v = 0; v < 16; ++v) at_point.push_back(static_cast<double>(dice.below(100)));
+    MeshChannel noise{"noise", 1, {}};
+    for (const std::uint32_t v : source.mesh.corners) noise.values.push_back(at_point[v]);
+    source.attributes.channels = {noise};
+    const auto shared = std::make_shared<const MeshSource>(std::move(source));
+    const double a = static_cast<double>(dice.between(1, 9)),
+                 b = static_cast<double>(dice.between(-9, 9));
+    const Nef3 set =
+        from_source(shared) * Nef3::half_space({a, b, 0, -5 * (a + b)}, Boundary::Closed);
+    const MeshWithAttributes made = mesh_with_attributes(set);
+    const MeshChannel& found = channel(made.attributes, "noise");
+    std::size_t checked = 0;
+    for (std::uint32_t f = 0; f < made.run_begin[1]; ++f) {
+      for (std::uint32_t c = 3 * f; c < 3 * (f + 1); ++c) {
+        const Point3& p = made.mesh.points[made.mesh.corners[c]];
+        for (std::uint32_t ring = 0; ring < 4; ++ring) {
+          for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::uint32_t v = 4 * ring + i, w = 4 * ring + (i + 1) % 4;
+            const Point3 &from = shared->mesh.points[v], &to = shared->mesh.points[w];
+            const Point3 u{to.x - from.x, to.y - from.y, to.z - from.z};
+            const Point3 x{p.x - from.x, p.y - from.y, p.z - from.z};
+            const double t = dot(u, x) / dot(u, u);
+            const Point3 off{x.x - t * u.x, x.y - t * u.y, x.z - t * u.z};
+            if (dot(off, off) > 1e-20 || t < 0 || t > 1) continue;
+            EXPECT_NEAR(found.values[c], (1 - t) * at_point[v] + t * at_point[w], 1e-9);
+            ++checked;
+          }
+        }
+      }
+    }
+    EXPECT_GT(checked, 20U);
+  }
+}
+
+// Corners that are written as floats are corners of their source nevertheless.
+TEST(MeshWithAttributes, FloatsKeepTheNumbersOfCorners) {
+  Dice dice(9);
+  const SharedSource sphere = random_source(icosphere_mesh(2, 1, {0.1, 0.2, 0.3}), dice);
+  const Nef3 set =
+      from_source(sphere) - from_source(random_source(box_mesh({0, 0, 0}, {2, 2, 2}), dice));
+  const MeshWithAttributes made = mesh_with_attributes(
+      set, {PieceJoin::SameAttributes, CoordinateType::Float, MeshFaces::Triangles});
+  const MeshChannel& to = channel(made.attributes, "noise");
+  const MeshChannel& from = channel(sphere->attributes, "noise");
+  std::size_t copied = 0;
+  for (std::uint32_t f = 0; f < made.run_begin[1]; ++f) {
+    const std::uint32_t face = made.source[f].face;
+    for (std::uint32_t c = 3 * f; c < 3 * (f + 1); ++c) {
+      const Point3& p = made.mesh.points[made.mesh.corners[c]];
+      for (std::uint32_t k = 3 * face; k < 3 * (face + 1); ++k) {
+        const Point3& q = sphere->mesh.points[sphere->mesh.corners[k]];
+        const Point3 near{static_cast<float>(q.x), static_cast<float>(q.y),
+                          static_cast<float>(q.z)};
+        if (near != p) continue;
+        ++copied;
+        EXPECT_EQ(to.values[2 * c], from.values[2 * k]);
+        EXPECT_EQ(to.values[2 * c + 1], from.values[2 * k + 1]);
+      }
+    }
+  }
+  EXPECT_GT(copied, 500U);
+}
+
 // ---------------------------------------------------------------- lists of sources
 
 TEST(MeshWithAttributes, ListsOfSourcesHaveNoDuplicates) {
@@ -536,6 +946,23 @@ TEST(MeshWithAttributes, RejectsWhatDoesNotFit) {
 
 // ---------------------------------------------------------------- repairs
 
+/// Checks that each corner of a face is near the plane of its source face: not farther than the
+/// repair moved the boundary, up to the roundings of this test.
+void expect_near_sources(const MeshWithAttributes& made, std::span<const SharedSource> sources) {
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const FaceSource from = made.source[f];
+    ASSERT_NE(from.source, FaceSource::kNone);
+    const std::array<Point3, 3> t = corners_of(sources[from.source]->mesh, from.face);
+    const Point3 n = cross(t);
+    const double length = std::sqrt(dot(n, n));
+    for (const std::uint32_t v : made.mesh.face(f)) {
+      const Point3& p = made.mesh.points[v];
+      const double off = dot(n, {p.x - t[0].x, p.y - t[0].y, p.z - t[0].z}) / length;
+      EXPECT_LE(std::fabs(off), 2 * made.repair.largest_move + 1e-9);
+    }
+  }
+}
+
 // Rounding damages these scenes. The mesh is valid nevertheless, and numbers stay between those of
 // the corners of the source triangle.
 TEST(MeshWithAttributes, RepairedMeshesAreValid) {
@@ -565,6 +992,7 @@ TEST(MeshWithAttributes, RepairedMeshesAreValid) {
     static_cast<void>(Nef3::from_mesh(made.mesh, options));
     EXPECT_FALSE(report.crosses_itself());
     EXPECT_TRUE(report.degenerate.empty());
+    expect_near_sources(made, sources);
     if (made.mesh.face_count() == 0) continue;
     for (const double value : channel(made.attributes, "noise").values) {
       EXPECT_GE(value, 0);

@@ -1,6 +1,5 @@
-// Converts a set of space to a mesh of triangles that has the attributes of the meshes from which
-// the set was made: materials, groups, ids, and numbers at corners such as colours and texture
-// coordinates.
+// Converts a set of space to a mesh that has the attributes of the meshes from which the set was
+// made: materials, groups, ids, and numbers at corners such as colours and texture coordinates.
 //
 // Nothing is threaded through operations. A set keeps the list of its sources (source_mesh.h). The
 // planes of a set are exact, and operations add no planes. So each part of the boundary that comes
@@ -8,14 +7,15 @@
 // plane alone.
 //
 // Main flow of mesh_with_attributes():
-//  1. SourceTriangles  places the triangles of all sources and interns their planes in the tables
-//                      of the set. Equal planes have equal ids
+//  1. SourceTriangles  finds the planes of the triangles of all sources in the tables of the set,
+//                      most of them by one look-up. Equal planes have equal ids
 //  2. cut_boundary     lays each facet over the source triangles of its plane. A facet inside the
-//                      only triangle of its plane is one piece. Other facets are overlaid with the
-//                      triangles by an exact sweep. Neighbouring pieces of one facet are joined if
-//                      their attributes are the same functions
+//                      only triangle of its plane, or that is a face of a source, is one piece.
+//                      Other facets are overlaid with the triangles by an exact sweep. Neighbouring
+//                      pieces of one facet are joined as AttributeOptions::join says
 //  3. round_mesh       rounds the mesh of the pieces and repairs it, as valid_mesh() does
-//  4. interpolate      computes the numbers at corners by barycentric weights
+//  4. fill_channels    copies the numbers at corners of source faces, and computes all others by
+//                      barycentric weights
 //
 // Rules:
 // - If several source triangles cover a piece, those with the same orientation as the boundary come
@@ -44,23 +44,31 @@
 #include "plumb/space/mesh_attributes.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/source_mesh.h"
+#include "plumb/space/to_mesh.h"
 #include "plumb/space/valid_mesh.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// How facets are divided into pieces.
+/// How facets are divided into pieces. A facet that is exactly one face of a source, with no other
+/// source in its plane, is one piece unless PieceJoin::None is given.
 enum class PieceJoin : std::uint8_t {
   /// Neighbouring pieces of a facet are joined if they come from the same source and have the same
   /// material, group and id, and if each channel is the same affine function over both pieces.
   SameAttributes,
   None,  ///< Each piece lies in one triangle of a source.
+  /// As SameAttributes, and only pieces of the same face of a source are joined. So the faces of
+  /// the input stay apart from each other, even if they lie in one plane.
+  SameFace,
 };
 
 /// Options of mesh_with_attributes().
 struct AttributeOptions {
   PieceJoin join = PieceJoin::SameAttributes;    ///< How facets are divided into pieces.
   CoordinateType type = CoordinateType::Double;  ///< The numbers to which points are rounded.
+  /// How pieces become faces. A piece stays a polygon under the conditions that MeshFaces states for
+  /// facets; others are cut into triangles. Meshes of floats consist of triangles.
+  MeshFaces faces = MeshFaces::Triangles;
 };
 
 /// The part of a source from which a face was made.
@@ -76,7 +84,7 @@ struct FaceSource {
 
 /// A mesh with attributes.
 struct MeshWithAttributes {
-  PolygonMesh mesh;           ///< A valid mesh of triangles (valid_mesh.h).
+  PolygonMesh mesh;           ///< A valid mesh (valid_mesh.h), of triangles or of polygons.
   MeshAttributes attributes;  ///< What belongs to the faces and corners of the mesh.
   /// For each face, where it comes from. Faces are in ascending order of sources; faces without a
   /// source are last.
@@ -86,6 +94,9 @@ struct MeshWithAttributes {
   /// the end.
   std::vector<std::uint32_t> run_begin;
   RoundingRepair repair;  ///< What was repaired after rounding.
+  /// What the mesh does not say of the set. The counts of edges and vertices that are not manifold
+  /// are 0.
+  ToMeshReport report;
 };
 
 /// Returns the boundary of regularization() with the attributes of the sources of the set. In the

@@ -21,6 +21,7 @@
 #include "plumb/base/internal/union_find.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/rounded_point3.h"
+#include "plumb/space/mesh/closure_report.h"
 #include "plumb/space/planar/facet_triangles.h"
 
 namespace plumb {
@@ -491,6 +492,12 @@ MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
   result.report.filled = counts.filled;
   result.report.closed = counts.closed;
   return result;
+}
+
+ToMeshReport closure_report(const SpaceComplex& complex) {
+  ToMeshReport report;
+  ClosureCount(complex, report).run();
+  return report;
 }
 
 bool is_unbounded(const SpaceComplex& complex, FacetId f) {

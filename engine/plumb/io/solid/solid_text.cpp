@@ -92,6 +92,21 @@ void describe(const RoundingRepair& repair, std::vector<std::string>& losses,
   }
 }
 
+/// Describes what a mesh does not say of a set.
+void describe(const ToMeshReport& report, std::vector<std::string>& losses,
+              std::vector<std::string>& changes) {
+  if (report.dropped.total() != 0) {
+    losses.push_back("left out what no volume of the set touches: " + to_text(report.dropped));
+  }
+  if (report.closed.total() != 0) {
+    changes.push_back("the set is not closed; its closure was written, with " +
+                      to_text(report.closed));
+  }
+  if (report.filled.total() != 0) {
+    losses.push_back("filled what is missing inside the set: " + to_text(report.filled));
+  }
+}
+
 /// Returns what attributes the sources of a set have: lists without values.
 MeshAttributes outline_of(const Nef3& set) {
   MeshAttributes all;
@@ -138,32 +153,44 @@ std::span<const SolidFormat> solid_formats() { return kFormats; }
 SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding,
                      Context& context, std::string library)
     : set_(set), format_(format), library_(std::move(library)) {
-  if (format.mesh) make_mesh(*format.mesh, rounding, context);
-  if (!set.sources().empty()) add_attributes(rounding, context);
+  const bool has_attributes = !set.sources().empty() && writes_attributes(rounding);
+  // The mesh of an unbounded set is refused with the words for all meshes.
+  if (format.mesh && !(has_attributes && set.is_bounded())) {
+    make_mesh(*format.mesh, rounding, context);
+  }
+  if (has_attributes) add_attributes(context);
 }
 
 bool SolidText::has_library() const {
   return format_.mesh == MeshFormat::Obj && !library_.empty() && !attributes_.materials.empty();
 }
 
-/// Takes the mesh with the attributes of the sources, if the format holds any of them.
-void SolidText::add_attributes(OutputRounding rounding, Context& context) {
+/// Whether the format holds any of the attributes of the sources. Notes which it does not hold.
+bool SolidText::writes_attributes(OutputRounding rounding) {
   const MeshAttributes outline = outline_of(set_);
   if (!format_.mesh) {
     dropped_ = lost_attributes(outline, MeshFormat::Stl);
-    return;
+    return false;
   }
   dropped_ = lost_attributes(outline, *format_.mesh);
-  if (!holds_any(outline, *format_.mesh)) return;
+  if (!holds_any(outline, *format_.mesh)) return false;
   if (rounding == OutputRounding::Nearest || *format_.mesh == MeshFormat::ExactOff) {
     dropped_ = "colours, ids and other attributes are not written with --raw and in off-exact";
-    return;
+    return false;
   }
+  return true;
+}
+
+/// Takes the mesh with the attributes of the sources.
+void SolidText::add_attributes(Context& context) {
   AttributeOptions options;
+  if (!lists_triangles(*format_.mesh)) options.faces = MeshFaces::PlanarPolygons;
   if (*format_.mesh == MeshFormat::Gltf) options.type = CoordinateType::Float;
   MeshWithAttributes made = mesh_with_attributes(set_, options, context);
   std::vector<std::string> losses, changes;
   describe(made.repair, losses, changes);
+  describe(made.report, losses, changes);
+  require_faces(made.mesh);
   const auto add_new = [](std::vector<std::string>& list, std::vector<std::string>& told) {
     for (std::string& text : told) {
       if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(std::move(text));
@@ -194,26 +221,21 @@ void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& c
     throw Error(ErrorCode::CannotWrite,
                 "the set reaches to infinity: a mesh cannot hold it, .nef can");
   }
-  if (made.report.dropped.total() != 0) {
-    losses_.push_back("left out what no volume of the set touches: " +
-                      to_text(made.report.dropped));
-  }
-  if (made.report.closed.total() != 0) {
-    changes_.push_back("the set is not closed; its closure was written, with " +
-                       to_text(made.report.closed));
-  }
-  if (made.report.filled.total() != 0) {
-    losses_.push_back("filled what is missing inside the set: " + to_text(made.report.filled));
-  }
+  describe(made.report, losses_, changes_);
   if (format != MeshFormat::ExactOff && rounding == OutputRounding::Nearest) {
     round_points(made.mesh, type);
     constexpr std::uint64_t kListed = 1;
     describe(check_rounding(made.mesh, kListed, context), losses_);
   }
-  if (format == MeshFormat::Gltf && made.mesh.face_count() == 0) {
+  require_faces(made.mesh);
+  mesh_ = std::move(made.mesh);
+}
+
+/// Throws if the format cannot hold a mesh without faces and this is one.
+void SolidText::require_faces(const PolygonMesh& mesh) const {
+  if (format_.mesh == MeshFormat::Gltf && mesh.face_count() == 0) {
     throw Error(ErrorCode::CannotWrite, "the set has no volume: a .glb file cannot hold it");
   }
-  mesh_ = std::move(made.mesh);
 }
 
 void SolidText::write(std::ostream& out, Context& context) const {

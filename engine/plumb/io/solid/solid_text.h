@@ -36,7 +36,7 @@ class SolidText {
  public:
   /// Throws Error{CannotWrite} if a mesh is to hold a marked volume that reaches infinity, and
   /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double. If the set has sources
-  /// with attributes that the format holds, the mesh has them, and its faces are triangles.
+  /// with attributes that the format holds, the mesh has them.
   /// `library` is the name of the material library of OBJ; if it is empty, there is none.
   SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding, Context& context,
             std::string library = {});
@@ -58,7 +58,9 @@ class SolidText {
 
  private:
   void make_mesh(MeshFormat format, OutputRounding rounding, Context& context);
-  void add_attributes(OutputRounding rounding, Context& context);
+  bool writes_attributes(OutputRounding rounding);
+  void add_attributes(Context& context);
+  void require_faces(const PolygonMesh& mesh) const;
 
   Nef3 set_;
   SolidFormat format_;

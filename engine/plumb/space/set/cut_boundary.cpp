@@ -1,7 +1,8 @@
 // Lays facets over the source triangles of their planes, and cuts them where the source changes.
 //
-// A facet is whole if its plane has no source triangle, or one that contains all of its vertices.
-// All other facets of a plane are cut together: one sweep (plane/arrangement.h) makes the
+// A facet is whole if its plane has no source triangle, or one that contains all of its vertices. A
+// facet that is exactly a face of a source, alone in its plane, needs no overlay, either. All other
+// facets of a plane are cut together: one sweep (plane/arrangement.h) makes the
 // subdivision by the edges of these facets and of the source triangles of the plane. Each face of
 // the subdivision knows which facets and triangles contain it: crossing an edge, those change whose
 // boundary has the edge. Faces of one facet are joined to regions across edges at which the
@@ -19,6 +20,8 @@
 #include "plumb/space/set/cut_boundary.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <optional>
 #include <span>
 #include <utility>
@@ -27,6 +30,7 @@
 #include "plumb/plane/arrangement.h"
 #include "plumb/predicates/plane/plane_points.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/space/point3_exact.h"
 #include "plumb/space/planar/facet_triangles.h"
 #include "plumb/space/planar/triangulate.h"
 #include "plumb/space/to_mesh.h"
@@ -68,6 +72,7 @@ class EdgeCuts {
   explicit EdgeCuts(const SpaceComplex& complex) : complex_(complex) {}
 
   void add(EdgeId e, VertexId v) { cuts_.emplace_back(e, v); }
+  bool is_empty() const { return cuts_.empty(); }
   /// Sorts the vertices along their edges, and merges equal ones.
   void sort() {
     std::sort(cuts_.begin(), cuts_.end(), [this](const Cut& a, const Cut& b) {
@@ -135,12 +140,48 @@ class EdgeCuts {
 
 // ---------------------------------------------------------------- one plane
 
+/// A set of indices whose least one is found in a few steps. Level 0 has a bit for each index; each
+/// further level has a bit for each word of the level below that is not zero.
+class IndexSet {
+ public:
+  IndexSet() : IndexSet(0) {}
+  explicit IndexSet(std::size_t size) {
+    do {
+      size = (size + kBits - 1) / kBits;
+      levels_.emplace_back(size, 0);
+    } while (size > 1);
+  }
+  /// Adds the index if the set does not contain it, otherwise removes it.
+  void toggle(std::size_t index) {
+    levels_[0][index / kBits] ^= std::uint64_t{1} << (index % kBits);
+    for (std::size_t level = 1; level < levels_.size(); ++level) {
+      index /= kBits;
+      const std::uint64_t bit = std::uint64_t{1} << (index % kBits);
+      std::uint64_t& word = levels_[level][index / kBits];
+      word = levels_[level - 1][index] != 0 ? word | bit : word & ~bit;
+    }
+  }
+  /// Returns the least index, or kNone.
+  std::uint32_t first() const {
+    std::size_t at = 0;
+    for (std::size_t level = levels_.size(); level-- > 0;) {
+      if (levels_[level].empty() || levels_[level][at] == 0) return kNone;
+      at = kBits * at + static_cast<std::size_t>(std::countr_zero(levels_[level][at]));
+    }
+    return static_cast<std::uint32_t>(at);
+  }
+
+ private:
+  static constexpr std::size_t kBits = 64;
+  std::vector<std::vector<std::uint64_t>> levels_;
+};
+
 /// What cutting the facets of a plane reads and changes.
 struct CutState {
   SpaceComplex& complex;
   SpaceTables& tables;
-  const SourceTriangles& sources;
-  PieceJoin join;
+  SourceTriangles& sources;
+  const AttributeOptions& options;
   Context& context;
   std::vector<BoundaryPiece> pieces;
   std::vector<Region> regions;
@@ -164,7 +205,6 @@ class PlaneCutter {
     // All points are ends of segments, so the subdivision has kept their indices.
     PLUMB_CHECK(flat().points.inputs.size() == places_.size());
     label_faces();
-    choose_triangles();
     join_faces();
     find_kept();
     make_regions();
@@ -266,48 +306,64 @@ class PlaneCutter {
     }
   }
 
-  /// Returns the label of the face behind an edge. An owner whose boundary runs along the edge
-  /// twice is on both sides.
-  std::vector<std::uint32_t> across(std::vector<std::uint32_t> label, EdgeId e) const {
-    for (const SegmentId s : arrangement_->origins_of(e)) {
-      const std::uint32_t owner = owner_[s.value()];
-      const auto at = std::lower_bound(label.begin(), label.end(), owner);
-      if (at != label.end() && *at == owner) {
-        label.erase(at);
-      } else {
-        label.insert(at, owner);
-      }
-    }
-    return label;
+  /// Goes to the other side of an edge: changes which owners contain the face. An owner whose
+  /// boundary runs along the edge twice is on both sides.
+  void cross(EdgeId e) {
+    for (const SegmentId s : arrangement_->origins_of(e)) toggle(owner_[s.value()]);
+  }
+  void toggle(std::uint32_t owner) {
+    if (owner < side_count()) return sides_here_.toggle(owner);
+    const std::uint32_t t = owner - side_count();
+    triangles_here_[state_.sources[triangles_[t]].is_opposite ? 1 : 0].toggle(t);
   }
 
-  /// Finds the facets and triangles that contain each face, from face 0, which only whole planes
-  /// contain.
+  /// Finds the side and the triangle of each face. A walk goes from face 0, which only whole planes
+  /// contain, to all faces and back, and maintains which sides and triangles contain the face where
+  /// it is. So the memory does not depend on how many triangles lie over each other.
   void label_faces() {
+    const std::size_t faces = flat().face_count();
     MemoryCharge charge(state_.context);
-    charge.add(sizeof(label_[0]) * flat().face_count(), "labels of faces");
-    label_.assign(flat().face_count(), {});
+    charge.add(sizeof(Step) * faces, "a walk over faces");
+    side_.assign(faces, kNone);
+    triangle_.assign(faces, kNone);
+    sides_here_ = IndexSet(side_count());
+    triangles_here_.fill(IndexSet(triangles_.size()));
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      if (is_plane(t)) label_[0].push_back(side_count() + t);
+      if (is_plane(t)) toggle(side_count() + t);
     }
-    std::vector<std::uint8_t> is_known(label_.size(), 0);
-    std::vector<FaceId> work{FaceId(0)};
+    std::vector<std::uint8_t> is_known(faces, 0);
+    std::vector<Step> steps{{FaceId(0), {}, false}};
     is_known[0] = 1;
-    while (!work.empty()) {
-      const FaceId f = work.back();
-      work.pop_back();
+    while (!steps.empty()) {
+      const Step step = steps.back();
+      steps.pop_back();
+      if (step.edge.is_valid()) cross(step.edge);
+      if (step.is_return) continue;
       state_.context.checkpoint("lay facets over sources", 0, 0);
-      if (!dcel().first_loop(f).is_valid()) continue;
-      for (const LoopId l : dcel().loops_of(f)) {
-        if (!dcel().first(l).is_halfedge()) continue;
-        for (const HalfedgeId h : dcel().along(l)) {
-          const FaceId other = dcel().face(twin(h));
-          if (is_known[other.value()] != 0) continue;
-          is_known[other.value()] = 1;
-          label_[other.value()] = across(label_[f.value()], edge_of(h));
-          charge.add(sizeof(std::uint32_t) * label_[other.value()].size(), "labels of faces");
-          work.push_back(other);
-        }
+      choose_triangle(step.face);
+      // The way back from this face comes after the faces that are reached from it.
+      steps.push_back({step.face, step.edge, true});
+      add_steps(step.face, is_known, steps);
+    }
+  }
+
+  /// A step of the walk: to a face across an edge, or back.
+  struct Step {
+    FaceId face;
+    EdgeId edge;
+    bool is_return;
+  };
+
+  /// Adds the steps from a face to its unknown neighbours.
+  void add_steps(FaceId f, std::vector<std::uint8_t>& is_known, std::vector<Step>& steps) const {
+    if (!dcel().first_loop(f).is_valid()) return;
+    for (const LoopId l : dcel().loops_of(f)) {
+      if (!dcel().first(l).is_halfedge()) continue;
+      for (const HalfedgeId h : dcel().along(l)) {
+        const FaceId other = dcel().face(twin(h));
+        if (is_known[other.value()] != 0) continue;
+        is_known[other.value()] = 1;
+        steps.push_back({other, edge_of(h), false});
       }
     }
   }
@@ -316,22 +372,16 @@ class PlaneCutter {
     return state_.sources[triangle].is_opposite == sides_[side].is_reversed;
   }
 
-  /// Finds the side of each face and the first of its triangles, those of the same side before the
+  /// Sets the side of a face and the first of its triangles, those of the same side before the
   /// others.
-  void choose_triangles() {
-    side_.assign(label_.size(), kNone);
-    triangle_.assign(label_.size(), kNone);
-    for (std::size_t f = 0; f < label_.size(); ++f) {
-      const auto& label = label_[f];
-      if (label.empty() || label.front() >= side_count()) continue;
-      side_[f] = label.front();
-      for (std::size_t i = 1; i < label.size(); ++i) {
-        const std::uint32_t t = triangles_[label[i] - side_count()];
-        const bool is_better = triangle_[f] == kNone ||
-                               (is_same_side(t, side_[f]) && !is_same_side(triangle_[f], side_[f]));
-        if (is_better) triangle_[f] = t;
-      }
-    }
+  void choose_triangle(FaceId f) {
+    const std::uint32_t side = sides_here_.first();
+    side_[f.value()] = side;
+    if (side == kNone) return;
+    const std::size_t same = sides_[side].is_reversed ? 1 : 0;
+    std::uint32_t t = triangles_here_[same].first();
+    if (t == kNone) t = triangles_here_[1 - same].first();
+    if (t != kNone) triangle_[f.value()] = triangles_[t];
   }
 
   /// Returns the edge of a facet that contains an edge of the subdivision, or an invalid id.
@@ -344,13 +394,16 @@ class PlaneCutter {
 
   bool can_join(std::uint32_t s, std::uint32_t t) const {
     if (s == t) return true;
-    if (s == kNone || t == kNone || state_.join == PieceJoin::None) return false;
+    const PieceJoin join = state_.options.join;
+    if (s == kNone || t == kNone || join == PieceJoin::None) return false;
+    const SourceTriangle &a = state_.sources[s], &b = state_.sources[t];
+    if (join == PieceJoin::SameFace && (a.source != b.source || a.face != b.face)) return false;
     return state_.sources.has_same_attributes(s, t);
   }
 
   /// Joins faces of a facet at whose common edge the attributes do not change.
   void join_faces() {
-    regions_.emplace(label_.size());
+    regions_.emplace(flat().face_count());
     for (std::size_t e = 0; e < flat().edge_count(); ++e) {
       facet_edge_.push_back(facet_edge(EdgeId(e)));
       const HalfedgeId h = first_half(EdgeId(e));
@@ -431,19 +484,19 @@ class PlaneCutter {
     const bool is_flipped = triangle != kNone && !is_same_side(triangle, side);
     known = static_cast<std::uint32_t>(state_.regions.size());
     const auto piece = static_cast<std::uint32_t>(state_.pieces.size());
-    state_.pieces.push_back({sides_[side].facet, triangle, is_flipped, false});
+    state_.pieces.push_back({sides_[side].facet, triangle, is_flipped, PieceCover::Triangle});
     state_.regions.push_back({piece, sides_[side].is_reversed, plane_, {}, {}});
     return known;
   }
 
   void make_regions() {
-    region_index_.assign(label_.size(), kNone);
+    region_index_.assign(flat().face_count(), kNone);
     vertex_of_.assign(flat().vertex_count(), {});
-    for (std::uint32_t f = 0; f < label_.size(); ++f) {
+    for (std::uint32_t f = 0; f < flat().face_count(); ++f) {
       if (side_[f] == kNone) continue;
       BoundaryPiece& piece = state_.pieces[state_.regions[region_of(f)].piece];
       if (piece.triangle == triangle_[f]) continue;
-      piece.is_joined = true;
+      piece.cover = PieceCover::Joined;
       piece.triangle = std::min(piece.triangle, triangle_[f]);
     }
     for (std::size_t h = 0; h < 2 * flat().edge_count(); ++h) add_region_edge(HalfedgeId(h));
@@ -494,8 +547,9 @@ class PlaneCutter {
   std::vector<std::uint32_t> owner_;  // For each segment, its side or triangle.
   std::vector<EdgeId> edge_;          // For each segment, its edge of the complex.
   std::optional<Arrangement> arrangement_;
-  // For each face of the arrangement: what contains it, its side and its triangle.
-  std::vector<std::vector<std::uint32_t>> label_;
+  IndexSet sides_here_;                     // The sides that contain the face of the walk.
+  std::array<IndexSet, 2> triangles_here_;  // Its triangles, by SourceTriangle::is_opposite.
+  // For each face of the arrangement: its side and its triangle.
   std::vector<std::uint32_t> side_;
   std::vector<std::uint32_t> triangle_;
   std::optional<UnionFind> regions_;
@@ -511,55 +565,179 @@ class PlaneCutter {
 
 // ---------------------------------------------------------------- all planes
 
-/// Whether two input points have the same coordinates.
-bool is_same_input(const PlaneTable& planes, SpacePoint p, SpacePoint q) {
-  return p.is_input() && q.is_input() && planes.point(p.input()) == planes.point(q.input());
+/// The corners of a triangle that are doubles; null for others.
+using CornerPoints = std::array<const Point3*, 3>;
+
+/// Returns the index of the corner with these coordinates, or 3.
+std::size_t corner_index(const CornerPoints& corners, const Point3& p) {
+  std::size_t i = 0;
+  while (i < 3 && (corners[i] == nullptr || *corners[i] != p)) ++i;
+  return i;
+}
+
+/// Returns i if the definition of a constructed point says that it lies on the line of the corners
+/// i and i + 1 of a triangle, otherwise 3. In general position, most points at which a triangle is
+/// cut are of this kind.
+std::size_t edge_of_definition(const SpaceTables& tables, const CornerPoints& corners,
+                               SpacePoint p) {
+  if (p.is_input()) return 3;
+  const PointSource line = exact3::as_line(tables.planes, tables.points.source(p));
+  if (!line.is_line()) return 3;
+  const std::size_t i = corner_index(corners, tables.planes.point(line.end(0)));
+  const std::size_t j = corner_index(corners, tables.planes.point(line.end(1)));
+  if (i == 3 || j == 3 || i == j) return 3;
+  return (i + 1) % 3 == j ? i : j;
 }
 
 /// Whether all vertices of a facet lie in a triangle of its plane. Vertices that are corners of the
 /// triangle need no arithmetic; in general position most vertices are.
-bool is_in_triangle(const CutState& state, FacetId f, const SourceTriangle& triangle) {
+bool is_in_triangle(CutState& state, FacetId f, const SourceTriangle& triangle) {
   const SpaceComplex& c = state.complex;
-  std::array<SpacePoint, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = state.sources.place(triangle, i);
-  std::vector<SpacePoint> others;
+  CornerPoints corners{};
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = state.sources.doubles(triangle, i);
+  std::vector<std::pair<SpacePoint, std::size_t>> others;  // Points, and the edges they are on.
   for_each_use(c, f, [&](UseId u) {
     const SpacePoint p = c.vertex_point[c.use_origin(u)];
-    const bool is_corner = std::any_of(corners.begin(), corners.end(), [&](SpacePoint corner) {
-      return is_same_input(state.tables.planes, p, corner);
-    });
-    if (!is_corner) others.push_back(p);
+    const bool is_corner =
+        p.is_input() && corner_index(corners, state.tables.planes.point(p.input())) < 3;
+    if (!is_corner) others.emplace_back(p, edge_of_definition(state.tables, corners, p));
   });
   if (others.empty()) return true;
   FlatPoints shown(state.tables.points);
   shown.reset(FlatView::of_plane(state.tables.planes, triangle.plane));
-  for (const SpacePoint p : corners) shown.push_back(p);
+  for (std::size_t i = 0; i < 3; ++i) shown.push_back(state.sources.place(triangle, i));
   const Sign turn = shown.orient(0, 1, 2);
-  for (const SpacePoint p : others) {
+  for (const auto& [p, edge] : others) {
     const std::uint32_t v = shown.size();
     shown.push_back(p);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      if (shown.orient(i, (i + 1) % 3, v) == -turn) return false;
+      if (i != edge && shown.orient(i, (i + 1) % 3, v) == -turn) return false;
     }
   }
   return true;
 }
 
-/// Whether a facet has one source; `triangle` is then its triangle or kNone.
-bool is_whole(const CutState& state, FacetId f, std::uint32_t& triangle) {
-  const auto near = state.sources.in_plane(state.complex.facet_plane[f]);
-  triangle = near.empty() ? kNone : near.front();
-  if (near.empty()) return true;
-  const SourceTriangle& first = state.sources[triangle];
-  return near.size() == 1 && (state.sources.is_plane(first) || is_in_triangle(state, f, first));
+/// Returns the uses of the only cycle of a facet that has at most `most` uses and no vertices
+/// inside; otherwise nothing.
+std::vector<UseId> short_cycle(const SpaceComplex& c, FacetId f, std::size_t most) {
+  if (c.cycles_of(f).size() != 1 || !c.inner_of(f).empty()) return {};
+  std::vector<UseId> uses;
+  const UseId first = c.cycles_of(f)[0];
+  UseId u = first;
+  do {
+    if (uses.size() == most) return {};
+    uses.push_back(u);
+    u = c.use_next[u];
+  } while (u != first);
+  return uses;
+}
+
+/// Returns the use of a facet at each corner of a face of a source, if the facet is exactly this
+/// face and its corners are doubles; otherwise nothing.
+std::vector<UseId> uses_at_corners(const CutState& state, FacetId f, const SourceTriangle& t) {
+  const SpaceComplex& c = state.complex;
+  const auto corners = state.sources.mesh_of(t).face(t.face);
+  const std::size_t n = corners.size();
+  std::vector<UseId> uses = short_cycle(c, f, n);
+  if (uses.size() != n) return {};
+  const auto is_at = [&](UseId u, std::uint32_t point) {
+    const SpacePoint p = c.vertex_point[c.use_origin(u)];
+    const Point3* const at = state.sources.doubles(t.source, point);
+    return p.is_input() && at != nullptr && state.tables.planes.point(p.input()) == *at;
+  };
+  std::size_t first = 0;
+  while (first < n && !is_at(uses[first], corners[0])) ++first;
+  if (first == n) return {};
+  std::rotate(uses.begin(), uses.begin() + static_cast<std::ptrdiff_t>(first), uses.end());
+  if (!is_at(uses[1], corners[1])) std::reverse(uses.begin() + 1, uses.end());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_at(uses[i], corners[i])) return {};
+  }
+  return uses;
+}
+
+/// Whether all triangles come from one face of a source.
+bool are_of_one_face(const SourceTriangles& sources, std::span<const std::uint32_t> triangles) {
+  const SourceTriangle& first = sources[triangles.front()];
+  return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
+    return sources[t].source == first.source && sources[t].face == first.face;
+  });
+}
+
+bool has_channels(const CutState& state, const SourceTriangle& t) {
+  return !state.sources.sources()[t.source].source->attributes.channels.empty();
+}
+
+std::uint32_t add_piece(CutState& state, const FacetSide& side, std::uint32_t triangle) {
+  const bool is_flipped =
+      triangle != kNone && state.sources[triangle].is_opposite != side.is_reversed;
+  state.pieces.push_back({side.facet, triangle, is_flipped, PieceCover::Triangle});
+  return static_cast<std::uint32_t>(state.pieces.size() - 1);
 }
 
 void add_whole(CutState& state, const FacetSide& side, std::uint32_t triangle) {
-  const bool is_flipped =
-      triangle != kNone && state.sources[triangle].is_opposite != side.is_reversed;
-  const auto piece = static_cast<std::uint32_t>(state.pieces.size());
-  state.pieces.push_back({side.facet, triangle, is_flipped, false});
+  const std::uint32_t piece = add_piece(state, side, triangle);
   state.regions.push_back({piece, side.is_reversed, state.complex.facet_plane[side.facet], {}, {}});
+}
+
+/// Adds the triangles of a face of a source as regions of a facet that is this face. `uses` are
+/// those of uses_at_corners().
+void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<const UseId> uses,
+                           std::span<const std::uint32_t> triangles) {
+  const SpaceComplex& c = state.complex;
+  const PlaneId plane = c.facet_plane[side.facet];
+  for (const std::uint32_t t : triangles) {
+    const SourceTriangle& triangle = state.sources[t];
+    const std::uint32_t begin = state.sources.mesh_of(triangle).face_begin[triangle.face];
+    std::array<UseId, 3> at{};
+    for (std::size_t i = 0; i < 3; ++i) at[i] = uses[triangle.corner[i] - begin];
+    // The corners run counter-clockwise around the set that the source bounds.
+    const bool runs_along = c.use_next[uses[0]] == uses[1];
+    if (!runs_along) std::swap(at[1], at[2]);
+    std::vector<RegionEdge> edges;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const UseId from = at[i], to = at[(i + 1) % 3];
+      const bool is_side = c.use_next[from] == to;
+      edges.push_back({c.use_origin(from), c.use_origin(to),
+                       is_side ? SpaceComplex::edge_of(c.use_halfedge[from]) : EdgeId()});
+    }
+    const std::uint32_t piece = add_piece(state, side, t);
+    state.regions.push_back({piece, side.is_reversed, plane, std::move(edges), {}});
+  }
+}
+
+/// Adds the regions of a facet that is exactly one polygon of a source, whose triangles are given.
+/// Returns false for any other facet.
+bool add_untouched(CutState& state, const FacetSide& side,
+                   std::span<const std::uint32_t> triangles) {
+  const SourceTriangle& first = state.sources[triangles.front()];
+  if (state.sources.is_plane(first) || !are_of_one_face(state.sources, triangles)) return false;
+  const std::vector<UseId> uses = uses_at_corners(state, side.facet, first);
+  if (uses.empty()) return false;
+  const bool stays_polygon =
+      state.options.faces != MeshFaces::Triangles && state.options.join != PieceJoin::None;
+  if (has_channels(state, first) && !stays_polygon) {
+    add_triangles_of_face(state, side, uses, triangles);
+    return true;
+  }
+  add_whole(state, side, triangles.front());
+  state.pieces.back().cover = PieceCover::Face;
+  return true;
+}
+
+/// Adds the region of a facet if it needs no overlay: if its plane has no source triangle, or one
+/// that contains the facet, or if the facet is a face of a source. Otherwise returns false.
+bool add_without_overlay(CutState& state, const FacetSide& side) {
+  const auto near = state.sources.in_plane(state.complex.facet_plane[side.facet]);
+  if (near.empty()) {
+    add_whole(state, side, kNone);
+    return true;
+  }
+  if (near.size() > 1) return add_untouched(state, side, near);
+  const SourceTriangle& only = state.sources[near.front()];
+  if (!state.sources.is_plane(only) && !is_in_triangle(state, side.facet, only)) return false;
+  add_whole(state, side, near.front());
+  return true;
 }
 
 /// Makes the region of a whole facet that gets vertices inside its edges.
@@ -587,17 +765,92 @@ void cut_planes(CutState& state, std::vector<FacetSide> sides) {
   }
 }
 
-/// Triangulates regions.
-class RegionTriangles {
+/// Makes faces of regions.
+class RegionFaces {
  public:
-  explicit RegionTriangles(const CutState& state)
-      : complex_(state.complex), cuts_(state.edge_cuts), shown_(state.tables.points) {}
+  RegionFaces(const CutState& state, CutBoundary& result)
+      : complex_(state.complex),
+        cuts_(state.edge_cuts),
+        faces_(state.options.faces),
+        shown_(state.tables.points),
+        of_facet_(state.complex),
+        result_(result) {}
 
-  /// Calls visit(a, b, c) for each triangle, counter-clockwise seen from the positive side.
-  template <class Visit>
-  void for_each(const Region& region, const Visit& visit) {
+  /// Adds the faces of a region with edges.
+  void add(const Region& region) {
     chains_.clear();
     for (const RegionEdge& e : region.edges) add_chain(e);
+    if (chains_.size() == 3 && region.inner.empty()) {
+      cycle_ = {chains_[0].first, chains_[1].first, chains_[2].first};
+      if (chains_[0].second != cycle_[1]) std::swap(cycle_[1], cycle_[2]);
+      return add_face(region, cycle_);
+    }
+    if (region.inner.empty() && is_cycle() && may_be_polygon()) return add_face(region, cycle_);
+    triangulate_region(region);
+  }
+
+  /// Adds the faces of a region that is a whole facet and has no vertices inside its edges.
+  void add_facet(const Region& region, FacetId f) {
+    if (complex_.cycles_of(f).size() == 1 && complex_.inner_of(f).empty()) {
+      cycle_.clear();
+      for_each_use(complex_, f, [&](UseId u) { cycle_.push_back(complex_.use_origin(u)); });
+      if (cycle_.size() == 3 || (may_be_polygon() && !has_repeats())) {
+        return add_face(region, cycle_);
+      }
+    }
+    of_facet_.for_each(f, [&](VertexId a, VertexId b, VertexId c) {
+      add_face(region, std::array{a, b, c});
+    });
+  }
+
+ private:
+  void add_face(const Region& region, std::span<const VertexId> cycle) {
+    auto& corners = result_.corners;
+    corners.insert(corners.end(), cycle.begin(), cycle.end());
+    if (region.is_reversed) {
+      // The first corner stays first.
+      std::reverse(corners.end() - static_cast<std::ptrdiff_t>(cycle.size()) + 1, corners.end());
+    }
+    result_.face_begin.push_back(static_cast<std::uint32_t>(corners.size()));
+    result_.piece.push_back(region.piece);
+  }
+
+  /// Whether the options allow cycle_ as a face.
+  bool may_be_polygon() const {
+    if (faces_ != MeshFaces::PlanarPolygons) return faces_ == MeshFaces::Polygons;
+    return std::all_of(cycle_.begin(), cycle_.end(),
+                       [&](VertexId v) { return complex_.vertex_point[v].is_input(); });
+  }
+  bool has_repeats() {
+    vertices_ = cycle_;
+    std::sort(vertices_.begin(), vertices_.end());
+    return std::adjacent_find(vertices_.begin(), vertices_.end()) != vertices_.end();
+  }
+
+  /// Sets cycle_ to the vertices along chains_. Returns false if these are not one cycle that
+  /// visits no vertex twice.
+  bool is_cycle() {
+    std::sort(chains_.begin(), chains_.end());
+    const auto next = [&](VertexId v) {
+      return std::partition_point(chains_.begin(), chains_.end(),
+                                  [v](const auto& e) { return e.first < v; });
+    };
+    const auto is_same_start = [](const auto& e, const auto& f) { return e.first == f.first; };
+    if (std::adjacent_find(chains_.begin(), chains_.end(), is_same_start) != chains_.end()) {
+      return false;
+    }
+    cycle_.clear();
+    VertexId v = chains_.front().first;
+    do {
+      cycle_.push_back(v);
+      const auto at = next(v);
+      PLUMB_CHECK(at != chains_.end() && at->first == v);
+      v = at->second;
+    } while (v != cycle_.front());
+    return cycle_.size() == chains_.size();
+  }
+
+  void triangulate_region(const Region& region) {
     list_vertices(region);
     shown_.reset(FlatView::of_plane(complex_.planes(), region.plane));
     for (const VertexId v : vertices_) shown_.push_back(complex_.vertex_point[v]);
@@ -606,17 +859,17 @@ class RegionTriangles {
     std::vector<IndexTriangle> triangles;
     PLUMB_CHECK(triangulate(shown_, edges, triangles));
     for (const IndexTriangle& t : triangles) {
-      visit(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]);
+      add_face(region, std::array{vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]});
     }
   }
-
- private:
   void add_chain(const RegionEdge& e) {
     const RegionEdge part{cuts_.merged(e.from), cuts_.merged(e.to), e.edge};
-    std::vector<VertexId> chain{part.from};
-    if (part.edge.is_valid()) cuts_.append_between(part, chain);
-    chain.push_back(part.to);
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) chains_.emplace_back(chain[i], chain[i + 1]);
+    chain_.assign(1, part.from);
+    if (part.edge.is_valid()) cuts_.append_between(part, chain_);
+    chain_.push_back(part.to);
+    for (std::size_t i = 0; i + 1 < chain_.size(); ++i) {
+      chains_.emplace_back(chain_[i], chain_[i + 1]);
+    }
   }
   void list_vertices(const Region& region) {
     vertices_ = region.inner;
@@ -634,13 +887,19 @@ class RegionTriangles {
 
   const SpaceComplex& complex_;
   const EdgeCuts& cuts_;
+  MeshFaces faces_;
   FlatPoints shown_;
-  std::vector<std::pair<VertexId, VertexId>> chains_;
+  FacetTriangles of_facet_;
+  CutBoundary& result_;
+  std::vector<std::pair<VertexId, VertexId>> chains_;  // The edges of the region.
+  std::vector<VertexId> chain_;
+  std::vector<VertexId> cycle_;
   std::vector<VertexId> vertices_;
 };
 
 /// Whether a facet has an edge with vertices inside.
 bool has_cut_edge(const CutState& state, FacetId f) {
+  if (state.edge_cuts.is_empty()) return false;
   bool has_cut = false;
   for_each_use(state.complex, f, [&](UseId u) {
     const EdgeId e = SpaceComplex::edge_of(state.complex.use_halfedge[u]);
@@ -649,24 +908,37 @@ bool has_cut_edge(const CutState& state, FacetId f) {
   return has_cut;
 }
 
-/// Triangulates all regions.
-CutBoundary triangulated_regions(CutState& state) {
+/// Divides a face of a source that gets vertices inside its edges into its triangles if it has
+/// channels, because a polygon with further corners may be cut in another way.
+bool add_triangles_of_cut_face(CutState& state, const Region& region) {
+  const BoundaryPiece piece = state.pieces[region.piece];
+  if (piece.cover != PieceCover::Face) return false;
+  const SourceTriangle& first = state.sources[piece.triangle];
+  if (!has_channels(state, first)) return false;
+  const auto triangles = state.sources.in_plane(region.plane);
+  const std::vector<UseId> uses = uses_at_corners(state, piece.facet, first);
+  add_triangles_of_face(state, {piece.facet, region.is_reversed}, uses, triangles);
+  return true;
+}
+
+/// Makes the faces of all regions.
+CutBoundary faces_of_regions(CutState& state) {
   CutBoundary result;
-  FacetTriangles of_facet(state.complex);
-  RegionTriangles of_region(state);
-  for (Region& region : state.regions) {
+  result.corners.reserve(3 * state.regions.size());
+  result.face_begin.reserve(state.regions.size() + 1);
+  result.piece.reserve(state.regions.size());
+  RegionFaces faces(state, result);
+  for (std::size_t r = 0; r < state.regions.size(); ++r) {  // Regions may be added.
+    Region region = std::move(state.regions[r]);
     const FacetId facet = state.pieces[region.piece].facet;
-    const auto add = [&](VertexId a, VertexId b, VertexId c) {
-      if (region.is_reversed) std::swap(b, c);
-      result.triangles.push_back({a, b, c});
-      result.piece.push_back(region.piece);
-    };
-    if (region.edges.empty() && !has_cut_edge(state, facet)) {
-      of_facet.for_each(facet, add);
-      continue;
+    if (!region.edges.empty()) {
+      faces.add(region);
+    } else if (!has_cut_edge(state, facet)) {
+      faces.add_facet(region, facet);
+    } else if (!add_triangles_of_cut_face(state, region)) {
+      fill_whole(state.complex, facet, region);
+      faces.add(region);
     }
-    if (region.edges.empty()) fill_whole(state.complex, facet, region);
-    of_region.for_each(region, add);
   }
   result.pieces = std::move(state.pieces);
   return result;
@@ -674,21 +946,20 @@ CutBoundary triangulated_regions(CutState& state) {
 
 }  // namespace
 
-CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, const SourceTriangles& sources,
-                         PieceJoin join, Context& context) {
-  CutState state{complex, tables, sources, join, context, {}, {}, EdgeCuts(complex)};
+CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, SourceTriangles& sources,
+                         const AttributeOptions& options, Context& context) {
+  CutState state{complex, tables, sources, options, context, {}, {}, EdgeCuts(complex)};
+  const std::vector<FacetSide> sides = boundary_sides(complex);
+  state.pieces.reserve(sides.size());
+  state.regions.reserve(sides.size());
   std::vector<FacetSide> to_cut;
-  for (const FacetSide& side : boundary_sides(complex)) {
-    std::uint32_t triangle = kNone;
-    if (is_whole(state, side.facet, triangle)) {
-      add_whole(state, side, triangle);
-    } else {
-      to_cut.push_back(side);
-    }
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (i % 4096 == 0) context.checkpoint("find sources of facets", i, sides.size());
+    if (!add_without_overlay(state, sides[i])) to_cut.push_back(sides[i]);
   }
   cut_planes(state, std::move(to_cut));
   state.edge_cuts.sort();
-  return triangulated_regions(state);
+  return faces_of_regions(state);
 }
 
 }  // namespace plumb

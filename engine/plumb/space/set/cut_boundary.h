@@ -1,8 +1,8 @@
 // Divides the boundary of a set into pieces that lie in one source triangle each. Internal.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "plumb/base/context.h"
@@ -12,26 +12,40 @@
 
 namespace plumb {
 
+/// What the source triangle of a piece says about it.
+enum class PieceCover : std::uint8_t {
+  Triangle,  ///< The piece lies in the triangle.
+  Face,      ///< The piece is the face of the source that has the triangle.
+  /// The piece lies in several triangles over which the attributes are the same functions.
+  Joined,
+};
+
 /// A part of a facet with one source.
 struct BoundaryPiece {
   FacetId facet;           ///< The facet of the set.
   std::uint32_t triangle;  ///< The triangle in SourceTriangles, or kNone.
   bool is_flipped;         ///< Whether triangle and boundary have opposite sides.
-  bool is_joined;          ///< Whether parts in other triangles were joined with it.
+  PieceCover cover;        ///< How the piece and the triangle are related.
 };
 
-/// The boundary of the closure of the interior, in triangles.
+/// The boundary of the closure of the interior, in faces.
 struct CutBoundary {
   std::vector<BoundaryPiece> pieces;
-  std::vector<std::array<VertexId, 3>> triangles;  ///< Counter-clockwise seen from outside.
-  std::vector<std::uint32_t> piece;                ///< For each triangle, its piece.
+  std::vector<std::uint32_t> face_begin = {0};  ///< Where each face starts in `corners`; the end.
+  std::vector<VertexId> corners;                ///< Counter-clockwise seen from outside.
+  std::vector<std::uint32_t> piece;             ///< For each face, its piece.
+
+  /// Returns the vertices of a face.
+  std::span<const VertexId> face(std::size_t f) const {
+    return std::span(corners).subspan(face_begin[f], face_begin[f + 1] - face_begin[f]);
+  }
 };
 
 /// Divides the boundary. Appends the vertices at which it is cut to complex.vertex_point, and their
-/// points to `tables`, which are the tables of the complex and of the sources. Triangles meet only
-/// in common vertices and edges. Requires that no marked volume is unbounded. Throws what the
-/// context throws.
-CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, const SourceTriangles& sources,
-                         PieceJoin join, Context& context);
+/// points to `tables`, which are the tables of the complex and of the sources. Faces meet only in
+/// common vertices and edges. Requires that no marked volume is unbounded. Throws what the context
+/// throws.
+CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, SourceTriangles& sources,
+                         const AttributeOptions& options, Context& context);
 
 }  // namespace plumb

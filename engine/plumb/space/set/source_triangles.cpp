@@ -1,8 +1,9 @@
 // Places the triangles of sources, and compares the functions that their channels are.
 //
-// The points of a source that was not moved are input points of the tables, and its planes are
+// Most planes of a set are defined by the three corners of a source triangle, so they are found by a
+// hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
 // interned from three input points, many at a time. Moved points are exact; the plane of a moved
-// triangle is interned from its exact coefficients. In both cases the table gives equal planes the
+// triangle is interned from its exact coefficients. In all cases the table gives equal planes the
 // same id, which is what everything else rests on.
 //
 // Two triangles of a plane have the same channel if its function over the first triangle, which is
@@ -19,7 +20,8 @@
 
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/planar/triangulate.h"
-#include "plumb/space/repair_mesh.h"
+#include "plumb/space/set/barycentric_form.h"
+#include "plumb/space/set/source_faces.h"
 
 namespace plumb {
 namespace {
@@ -39,15 +41,12 @@ Rational determinant_of(const AffineMap3& map) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
+/// Returns the places of the points of a mesh. Points that are doubles and were not moved have no
+/// valid place yet.
 std::vector<SpacePoint> places_of(const PolygonMesh& mesh, const AffineMap3& map,
                                   SpaceTables& tables) {
   std::vector<SpacePoint> places(mesh.points.size());
-  const bool is_placed = is_identity(map);
-  if (is_placed) {
-    const std::uint32_t first = tables.planes.add_points(mesh.points).value();
-    for (std::uint32_t i = 0; i < places.size(); ++i) {
-      places[i] = SpacePoint(InputPointId(first + i));
-    }
+  if (is_identity(map)) {
     for (const auto& [i, p] : mesh.exact) places[i] = add_point(tables, p);
     return places;
   }
@@ -77,38 +76,6 @@ std::vector<SpacePoint> places_of(const Plane3& plane, const AffineMap3& map, Sp
   return {place({0, 0, 0}), place(u), place(v)};
 }
 
-/// Returns the index of the corner of a face at a point.
-std::uint32_t corner_at(const PolygonMesh& mesh, std::uint32_t face, std::uint32_t point) {
-  std::uint32_t corner = mesh.face_begin[face];
-  while (mesh.corners[corner] != point) ++corner;
-  return corner;
-}
-
-/// Calls visit(face, corners) for each triangle of a mesh.
-template <class Visit>
-void for_each_triangle(const PolygonMesh& mesh, Context& context, const Visit& visit) {
-  const auto is_small = [&](std::uint32_t f) { return mesh.face(f).size() <= 3; };
-  std::uint32_t polygons = 0;
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) polygons += is_small(f) ? 0 : 1;
-  PolygonMesh cut;
-  if (polygons > 0) cut = triangulated(mesh, context);
-  std::uint32_t next = 0;  // The next face of `cut`.
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    const auto corners = mesh.face(f);
-    const std::uint32_t begin = mesh.face_begin[f];
-    if (is_small(f)) {
-      ++next;
-      if (corners.size() == 3) visit(f, std::array{begin, begin + 1, begin + 2});
-      continue;
-    }
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-      const auto t = cut.face(next++);
-      visit(f, std::array{corner_at(mesh, f, t[0]), corner_at(mesh, f, t[1]),
-                          corner_at(mesh, f, t[2])});
-    }
-  }
-}
-
 OrientedPlane plane_through(PlaneTable& planes, const std::array<RationalPoint3, 3>& t) {
   const RationalPoint3 u = t[1] - t[0], v = t[2] - t[0];
   const Rational a = u.y * v.z - u.z * v.y, b = u.z * v.x - u.x * v.z, c = u.x * v.y - u.y * v.x;
@@ -128,71 +95,91 @@ bool is_identity(const AffineMap3& map) {
   return true;
 }
 
-std::array<Rational, 3> barycentric_weights(const PlaneTable& planes, PlaneId plane,
-                                            const std::array<RationalPoint3, 3>& triangle,
-                                            const RationalPoint3& at) {
-  const FlatView view = FlatView::of_plane(planes, plane);
-  const auto shown = [&](const RationalPoint3& p) {
-    const std::array<const Rational*, 3> c{&p.x, &p.y, &p.z};
-    return RationalPoint2{*c[view.coordinate(0)], *c[view.coordinate(1)]};
-  };
-  const RationalPoint2 a = shown(triangle[0]);
-  const RationalPoint2 u = shown(triangle[1]) - a, v = shown(triangle[2]) - a, x = shown(at) - a;
-  const Rational area = u.x * v.y - u.y * v.x;
-  Rational second = (x.x * v.y - x.y * v.x) / area, third = (u.x * x.y - u.y * x.x) / area;
-  Rational first = 1 - second - third;
-  return {std::move(first), std::move(second), std::move(third)};
-}
-
 SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, SpaceTables& tables,
                                  Context& context)
     : sources_(sources), tables_(tables) {
+  const PlanesByCorners known(tables.planes);
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
     context.checkpoint("place sources", s, sources.size());
-    const PolygonMesh& mesh = sources[s].source->mesh;
+    is_mirrored_.push_back(determinant_of(sources[s].map) < 0 ? 1 : 0);
     const std::size_t first = triangles_.size();
-    if (sources[s].source->plane) {
-      places_.push_back(places_of(*sources[s].source->plane, sources[s].map, tables));
-      triangles_.push_back({s, 0, {0, 1, 2}, {}, false});
-      intern_planes(s, first, tables);
-      continue;
-    }
-    places_.push_back(places_of(mesh, sources[s].map, tables));
-    for_each_triangle(mesh, context, [&](std::uint32_t f, const std::array<std::uint32_t, 3>& c) {
-      triangles_.push_back({s, f, c, {}, false});
-    });
-    intern_planes(s, first, tables);
+    add_triangles(s, context);
+    find_planes(s, first, known);
   }
   sort_by_plane(tables.planes.size());
 }
 
-void SourceTriangles::intern_planes(std::uint32_t source, std::size_t first, SpaceTables& tables) {
-  const std::span<SourceTriangle> added = std::span(triangles_).subspan(first);
-  const std::vector<SpacePoint>& places = places_[source];
-  const bool are_inputs =
-      std::all_of(places.begin(), places.end(), [](SpacePoint p) { return p.is_input(); });
-  std::vector<OrientedPlane> planes(added.size());
-  if (are_inputs) {
-    std::vector<std::array<InputPointId, 3>> corners;
-    corners.reserve(added.size());
-    for (const SourceTriangle& t : added) {
-      corners.push_back({place(t, 0).input(), place(t, 1).input(), place(t, 2).input()});
+void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
+  const auto& [mesh_source, map] = sources_[source];
+  if (mesh_source->plane) {
+    places_.push_back(places_of(*mesh_source->plane, map, tables_));
+    triangles_.push_back({source, 0, {0, 1, 2}, {}, false});
+    return;
+  }
+  places_.push_back(places_of(mesh_source->mesh, map, tables_));
+  triangles_.reserve(triangles_.size() + mesh_source->mesh.face_count());
+  for (const FaceTriangle& t : triangles_of_faces(mesh_source->mesh, context)) {
+    triangles_.push_back({source, t.face, t.corner, {}, false});
+  }
+}
+
+/// Most planes of a set are defined by the corners of the source triangle itself. A plane that is
+/// found in this way needs no arithmetic. The others are interned.
+void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
+                                  const PlanesByCorners& known) {
+  std::vector<std::uint32_t> hash(places_[source].size(), 0);
+  std::vector<std::uint8_t> has_doubles(hash.size(), 0);
+  for (std::uint32_t p = 0; p < hash.size(); ++p) {
+    const Point3* at = doubles(source, p);
+    if (at == nullptr) continue;
+    has_doubles[p] = 1;
+    hash[p] = PlanesByCorners::hash_of(*at);
+  }
+  std::vector<std::uint32_t> unknown;
+  for (auto t = static_cast<std::uint32_t>(first); t < triangles_.size(); ++t) {
+    SourceTriangle& triangle = triangles_[t];
+    std::array<PlanesByCorners::Corner, 3> corners{};
+    bool has_all = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t p = point_index(triangle, i);
+      has_all = has_all && has_doubles[p] != 0;
+      if (has_all) corners[i] = {doubles(source, p), hash[p]};
     }
-    tables.planes.intern_triangles(corners, planes);
-  } else {
-    for (std::size_t i = 0; i < added.size(); ++i) {
-      std::array<RationalPoint3, 3> t;
-      for (std::size_t j = 0; j < 3; ++j) t[j] = exact(tables.points, place(added[i], j));
-      planes[i] = plane_through(tables.planes, t);
+    const OrientedPlane plane = has_all ? known.find(corners) : OrientedPlane();
+    if (plane.is_valid()) {
+      set_plane(triangle, plane);
+    } else {
+      unknown.push_back(t);
     }
   }
+  intern_planes(unknown);
+}
+
+void SourceTriangles::set_plane(SourceTriangle& t, OrientedPlane plane) const {
+  if (!plane.is_valid()) return;
+  t.plane = plane.plane();
   // A map that mirrors turns the corners of a triangle around, but not the side of the set.
-  const bool is_mirrored = determinant_of(sources_[source].map) < 0;
-  for (std::size_t i = 0; i < added.size(); ++i) {
-    if (!planes[i].is_valid()) continue;
-    added[i].plane = planes[i].plane();
-    added[i].is_opposite = planes[i].is_opposite() != is_mirrored;
+  t.is_opposite = plane.is_opposite() != (is_mirrored_[t.source] != 0);
+}
+
+void SourceTriangles::intern_planes(std::span<const std::uint32_t> triangles) {
+  std::vector<std::uint32_t> by_inputs;
+  std::vector<std::array<InputPointId, 3>> corners;
+  for (const std::uint32_t t : triangles) {
+    SourceTriangle& triangle = triangles_[t];
+    const std::array<SpacePoint, 3> at{place(triangle, 0), place(triangle, 1), place(triangle, 2)};
+    if (at[0].is_input() && at[1].is_input() && at[2].is_input()) {
+      by_inputs.push_back(t);
+      corners.push_back({at[0].input(), at[1].input(), at[2].input()});
+      continue;
+    }
+    std::array<RationalPoint3, 3> exact_corners;
+    for (std::size_t i = 0; i < 3; ++i) exact_corners[i] = exact(tables_.points, at[i]);
+    set_plane(triangle, plane_through(tables_.planes, exact_corners));
   }
+  std::vector<OrientedPlane> planes(by_inputs.size());
+  tables_.planes.intern_triangles(corners, planes);
+  for (std::size_t i = 0; i < planes.size(); ++i) set_plane(triangles_[by_inputs[i]], planes[i]);
 }
 
 void SourceTriangles::sort_by_plane(std::size_t planes) {
@@ -209,7 +196,7 @@ void SourceTriangles::sort_by_plane(std::size_t planes) {
   }
 }
 
-bool SourceTriangles::has_same_attributes(std::uint32_t s, std::uint32_t t) const {
+bool SourceTriangles::has_same_attributes(std::uint32_t s, std::uint32_t t) {
   const SourceTriangle &a = triangles_[s], &b = triangles_[t];
   if (!has_same_face_attributes(a, b) || a.is_opposite != b.is_opposite) return false;
   return sources_[a.source].source->attributes.channels.empty() || has_same_channels(a, b);
@@ -231,12 +218,13 @@ bool SourceTriangles::has_same_face_attributes(const SourceTriangle& s,
          is_same(attributes.face_id);
 }
 
-bool SourceTriangles::has_same_channels(const SourceTriangle& s, const SourceTriangle& t) const {
-  std::array<RationalPoint3, 3> triangle;
-  for (std::size_t i = 0; i < 3; ++i) triangle[i] = exact(tables_.points, place(s, i));
+bool SourceTriangles::has_same_channels(const SourceTriangle& s, const SourceTriangle& t) {
+  std::array<IntegerRow, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = homogeneous(tables_.points, place(s, i));
+  const BarycentricForm form(FlatView::of_plane(tables_.planes, s.plane), corners);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::array<Rational, 3> weights =
-        barycentric_weights(tables_.planes, s.plane, triangle, exact(tables_.points, place(t, i)));
+        form.at(homogeneous(tables_.points, place(t, i))).exact();
     for (const MeshChannel& channel : sources_[s.source].source->attributes.channels) {
       if (channel.values.empty()) continue;
       for (std::uint32_t k = 0; k < channel.width; ++k) {

@@ -1,0 +1,90 @@
+#include "plumb/space/set/barycentric_form.h"
+
+#include <utility>
+
+#include "plumb/predicates/rounding.h"
+
+namespace plumb {
+namespace {
+
+using Row3 = std::array<Integer, 3>;
+
+Row3 seen(const FlatView& view, const IntegerRow& point) {
+  return {point[view.coordinate(0)], point[view.coordinate(1)], point[3]};
+}
+
+Integer dot(const Row3& a, const Row3& b) {
+  Integer sum = a[0] * b[0];
+  sum += a[1] * b[1];
+  sum += a[2] * b[2];
+  return sum;
+}
+
+Row3 cross(const Row3& a, const Row3& b) {
+  Row3 result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    result[i] = a[j] * b[k] - a[k] * b[j];
+  }
+  return result;
+}
+
+/// Returns the nearest double. The numbers are lent to a Rational without removing common factors,
+/// which does not matter to the division.
+double nearest_quotient(Integer numerator, Integer denominator) {
+  if (numerator.is_zero()) return 0;
+  Rational lent;
+  mpz_swap(mpq_numref(lent.mpq()), numerator.mpz());
+  mpz_swap(mpq_denref(lent.mpq()), denominator.mpz());
+  const double result = nearest_double(lent);
+  mpz_swap(mpq_numref(lent.mpq()), numerator.mpz());
+  mpz_swap(mpq_denref(lent.mpq()), denominator.mpz());
+  return result;
+}
+
+}  // namespace
+
+void BarycentricWeights::move_inside() {
+  denominator = 0;
+  for (Integer& n : numerator) {
+    if (n.sign() < 0) n = 0;
+    denominator += n;
+  }
+}
+
+std::array<double, 3> BarycentricWeights::rounded() const {
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = nearest_quotient(numerator[i], denominator);
+  return result;
+}
+
+std::array<Rational, 3> BarycentricWeights::exact() const {
+  return {Rational(numerator[0], denominator), Rational(numerator[1], denominator),
+          Rational(numerator[2], denominator)};
+}
+
+BarycentricForm::BarycentricForm(FlatView view, const std::array<IntegerRow, 3>& corners)
+    : view_(view) {
+  const std::array<Row, 3> c{seen(view, corners[0]), seen(view, corners[1]),
+                             seen(view, corners[2])};
+  for (std::size_t i = 0; i < 3; ++i) form_[i] = cross(c[(i + 1) % 3], c[(i + 2) % 3]);
+  area_ = dot(c[0], form_[0]);
+  const bool is_negative = area_.sign() < 0;
+  if (is_negative) area_.negate();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (Integer& factor : form_[i]) {
+      factor *= c[i][2];
+      if (is_negative) factor.negate();
+    }
+  }
+}
+
+BarycentricWeights BarycentricForm::at(const IntegerRow& point) const {
+  const Row x = seen(view_, point);
+  BarycentricWeights weights;
+  for (std::size_t i = 0; i < 3; ++i) weights.numerator[i] = dot(form_[i], x);
+  weights.denominator = x[2] * area_;
+  return weights;
+}
+
+}  // namespace plumb

@@ -1,0 +1,318 @@
+// Copies numbers from corners of sources, and interpolates them at all other corners.
+//
+// A corner of the result has the numbers of its piece at the corner's point. If the point is that
+// of a corner of the source after rounding, the numbers are copied; nearly all corners are of this
+// kind. Otherwise the barycentric weights of the exact point are computed in integers, and rounded
+// before the sum: on a common edge of two source triangles both give the same doubles, because the
+// third weight is zero there. A point that a repair has moved is taken at its new place.
+//
+// If pieces were joined, the point may lie outside the triangle that stands for all of them; the
+// sum is then computed exactly, so that large weights cannot cancel.
+//
+// Tested by tests/space/mesh_with_attributes_test.cpp.
+#include "plumb/space/set/corner_values.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/scaled.h"
+#include "plumb/predicates/arithmetic/seeded_hash.h"
+#include "plumb/predicates/space/rounded_point3.h"
+#include "plumb/space/boolean/frame.h"
+#include "plumb/space/set/barycentric_form.h"
+
+namespace plumb {
+namespace {
+
+Point3 rounded_to(CoordinateType type, const Point3& p) {
+  if (type == CoordinateType::Double) return p;
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
+/// Returns the homogeneous coordinates of a point of doubles.
+IntegerRow row_of(const Point3& p) {
+  const int low = std::min(Grid{p.x, p.y, p.z}.low(), 0);
+  return {to_integer(p.x, low), to_integer(p.y, low), to_integer(p.z, low),
+          shifted(Integer(1), -low)};
+}
+
+// ---------------------------------------------------------------- normals
+
+/// The inverse transpose of the linear part of a map, up to a positive factor, in doubles.
+using NormalMap = std::array<std::array<double, 3>, 3>;
+
+NormalMap normal_map(const AffineMap3& map) {
+  const auto& m = map.matrix;
+  std::array<std::array<Rational, 3>, 3> cofactor;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      cofactor[i][j] = m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1];
+    }
+  }
+  const Rational determinant =
+      m[0][0] * cofactor[0][0] + m[0][1] * cofactor[0][1] + m[0][2] * cofactor[0][2];
+  NormalMap result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      result[i][j] = static_cast<double>(Rational(cofactor[i][j] / determinant));
+    }
+  }
+  return result;
+}
+
+/// Transforms a normal; its length stays.
+void transform_normal(const NormalMap& map, std::span<double> normal) {
+  const std::array<double, 3> n{normal[0], normal[1], normal[2]};
+  std::array<double, 3> image{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    image[i] = map[i][0] * n[0] + map[i][1] * n[1] + map[i][2] * n[2];
+  }
+  const double before = std::hypot(n[0], n[1], n[2]);
+  const double after = std::hypot(image[0], image[1], image[2]);
+  if (!(after > 0)) return;
+  for (std::size_t i = 0; i < 3; ++i) normal[i] = image[i] * (before / after);
+}
+
+// ---------------------------------------------------------------- one triangle
+
+/// The weights of the corners of a source triangle at a point.
+struct CornerWeights {
+  std::array<double, 3> rounded;
+  std::optional<std::array<Rational, 3>> exact;  // Given if the sum must be exact.
+};
+
+/// The source triangle of a piece, prepared for the corners of its faces. What is computed of a
+/// triangle is kept until the next one, because faces of one triangle follow each other.
+class TriangleReader {
+ public:
+  explicit TriangleReader(const CornerInput& input) : input_(input) {}
+
+  /// Goes to a piece that has a source triangle.
+  void set(const BoundaryPiece& piece) {
+    cover_ = piece.cover;
+    if (known_ == piece.triangle) return;
+    known_ = piece.triangle;
+    form_.reset();
+    for (std::size_t i = 0; i < 3; ++i) {
+      at_[i] = rounded_corner(i);
+    }
+  }
+  const SourceTriangle& triangle() const { return input_.sources[known_]; }
+
+  /// Returns the corner of the source, an index of mesh.corners, whose point is rounded to p; kNone
+  /// if there is none.
+  std::uint32_t corner_at(const Point3& p) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (at_[i] == p) return triangle().corner[i];
+    }
+    if (cover_ != PieceCover::Face) return kNone;
+    const PolygonMesh& mesh = input_.sources.mesh_of(triangle());
+    for (std::uint32_t c = mesh.face_begin[triangle().face];
+         c < mesh.face_begin[triangle().face + std::size_t{1}]; ++c) {
+      const Point3* const at = input_.sources.doubles(triangle().source, mesh.corners[c]);
+      if (at != nullptr && rounded_to(input_.type, *at) == p) return c;
+    }
+    return kNone;
+  }
+
+  /// Returns the weights at a point. Negative weights become 0, unless pieces were joined.
+  CornerWeights weights_at(const Point3& p) {
+    BarycentricWeights w = form().at(input_.places.row(input_.complex.points(), p));
+    CornerWeights weights{};
+    if (w.has_negative()) {
+      if (cover_ == PieceCover::Triangle) {
+        w.move_inside();
+      } else {
+        weights.exact = w.exact();
+      }
+    }
+    weights.rounded = w.rounded();
+    return weights;
+  }
+
+ private:
+  Point3 rounded_corner(std::size_t i) {
+    const Point3* const doubles = input_.sources.doubles(triangle(), i);
+    if (doubles != nullptr) return rounded_to(input_.type, *doubles);
+    const SpacePoint place = input_.sources.place(triangle(), i);
+    return rounded_to(input_.type, rounded(input_.complex.points(), place).at);
+  }
+
+  const BarycentricForm& form() {
+    if (form_) return *form_;
+    const Point3Table& points = input_.complex.points();
+    std::array<IntegerRow, 3> rows;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point3* const doubles = input_.sources.doubles(triangle(), i);
+      rows[i] = doubles != nullptr ? row_of(*doubles)
+                                   : homogeneous(points, input_.sources.place(triangle(), i));
+    }
+    form_.emplace(FlatView::of_plane(points.planes(), triangle().plane), rows);
+    return *form_;
+  }
+
+  const CornerInput& input_;
+  std::uint32_t known_ = kNone;
+  PieceCover cover_ = PieceCover::Triangle;
+  std::array<Point3, 3> at_{};  // The corners, rounded.
+  std::optional<BarycentricForm> form_;
+};
+
+/// Returns number k of a channel. Equal numbers at all corners give this number.
+double value_of(const MeshChannel& channel, std::uint32_t k, const SourceTriangle& triangle,
+                const CornerWeights& weights) {
+  std::array<double, 3> v{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    v[i] = channel.values[std::size_t{triangle.corner[i]} * channel.width + k];
+  }
+  if (v[0] == v[1] && v[1] == v[2]) return v[0];
+  const bool is_finite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  if (weights.exact && is_finite) {
+    Rational sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += (*weights.exact)[i] * v[i];
+    return static_cast<double>(sum);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (weights.rounded[i] == 1) return v[i];
+  }
+  // A corner of weight 0 takes no part, so that numbers beside an edge do not change its values.
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (weights.rounded[i] != 0) sum += weights.rounded[i] * v[i];
+  }
+  return sum;
+}
+
+// ---------------------------------------------------------------- all corners
+
+/// Computes numbers at the corners of the result.
+class ChannelWriter {
+ public:
+  ChannelWriter(const CornerInput& input, MeshWithAttributes& result)
+      : input_(input), result_(result), reader_(input) {}
+
+  void run(std::span<const std::uint32_t> piece, Context& context) {
+    add_channels();
+    if (result_.attributes.channels.empty()) return;
+    const PolygonMesh& mesh = result_.mesh;
+    for (std::size_t f = 0; f < piece.size(); ++f) {
+      if (f % 1024 == 0) context.checkpoint("interpolate", f, piece.size());
+      const BoundaryPiece& from = input_.cut.pieces[piece[f]];
+      if (from.triangle == kNone) continue;
+      reader_.set(from);
+      if (input_.sources.is_plane(reader_.triangle())) continue;
+      for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        fill_corner(c, from.is_flipped);
+      }
+    }
+  }
+
+ private:
+  /// Makes the channels of the result, and tells where each channel of a source goes.
+  void add_channels() {
+    auto& channels = result_.attributes.channels;
+    for (const PlacedSource& placed : input_.sources.sources()) {
+      std::vector<std::uint32_t> to;
+      for (const MeshChannel& channel : placed.source->attributes.channels) {
+        const auto known = std::find_if(channels.begin(), channels.end(),
+                                        [&](const auto& c) { return c.name == channel.name; });
+        to.push_back(static_cast<std::uint32_t>(known - channels.begin()));
+        if (known == channels.end()) channels.push_back({channel.name, channel.width, {}});
+        MeshChannel& target = channels[to.back()];
+        target.width = std::max(target.width, channel.width);
+      }
+      target_.push_back(std::move(to));
+      const bool is_moved = !is_identity(placed.map);
+      is_moved_.push_back(is_moved ? 1 : 0);
+      normal_map_.push_back(is_moved ? normal_map(placed.map) : NormalMap{});
+    }
+    for (MeshChannel& channel : channels) {
+      channel.values.assign(result_.mesh.corners.size() * channel.width,
+                            channel.name == "color" ? 1 : 0);
+    }
+  }
+
+  void fill_corner(std::uint32_t corner, bool is_flipped) {
+    const Point3& p = result_.mesh.points[result_.mesh.corners[corner]];
+    const std::uint32_t source_corner = reader_.corner_at(p);
+    std::optional<CornerWeights> weights;
+    if (source_corner == kNone) weights = reader_.weights_at(p);
+    const std::uint32_t source = reader_.triangle().source;
+    const auto& channels = input_.sources.sources()[source].source->attributes.channels;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const MeshChannel& from = channels[c];
+      if (from.values.empty()) continue;
+      MeshChannel& to = result_.attributes.channels[target_[source][c]];
+      const std::span<double> values =
+          std::span(to.values).subspan(std::size_t{corner} * to.width, from.width);
+      if (!weights) {
+        std::copy_n(&from.values[std::size_t{source_corner} * from.width], from.width,
+                    values.begin());
+      } else {
+        for (std::uint32_t k = 0; k < from.width; ++k) {
+          values[k] = value_of(from, k, reader_.triangle(), *weights);
+        }
+      }
+      if (to.name == "normal" && from.width == 3) turn_normal(source, is_flipped, values);
+    }
+  }
+
+  void turn_normal(std::uint32_t source, bool is_flipped, std::span<double> normal) const {
+    if (is_moved_[source] != 0) transform_normal(normal_map_[source], normal);
+    if (!is_flipped) return;
+    for (double& value : normal) value = 0 - value;
+  }
+
+  const CornerInput& input_;
+  MeshWithAttributes& result_;
+  TriangleReader reader_;
+  std::vector<std::vector<std::uint32_t>> target_;  // For each channel of a source, its channel.
+  std::vector<NormalMap> normal_map_;
+  std::vector<std::uint8_t> is_moved_;
+};
+
+}  // namespace
+
+std::size_t PlacesBeforeRounding::KeyHash::operator()(const Key& key) const noexcept {
+  return SeededHash{}(key);
+}
+
+PlacesBeforeRounding::Key PlacesBeforeRounding::key_of(const Point3& p) {
+  // Both zeros have the same key.
+  return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0),
+          std::bit_cast<std::uint64_t>(p.z + 0.0)};
+}
+
+PlacesBeforeRounding::PlacesBeforeRounding(const MeshToRound& input, CoordinateType type) {
+  const SpaceComplex& complex = *input.complex;
+  const std::vector<Point3>& points = input.made.mesh.points;
+  for (const auto& [v, vertex] : input.made.rounded) {
+    places_.emplace(key_of(rounded_to(type, points[v])),
+                    Place{complex.vertex_point[vertex], points[v], {}});
+  }
+  if (type == CoordinateType::Double) return;
+  for (const Point3& p : points) places_.emplace(key_of(rounded_to(type, p)), Place{{}, p, {}});
+}
+
+const IntegerRow& PlacesBeforeRounding::row(const Point3Table& points, const Point3& p) {
+  const auto known = places_.find(key_of(p));
+  if (known == places_.end()) return itself_ = row_of(p);
+  Place& place = known->second;
+  if (place.row[3].is_zero()) {
+    place.row = place.at.is_valid() ? homogeneous(points, place.at) : row_of(place.nearest);
+  }
+  return place.row;
+}
+
+void fill_channels(const CornerInput& input, std::span<const std::uint32_t> piece,
+                   MeshWithAttributes& result, Context& context) {
+  ChannelWriter(input, result).run(piece, context);
+}
+
+}  // namespace plumb

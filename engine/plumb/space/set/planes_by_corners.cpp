@@ -1,0 +1,56 @@
+#include "plumb/space/set/planes_by_corners.h"
+
+#include <bit>
+#include <vector>
+
+namespace plumb {
+
+std::uint32_t PlanesByCorners::hash_of(const Point3& p) {
+  // Both zeros have the same hash.
+  const std::array<std::uint64_t, 3> bits{std::bit_cast<std::uint64_t>(p.x + 0.0),
+                                          std::bit_cast<std::uint64_t>(p.y + 0.0),
+                                          std::bit_cast<std::uint64_t>(p.z + 0.0)};
+  return static_cast<std::uint32_t>(SeededHash{}(bits));
+}
+
+std::uint32_t PlanesByCorners::hash_of_all(const std::array<std::uint32_t, 3>& corners) {
+  const std::uint64_t sum = std::uint64_t{corners[0]} + corners[1] + corners[2];
+  return static_cast<std::uint32_t>(SeededHash{}(sum));
+}
+
+PlanesByCorners::PlanesByCorners(const PlaneTable& planes) : planes_(planes) {
+  std::vector<std::uint32_t> hash;
+  hash.reserve(planes.points().size());
+  for (const Point3& p : planes.points()) hash.push_back(hash_of(p));
+  index_.reserve(planes.size());
+  for (std::uint32_t id = 0; id < planes.size(); ++id) {
+    const PlaneSource& source = planes.source(PlaneId(id));
+    if (source.is_explicit()) continue;
+    const std::array corners{hash[source.code[0]], hash[source.code[1]], hash[source.code[2]]};
+    // Each plane is in the table once, so no two entries are the same.
+    index_.find_or_add(hash_of_all(corners), id, [](std::uint32_t) { return false; });
+  }
+}
+
+OrientedPlane PlanesByCorners::find(const std::array<Corner, 3>& corners) const {
+  OrientedPlane found;
+  const auto is_same = [&](std::uint32_t id) {
+    const std::array<std::uint32_t, 3>& code = planes_.source(PlaneId(id)).code;
+    const auto has = [&](std::size_t i, std::size_t corner) {
+      return planes_.points()[code[i]] == *corners[corner].at;
+    };
+    for (std::size_t first = 0; first < 3; ++first) {
+      if (!has(0, first)) continue;
+      const std::size_t next = (first + 1) % 3, last = (first + 2) % 3;
+      const bool is_turned = has(1, last) && has(2, next);
+      if (!is_turned && !(has(1, next) && has(2, last))) continue;
+      found = OrientedPlane(PlaneId(id), is_turned);
+      return true;
+    }
+    return false;
+  };
+  index_.find(hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash}), is_same);
+  return found;
+}
+
+}  // namespace plumb

@@ -1,0 +1,41 @@
+// Finds the planes of a table by the coordinates of the three input points that define them.
+// Internal.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "plumb/predicates/arithmetic/seeded_hash.h"
+#include "plumb/predicates/space/plane_table.h"
+
+namespace plumb {
+
+/// An index of the planes that three input points define. It tells a triangle of a mesh its plane by
+/// one look-up, without arithmetic, if the plane is defined by the corners of this triangle.
+class PlanesByCorners {
+ public:
+  /// A corner of a triangle.
+  struct Corner {
+    const Point3* at;    ///< Its coordinates.
+    std::uint32_t hash;  ///< hash_of() of them.
+  };
+
+  /// Indexes all planes that `planes` has. Keeps a reference to the table, which may grow. O(n).
+  explicit PlanesByCorners(const PlaneTable& planes);
+
+  /// Returns the hash of the coordinates of a point.
+  static std::uint32_t hash_of(const Point3& p);
+  /// Returns the plane that these three points define in the table. Seen from its positive side, the
+  /// corners appear counter-clockwise. The result is not valid if the table has no plane of this
+  /// definition; it may have the plane with another definition. Expected cost: O(1).
+  OrientedPlane find(const std::array<Corner, 3>& corners) const;
+
+ private:
+  /// Returns the hash of a triangle from those of its corners in any order.
+  static std::uint32_t hash_of_all(const std::array<std::uint32_t, 3>& corners);
+
+  const PlaneTable& planes_;
+  IdIndex index_;
+};
+
+}  // namespace plumb
