@@ -243,7 +243,8 @@ TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
   std::ofstream drawing(top_ / "model" / "plan.dxf");
   const auto add_square = [&drawing](const char* layer, int x, int y, int side) {
     drawing << "0\nLWPOLYLINE\n8\n" << layer << "\n70\n1\n";
-    for (const auto& [i, j] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+    for (const auto& [i, j] :
+         {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
       drawing << "10\n" << x + i * side << "\n20\n" << y + j * side << '\n';
     }
   };
