@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -272,6 +273,24 @@ TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
   const std::string model = (top_ / "model" / "m.csg").string();
   EXPECT_EQ(evaluate(read_csg(model, both, {CsgImports::BelowModel, false}).tree).shape.area(),
             Rational(5));
+}
+
+// The areas are those of OpenSCAD 2021.01, which rounds coordinates to multiples of 2^-16. Arcs of a
+// quarter turn would have 1.25, 2.5, 1.5, 2.5 and 1.25 chords.
+TEST(CsgReader, OffsetsHaveTheChordsOfOpenScad) {
+  const std::string square = "square(size = [10, 10], center = false);";
+  const std::string angle =
+      "polygon(points = [[0, 0], [10, 0], [10, 3], [3, 3], [3, 10], [0, 10]], paths = undef);";
+  const std::vector<std::tuple<std::string, std::string, double>> cases{
+      {"r = 1, $fn = 0, $fa = 12, $fs = 2", square, 142},
+      {"r = 1, $fn = 10, $fa = 12, $fs = 2", square, 142.793605},
+      {"r = -0.5, $fn = 6, $fa = 12, $fs = 2", angle, 32.125},
+      {"r = -1, $fn = 10, $fa = 12, $fs = 2", angle, 15.3016},
+      {"r = -1, $fn = 0, $fa = 12, $fs = 2", angle, 15.5}};
+  for (const auto& [options, shape, area] : cases) {
+    const CsgRead read = read_csg("m", "offset(" + options + ") { " + shape + " }");
+    EXPECT_NEAR(nearest_double(evaluate(read.tree).shape.area().value()), area, 1e-4) << options;
+  }
 }
 
 TEST(CsgReader, ReadsTheCorpus) {
