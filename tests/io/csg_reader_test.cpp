@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -262,6 +263,60 @@ TEST_F(CsgImportsTest, ErrorsOfImportedFilesNameBothPlaces) {
     const std::string text = error.what();
     EXPECT_NE(text.find("m.csg:1:1: import: "), std::string::npos) << text;
     EXPECT_NE(text.find("bad.off:3:5: "), std::string::npos) << text;
+  }
+}
+
+// Layer "a" has a square of side 2 at (4, 6), layer "b" one of side 1; layer "open" has a line.
+TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
+  std::ofstream drawing(top_ / "model" / "plan.dxf");
+  const auto add_square = [&drawing](const char* layer, int x, int y, int side) {
+    drawing << "0\nLWPOLYLINE\n8\n" << layer << "\n70\n1\n";
+    for (const auto& [i, j] :
+         {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+      drawing << "10\n" << x + i * side << "\n20\n" << y + j * side << '\n';
+    }
+  };
+  drawing << "0\nSECTION\n2\nENTITIES\n";
+  add_square("a", 4, 6, 2);
+  add_square("b", 10, 10, 1);
+  drawing << "0\nLINE\n8\nopen\n10\n0\n20\n0\n11\n1\n21\n1\n0\nENDSEC\n0\nEOF\n";
+  drawing.close();
+  const auto shape = [this](const std::string& parameters) {
+    const std::string model = (top_ / "model" / "m.csg").string();
+    const std::string text = "import(file = \"plan.dxf\", " + parameters + ");";
+    return evaluate(read_csg(model, text, {CsgImports::BelowModel, false}).tree).shape;
+  };
+  EXPECT_EQ(shape("layer = \"a\"").area(), Rational(4));
+  EXPECT_EQ(shape("layer = \"b\"").area(), Rational(1));
+  EXPECT_TRUE(shape("layer = \"none\"").is_empty());
+  EXPECT_THROW(static_cast<void>(shape("layer = \"\"")), Error);  // Of all layers, one is open.
+  const Nef2 moved = shape("layer = \"a\", origin = [4, 5], scale = 3");
+  EXPECT_EQ(moved.area(), Rational(36));
+  EXPECT_TRUE(moved.contains(RationalPoint2{0, 3}) && moved.contains(RationalPoint2{6, 9}));
+  EXPECT_THROW(static_cast<void>(shape("layer = \"a\", scale = 0")), Error);
+  // Two nodes may import different layers of one file.
+  const std::string both =
+      "import(file = \"plan.dxf\", layer = \"a\"); import(file = \"plan.dxf\", layer = \"b\");";
+  const std::string model = (top_ / "model" / "m.csg").string();
+  EXPECT_EQ(evaluate(read_csg(model, both, {CsgImports::BelowModel, false}).tree).shape.area(),
+            Rational(5));
+}
+
+// The areas are those of OpenSCAD 2021.01, which rounds coordinates to multiples of 2^-16. Arcs of a
+// quarter turn would have 1.25, 2.5, 1.5, 2.5 and 1.25 chords.
+TEST(CsgReader, OffsetsHaveTheChordsOfOpenScad) {
+  const std::string square = "square(size = [10, 10], center = false);";
+  const std::string angle =
+      "polygon(points = [[0, 0], [10, 0], [10, 3], [3, 3], [3, 10], [0, 10]], paths = undef);";
+  const std::vector<std::tuple<std::string, std::string, double>> cases{
+      {"r = 1, $fn = 0, $fa = 12, $fs = 2", square, 142},
+      {"r = 1, $fn = 10, $fa = 12, $fs = 2", square, 142.793605},
+      {"r = -0.5, $fn = 6, $fa = 12, $fs = 2", angle, 32.125},
+      {"r = -1, $fn = 10, $fa = 12, $fs = 2", angle, 15.3016},
+      {"r = -1, $fn = 0, $fa = 12, $fs = 2", angle, 15.5}};
+  for (const auto& [options, shape, area] : cases) {
+    const CsgRead read = read_csg("m", "offset(" + options + ") { " + shape + " }");
+    EXPECT_NEAR(nearest_double(evaluate(read.tree).shape.area().value()), area, 1e-4) << options;
   }
 }
 

@@ -9,7 +9,6 @@
 #include "plumb/convex/triangulation.h"
 #include "plumb/csg/evaluate.h"
 #include "plumb/io/csg_reader.h"
-#include "plumb/model/distance.h"
 #include "plumb/model/extrude.h"
 #include "plumb/model/hull.h"
 #include "plumb/model/parts.h"
@@ -86,18 +85,6 @@ Nef3 resized(Context& context, const Nef3& set, const Exact<3>& size,
   return set.transformed(map, context);
 }
 
-template <class Set>
-SetDistance distance_of(Context& context, const Set& a, const Set& b) {
-  using Traits = SetTraits<Set>;
-  const auto found = distance(a, b, context);
-  return {found.squared,
-          root_of(found.squared),
-          Traits::coordinates(found.at_a),
-          Traits::coordinates(found.at_b),
-          Traits::cell_of(found.cell_a),
-          Traits::cell_of(found.cell_b)};
-}
-
 Nef3 solid_offset(Context& context, const Nef3& set, double distance, unsigned rounds) {
   return offset(set, distance, SolidOffsetOptions{rounds}, context);
 }
@@ -138,11 +125,6 @@ void def_solid_facts(nb::class_<Nef3>& c) {
   def_run(
       c, "components", +[](Context& k, const Nef3& set) { return components(set, k); },
       "Return the connected parts of the set.");
-  def_run(
-      c, "distance", &distance_of<Nef3>,
-      "Return the distance of the closures of this set and another, with nearest points and the "
-      "cells that contain them. One of the sets must be bounded.",
-      "other"_a);
   def_run(c, "offset", &solid_offset,
           "Return the closure of the set grown by a distance, or shrunk by a negative one. An "
           "octahedron whose faces are divided `rounds` times stands for the ball.",

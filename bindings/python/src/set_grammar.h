@@ -17,6 +17,7 @@
 #include "binding.h"
 #include "plumb/base/marks.h"
 #include "plumb/base/nef_set.h"
+#include "plumb/model/distance.h"
 
 namespace plumb::python {
 
@@ -89,6 +90,19 @@ std::string written(F&& write) {
 }
 
 inline nb::bytes bytes_of(const std::string& text) { return nb::bytes(text.data(), text.size()); }
+
+/// Returns the distance of two sets.
+template <class Set>
+SetDistance distance_of(Context& context, const Set& a, const Set& b) {
+  using Traits = SetTraits<Set>;
+  const auto found = distance(a, b, context);
+  return {found.squared,
+          root_of(found.squared),
+          Traits::coordinates(found.at_a),
+          Traits::coordinates(found.at_b),
+          Traits::cell_of(found.cell_a),
+          Traits::cell_of(found.cell_b)};
+}
 
 template <class Set>
 std::optional<RayHit> ray_hit(const std::optional<typename Set::Hit>& hit) {

@@ -356,6 +356,11 @@ void def_operations(nb::class_<Nef3>& c) {
       +[](Context& k, const Nef3& a, const Nef3& b) { return minkowski_erosion(a, b, k); },
       "Return the vectors by which the other set can be moved so that it lies in this set.",
       "other"_a);
+  def_run(
+      c, "distance", &distance_of<Nef3>,
+      "Return the distance of the closures of this set and another, with nearest points and the "
+      "cells that contain them. One of the sets must be bounded.",
+      "other"_a);
 }
 
 void def_files(nb::class_<Nef3>& c) {

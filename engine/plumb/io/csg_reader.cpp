@@ -17,6 +17,7 @@
 #include "plumb/base/internal/round_to_nearest.h"
 #include "plumb/io/csg/csg_nodes.h"
 #include "plumb/io/csg/csg_syntax.h"
+#include "plumb/io/plane/dxf.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/text/files.h"
@@ -52,6 +53,12 @@ class ModelReader {
  private:
   using Event = CsgScanner::Event;
 
+  /// The kind of an imported set, and its index in the tree.
+  using ImportedValue = std::pair<CsgKind, std::uint32_t>;
+  struct Imported {
+    CsgImport import;
+    ImportedValue value;
+  };
   /// A node whose block is open.
   struct Open {
     std::uint32_t node;
@@ -120,7 +127,8 @@ class ModelReader {
     std::vector<CsgImport> kept;
     for (CsgImport& import : nodes_.imports()) {
       if (import.node < top || import.node >= end) continue;
-      kept.push_back({import.node - (top - 1), std::move(import.file)});
+      import.node -= top - 1;
+      kept.push_back(std::move(import));
     }
     nodes_.imports() = std::move(kept);
     read_.notes.push_back("all but the node with the modifier ! left out");
@@ -153,37 +161,39 @@ class ModelReader {
     return file.string();
   }
 
-  /// Reads an imported file, each file once.
+  /// Reads an imported file. Nodes that import the same part of a file share it.
   void import_file(const CsgImport& import) {
     CsgTree::Node& node = tree_nodes()[import.node];
-    const auto known = imported_.find(import.file);
-    if (known != imported_.end()) {
-      set_import(node, known->second);
-      return;
+    std::vector<Imported>& known = imported_[import.file];
+    for (const Imported& each : known) {
+      if (is_same_shape(each.import, import)) return set_import(node, each.value);
     }
     const std::string file = allowed_file(node, import.file);
     try {
-      const std::pair<CsgKind, std::uint32_t> value = read_import(file);
-      imported_.emplace(import.file, value);
-      set_import(node, value);
+      known.push_back({import, read_import(file, import)});
+      set_import(node, known.back().value);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Cancelled) throw;
       fail_at(node, error.code(), "import: " + std::string(error.what()));
     }
   }
 
-  void set_import(CsgTree::Node& node, const std::pair<CsgKind, std::uint32_t>& value) {
+  void set_import(CsgTree::Node& node, const ImportedValue& value) {
     node.kind = value.first;
     node.first_index = static_cast<std::uint32_t>(read_.tree.indices.size());
     node.index_count = 1;
     read_.tree.indices.push_back(value.second);
   }
 
-  std::pair<CsgKind, std::uint32_t> read_import(const std::string& file) {
+  ImportedValue read_import(const std::string& file, const CsgImport& import) {
     CsgTree& tree = read_.tree;
-    if (plane_format_of(file)) {
-      const ReadOptions options{file, options_.exact_decimals};
-      PlaneRead shape = read_plane_set_file(file, {}, options, context_);
+    const auto format = plane_format_of(file);
+    const bool is_drawing = format == PlaneFormat::Dxf;
+    if (!is_drawing && (!import.layer.empty() || import.has_placement())) {
+      read_.notes.push_back(file + ": layer, origin and scale of import() are used for DXF alone");
+    }
+    if (format) {
+      PlaneRead shape = is_drawing ? read_drawing(file, import) : read_shape(file);
       tell(file, shape.notes, read_.notes);
       tree.shapes.push_back(shape.set.regularization(context_));
       return {CsgKind::Shape, static_cast<std::uint32_t>(tree.shapes.size() - 1)};
@@ -196,6 +206,23 @@ class ModelReader {
     tell(file, solid.warnings, read_.warnings);
     tree.solids.push_back(solid.set.regularization(context_));
     return {CsgKind::Solid, static_cast<std::uint32_t>(tree.solids.size() - 1)};
+  }
+
+  PlaneRead read_shape(const std::string& file) {
+    return read_plane_set_file(file, {}, {file, options_.exact_decimals}, context_);
+  }
+  /// Reads one layer of a drawing, moved and scaled as OpenSCAD does.
+  PlaneRead read_drawing(const std::string& file, const CsgImport& import) {
+    const std::string text = read_input(file, context_);
+    PlaneRead shape = read_dxf_set(text, import.layer, {file, options_.exact_decimals}, context_);
+    context_.release_memory(text.size());
+    if (!import.has_placement()) return shape;
+    const Rational scale = import.scale;
+    AffineMap2 map{.xx = scale, .x0 = -scale * import.origin[0]};
+    map.yy = scale;
+    map.y0 = -scale * import.origin[1];
+    shape.set = shape.set.transformed(map, context_);
+    return shape;
   }
 
   static void tell(const std::string& file, const std::vector<std::string>& from,
@@ -211,7 +238,7 @@ class ModelReader {
   CsgNodes nodes_;
   std::optional<std::uint32_t> root_;  // The first node with the modifier !.
   std::uint64_t left_out_ = 0;
-  std::map<std::string, std::pair<CsgKind, std::uint32_t>> imported_;
+  std::map<std::string, std::vector<Imported>> imported_;  // By the name of the file.
 };
 
 }  // namespace

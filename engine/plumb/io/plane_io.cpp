@@ -453,6 +453,11 @@ PlaneRead set_of_drawing(SvgDrawing drawing, RingRule rule, Context& context) {
 
 }  // namespace
 
+PlaneRead read_dxf_set(std::string_view text, std::string_view layer, const ReadOptions& options,
+                       Context& context) {
+  return set_of(read_dxf_layer(text, layer, options, context), options.rings, context);
+}
+
 PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
                          Context& context) {
   switch (format) {

@@ -333,11 +333,14 @@ Nef2 resized(const Nef2& set, const CsgTree& tree, const CsgTree::Node& node, st
 namespace {
 
 /// Returns the angle of the chords of an arc, given the chords of a full circle. OpenSCAD passes the
-/// error of such a chord to the library Clipper, which takes at most a quarter of the radius.
-double step_of_arcs(std::uint32_t chords) {
-  constexpr std::uint32_t kMostForQuarter = 4;
-  if (chords <= kMostForQuarter) return 2 * std::acos(0.75);
-  return 2 * std::numbers::pi / chords;
+/// error of such a chord to the library Clipper, which takes at most a quarter of the radius, and
+/// computes the chords of a full circle back from it. The same arithmetic gives the same number of
+/// chords where an arc has a half of one too many.
+double step_of_arcs(double radius, std::uint32_t chords) {
+  const double error = radius * (1 - cosine_of_degrees(180.0 / chords));
+  const double share = std::min(error, radius / 4) / radius;
+  const double steps = std::numbers::pi / std::acos(1 - share);
+  return 2 * std::numbers::pi / std::min<double>(steps, kMostCircleSegments);
 }
 
 }  // namespace
@@ -346,7 +349,8 @@ Nef2 offset_of(const Nef2& set, const CsgTree& tree, const CsgTree::Node& node, 
   const Numbers n = tree.numbers_of(node);
   OffsetOptions options;
   if (n[1] == 0) {
-    options.arc_step = step_of_arcs(chords_of(std::abs(n[0]), division(n, 2)));
+    const double radius = std::abs(n[0]);
+    if (radius > 0) options.arc_step = step_of_arcs(radius, chords_of(radius, division(n, 2)));
   } else {
     options.join = n[1] == 1 ? OffsetJoin::Mitre : OffsetJoin::Square;
     options.mitre_limit = kMitreLimit;

@@ -265,8 +265,22 @@ void CsgNodes::append_import() {
     scanner_.fail(ErrorCode::BadArgument, "import needs the name of a file");
   }
   const auto node = static_cast<std::uint32_t>(tree_.nodes.size() - 1);
-  imports_.push_back({node, scanner_.text_of(*file)});
-  memory_.add(imports_.back().file.size() + sizeof(CsgImport), "a model");
+  CsgImport import{node, scanner_.text_of(*file), {}};
+  if (const auto layer = find("layer"); layer && layer->kind == Kind::Text) {
+    import.layer = scanner_.text_of(*layer);
+  }
+  if (const auto origin = find("origin"); origin && origin->kind == Kind::Vector) {
+    const std::vector<CsgValue> values = elements(*origin);
+    for (std::size_t i = 0; i < std::min<std::size_t>(values.size(), 2); ++i) {
+      import.origin[i] = number_of(values[i]);
+    }
+  }
+  import.scale = number("scale", 1);
+  if (!(import.scale > 0)) {
+    scanner_.fail(ErrorCode::BadArgument, "the scale of an import must be positive");
+  }
+  memory_.add(import.file.size() + import.layer.size() + sizeof(CsgImport), "a model");
+  imports_.push_back(std::move(import));
 }
 
 /// Zero or negative angles and lengths would divide a circle into endlessly many chords; OpenSCAD

@@ -1,6 +1,7 @@
 // From the parameters of a node in a file to the numbers of a node in a tree.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,15 @@ namespace plumb {
 struct CsgImport {
   std::uint32_t node;
   std::string file;
+  std::string layer;                      ///< Of a drawing in DXF; empty for all layers.
+  std::array<double, 2> origin = {0, 0};  ///< Of a drawing in DXF: the point that becomes (0, 0).
+  double scale = 1;                       ///< Of a drawing in DXF, around the origin.
+
+  bool has_placement() const { return origin != std::array<double, 2>{0, 0} || scale != 1; }
+  /// Whether the import gives what another import of the same file gives.
+  friend bool is_same_shape(const CsgImport& a, const CsgImport& b) {
+    return a.layer == b.layer && a.origin == b.origin && a.scale == b.scale;
+  }
 };
 
 /// Appends nodes to a tree.

@@ -44,9 +44,11 @@ constexpr std::array<const char*, 7> kDxfUnits{"",           "inch",       "foot
 
 class DxfReader {
  public:
-  DxfReader(std::string_view text, const ReadOptions& options, Context& context)
+  DxfReader(std::string_view text, std::string_view only_layer, const ReadOptions& options,
+            Context& context)
       : text_(text),
         rest_(text),
+        only_layer_(only_layer),
         options_(options),
         numbers_(context.limits(), false, text.size()),
         context_(context),
@@ -180,6 +182,9 @@ class DxfReader {
   void end_entity() {
     if (!is_read_) return;
     is_read_ = false;
+    // The vertices of a POLYLINE are on its layer, whatever layer they state.
+    const bool is_part = entity_ == "VERTEX" || entity_ == "SEQEND";
+    if (!only_layer_.empty() && layer_ != only_layer_ && !is_part) return;
     if (value(67, 0) == 1) {
       skipped_.insert({"entities of paper space", 0}).first->second += 1;
       return;
@@ -421,6 +426,7 @@ class DxfReader {
 
   std::string_view text_;
   std::string_view rest_;
+  std::string_view only_layer_;  // Empty for all layers.
   const ReadOptions& options_;
   NumberReader numbers_;
   Context& context_;
@@ -465,9 +471,14 @@ bool begins_like_dxf(std::string_view text) {
 }
 
 PlaneFile read_dxf(std::string_view text, const ReadOptions& options, Context& context) {
+  return read_dxf_layer(text, {}, options, context);
+}
+
+PlaneFile read_dxf_layer(std::string_view text, std::string_view layer, const ReadOptions& options,
+                         Context& context) {
   const RoundToNearest rounding;
   take_prefix(text, "\xEF\xBB\xBF");
-  return DxfReader(text, options, context).read();
+  return DxfReader(text, layer, options, context).read();
 }
 
 void write_dxf(std::ostream& stream, const PlaneShapes& shapes, Context& context) {

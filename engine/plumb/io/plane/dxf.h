@@ -37,6 +37,13 @@ namespace plumb {
 /// polygon, under another rule each ring is a polygon. The memory of the shapes stays charged to
 /// `context`.
 PlaneFile read_dxf(std::string_view text, const ReadOptions& options, Context& context);
+/// Returns the polygon of the entities of one layer. A name without characters stands for all
+/// layers.
+PlaneFile read_dxf_layer(std::string_view text, std::string_view layer, const ReadOptions& options,
+                         Context& context);
+/// Returns the set of the polygon of one layer.
+PlaneRead read_dxf_set(std::string_view text, std::string_view layer, const ReadOptions& options,
+                       Context& context);
 
 /// Whether a text begins like a drawing: with a comment or with the begin of a section.
 bool begins_like_dxf(std::string_view text);
