@@ -4,7 +4,7 @@
 // some time after the last reference is gone. The address is private to this module, which hands it to the other ones by functions.
 import {badArgument, engine, shown} from './memory.js';
 
-const registry = new FinalizationRegistry(({free, address}) => engine()[free](address));
+const registry = new FinalizationRegistry(({free, address}) => engine()[`_${free}`](address));
 const wrapped = Symbol('wrapped');
 
 export let addressOf, wrap;
@@ -28,7 +28,7 @@ export class Handle {
   dispose() {
     if (this.#address === 0) return;
     registry.unregister(this);
-    engine()[this.constructor.free](this.#address);
+    engine()[`_${this.constructor.free}`](this.#address);
     this.#address = 0;
   }
 

@@ -39,7 +39,7 @@ for (const [name, body] of Object.entries(cases)) {
 }
 const remote = await connect();
 const box = await remote.Solid.box([0, 0, 0], [1, 1, '1/3']);
-lines.push('worker ' + await box.volume());
+lines.push('worker ' + String(await box.volume()));
 await fetch('/shown', {method: 'POST', body: lines.join('; ')});
 </script>`;
 
