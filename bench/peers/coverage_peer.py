@@ -77,7 +77,7 @@ def worker(what, source, target):
         write(target, [shapely.MultiPolygon(rings)])
     else:
         call = {
-            "coverage_clean": lambda: list(shapely.coverage_clean(shapely.GeometryCollection(geometries)).geoms),
+            "coverage_clean": lambda: list(shapely.coverage_clean(geometries)),
             "union_all": lambda: [shapely.union_all(geometries)],
             "coverage_union_all": lambda: [shapely.coverage_union_all(geometries)],
         }[what]
