@@ -52,7 +52,8 @@ def read(path):
 
 
 def write(path, geometries):
-    features = [{"type": "Feature", "properties": None, "geometry": json.loads(shapely.to_geojson(g))} for g in geometries]
+    features = [{"type": "Feature", "properties": None, "geometry": None if g.is_empty else json.loads(shapely.to_geojson(g))}
+                for g in geometries]
     with open(path, "w") as out:
         json.dump({"type": "FeatureCollection", "features": features}, out)
 
