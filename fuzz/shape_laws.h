@@ -59,7 +59,7 @@ inline void require_text_round(const Nef2& set, PlaneFormat format) {
     require(copy == round_to_doubles(set, context).set, "a file has the rounded set");
     require(!PlaneText(copy, format, context).losses().any(), "a set of doubles loses nothing");
     if (to_shapes(set.parts(), context).points.all_double()) {
-      require(copy == set, "a set of doubles survives WKT and GeoJSON");
+      require(copy == set, "a set of doubles survives WKT, GeoJSON and WKB");
     }
   } catch (const Error& error) {
     require(error.code() == ErrorCode::NumberOutOfRange, "only far coordinates cannot be written");
@@ -101,6 +101,7 @@ inline void judge_shapes(const PlaneShapes& shapes) {
   require_nef2_round(set);
   require_text_round(set, PlaneFormat::Wkt);
   require_text_round(set, PlaneFormat::GeoJson);
+  require_text_round(set, PlaneFormat::Wkb);
 }
 
 /// Both formats hold the same shapes: written in one and the other, they read as the same set.

@@ -52,7 +52,8 @@ def read(path):
 
 
 def write(path, geometries):
-    features = [{"type": "Feature", "properties": None, "geometry": json.loads(shapely.to_geojson(g))} for g in geometries]
+    features = [{"type": "Feature", "properties": None, "geometry": None if g.is_empty else json.loads(shapely.to_geojson(g))}
+                for g in geometries]
     with open(path, "w") as out:
         json.dump({"type": "FeatureCollection", "features": features}, out)
 
@@ -77,7 +78,7 @@ def worker(what, source, target):
         write(target, [shapely.MultiPolygon(rings)])
     else:
         call = {
-            "coverage_clean": lambda: list(shapely.coverage_clean(shapely.GeometryCollection(geometries)).geoms),
+            "coverage_clean": lambda: list(shapely.coverage_clean(geometries)),
             "union_all": lambda: [shapely.union_all(geometries)],
             "coverage_union_all": lambda: [shapely.coverage_union_all(geometries)],
         }[what]

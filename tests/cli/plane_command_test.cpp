@@ -147,7 +147,7 @@ TEST(PlaneProgram, simplifies_within_what_it_is_told) {
     EXPECT_TRUE(contains(result.err, "4 of 7 corners left; no border moved by more than 0.5"))
         << result.err;
   }
-  EXPECT_EQ(run({"plane", "simplify", dented, "--within", "0.4"}).out,
+  EXPECT_EQ(run({"plane", "simplify", dented, "--within", "0.3"}).out,
             run({"plane", "closure", dented}).out);
   for (const Words& wrong :
        {Words{dented}, Words{dented, "--within", "-1"}, Words{dented, "--percent", "200"},
@@ -162,11 +162,11 @@ TEST(PlaneProgram, simplifies_within_what_it_is_told) {
 
 TEST(PlaneProgram, writes_wkb_that_it_reads) {
   const ScratchDirectory scratch;
-  const std::string wkb = (scratch / "star.wkb").string();
-  ASSERT_EQ(run({"plane", "closure", kStar, "-o", wkb}).code, 0);
-  EXPECT_EQ(info(wkb), info(kStar));
-  EXPECT_EQ(run({"plane", "closure", kStar, "--format", "wkb"}).out, read_file(wkb));
-  EXPECT_EQ(run({"plane", "union", wkb, kFrame}).out, run({"plane", "union", kStar, kFrame}).out);
+  const std::string wkb = (scratch / "frame.wkb").string();
+  ASSERT_EQ(run({"plane", "closure", kFrame, "-o", wkb}).code, 0);
+  EXPECT_EQ(info(wkb), info(kFrame));
+  EXPECT_TRUE(is_same_set(wkb, kFrame));
+  EXPECT_EQ(run({"plane", "closure", kFrame, "--format", "wkb"}).out, read_file(wkb));
 }
 
 /// The closure of a sum is the sum of the closures, which is all that WKT can hold.
@@ -457,8 +457,8 @@ TEST(PlaneProgram, refuses_wrong_usage) {
       {{"plane", "union", kStar, kFrame, "--grid", "0"}, "--grid: the step must be positive"},
       {{"plane", "union", kStar, kFrame, "--grid", "x"}, "--grid: expected a number"},
       {{"plane", "union", kStar, kFrame, "--grid", "1", "--raw"}, "exclude each other"},
-      {{"plane", "union", kStar, kStar, "--raw", "--format", "nef2"}, "WKT and GeoJSON"},
-      {{"plane", "union", kStar, kStar, "--grid", "1", "--format", "svg"}, "WKT and GeoJSON"},
+      {{"plane", "union", kStar, kStar, "--raw", "--format", "nef2"}, "WKT, GeoJSON"},
+      {{"plane", "union", kStar, kStar, "--grid", "1", "--format", "svg"}, "WKT, GeoJSON"},
   };
   for (const auto& [arguments, part] : wrong) {
     SCOPED_TRACE(::testing::PrintToString(arguments));

@@ -115,6 +115,7 @@ plane interior a.wkt -o OUT.nef2
 plane closure a.wkt -o OUT.nef2
 plane boundary a.wkt -o OUT.nef2
 plane regularize a.wkt -o OUT.nef2
+plane simplify a.wkt --percent 10 -o OUT.wkt
 plane csg p.csg -o OUT.wkt
 plane info a.wkt
 plane locate a.wkt 0 0
