@@ -1,11 +1,42 @@
 // The glTF reader on arbitrary bytes.
 //
 // Either the reader throws an Error that names the file, or the mesh it read is sound, and written
-// as OFF and STL it is read again as it was. Nothing beside the file is opened.
+// as OFF and STL it is read again as it was. With attributes, the file is read or refused, and what
+// was read is complete and can be written and read again. Nothing beside the file is opened.
+
+#include <sstream>
 
 #include "gltf_mutator.h"
 #include "mesh_laws.h"
 #include "plumb/io/mesh/gltf.h"
+
+namespace plumb::fuzz {
+namespace {
+
+void judge_attributes(std::string_view bytes, const Limits& limits) {
+  Context context(limits);
+  ReadOptions options{kFileName};
+  options.attributes = true;
+  try {
+    const MeshFile file = read_gltf(bytes, {}, options, context);
+    require_sound_faces(file.mesh);
+    require_sound_attributes(file);
+    require(has_triangles_only(file.mesh), "faces are triangles");
+    if (file.mesh.face_count() == 0) return;
+    std::ostringstream out;
+    write_mesh(out, file.mesh, file.attributes, MeshFormat::Gltf);
+    const MeshFile copy = read_gltf(out.str(), {}, options, context);
+    require_sound_attributes(copy);
+    require(copy.attributes.channels.size() <= file.attributes.channels.size(),
+            "no channel is new");
+  } catch (const Error& error) {
+    // Only far coordinates cannot be written, and their error has no place.
+    if (error.code() != ErrorCode::NumberOutOfRange) require_mesh_place(error, bytes);
+  }
+}
+
+}  // namespace
+}  // namespace plumb::fuzz
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace plumb;
@@ -15,6 +46,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   Limits limits;
   limits.max_memory_bytes = kMostBytes;
+  judge_attributes(bytes, limits);
   Context context(limits);
   try {
     const MeshFile file = read_gltf(bytes, {}, {kFileName}, context);

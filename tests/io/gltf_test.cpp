@@ -598,5 +598,168 @@ TEST(GltfReader, is_told_by_extension_and_by_its_first_bytes) {
   EXPECT_EQ(guess_mesh_format(text(tetrahedron_document())), MeshFormat::Gltf);
 }
 
+// ---------------------------------------------------------------- channels
+
+MeshFile read_channels(const Document& d, Limits limits = {}) {
+  Context context(limits);
+  ReadOptions options{"some.file"};
+  options.attributes = true;
+  return read_gltf(glb(d), {}, options, context);
+}
+
+const MeshChannel* channel_named(const MeshFile& file, const std::string& name) {
+  for (const MeshChannel& channel : file.attributes.channels) {
+    if (channel.name == name) return &channel;
+  }
+  return nullptr;
+}
+
+/// The four triangles of the tetrahedron without common vertices.
+std::vector<float> loose_corners() {
+  std::vector<float> points;
+  for (const int v : kFaces) {
+    for (int k = 0; k < 3; ++k) points.push_back(kCorners[static_cast<std::size_t>(3 * v + k)]);
+  }
+  return points;
+}
+
+TEST(GltfChannels, TextureCoordinatesStayAtTheirCornersInAllModesAndUnderMirrors) {
+  const std::vector<float> points = loose_corners();
+  std::vector<float> uv;
+  for (std::size_t v = 0; v < points.size() / 3; ++v) {
+    uv.push_back(points[3 * v] + 2 * points[3 * v + 1]);
+    uv.push_back(1 - points[3 * v + 2]);  // v points down in the file.
+  }
+  for (const int mode : {4, 5, 6}) {
+    for (const double x : {1.0, -2.0}) {
+      SCOPED_TRACE(mode);
+      Document d = tetrahedron_document();
+      Json& primitive = d.json["meshes"][0]["primitives"][0];
+      primitive.erase("indices");
+      primitive["mode"] = mode;
+      primitive["attributes"]["POSITION"] = add_accessor(d, points, 5126, "VEC3", 3);
+      primitive["attributes"]["TEXCOORD_0"] = add_accessor(d, uv, 5126, "VEC2", 2);
+      d.json["nodes"][0]["scale"] = {x, 3, 5};
+      const MeshFile file = read_channels(d);
+      const MeshChannel* const channel = channel_named(file, "texcoord_0");
+      ASSERT_NE(channel, nullptr);
+      ASSERT_EQ(channel->values.size(), 2 * file.mesh.corners.size());
+      for (std::size_t c = 0; c < file.mesh.corners.size(); ++c) {
+        const Point3& p = file.mesh.points[file.mesh.corners[c]];
+        EXPECT_DOUBLE_EQ(channel->values[2 * c], p.x / x + 2 * p.y / 3);
+        EXPECT_DOUBLE_EQ(channel->values[2 * c + 1], p.z / 5);
+      }
+    }
+  }
+}
+
+TEST(GltfChannels, NormalsStayOrthogonalAndOutside) {
+  const std::vector<float> points = loose_corners();
+  const auto s = static_cast<float>(1 / std::sqrt(3.0));
+  const std::vector<std::array<float, 3>> of_face{{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}, {s, s, s}};
+  std::vector<float> normals;
+  for (std::size_t v = 0; v < 12; ++v) {
+    normals.insert(normals.end(), of_face[v / 3].begin(), of_face[v / 3].end());
+  }
+  for (const double x : {1.0, -1.0}) {
+    Document d = tetrahedron_document();
+    Json& primitive = d.json["meshes"][0]["primitives"][0];
+    primitive.erase("indices");
+    primitive["attributes"]["POSITION"] = add_accessor(d, points, 5126, "VEC3", 3);
+    primitive["attributes"]["NORMAL"] = add_accessor(d, normals, 5126, "VEC3", 3);
+    d.json["nodes"][0]["matrix"] = {2 * x, 0, 0, 0, 1, 1, 0, 0, 0, -3, 5, 0, 7, 8, 9, 1};
+    const MeshFile file = read_channels(d);
+    const MeshChannel* const channel = channel_named(file, "normal");
+    ASSERT_NE(channel, nullptr);
+    ASSERT_EQ(file.mesh.face_count(), 4U);
+    for (std::size_t f = 0; f < 4; ++f) {
+      const auto corners = file.mesh.face(f);
+      const Point3 &a = file.mesh.points[corners[0]], &b = file.mesh.points[corners[1]];
+      const Point3& c = file.mesh.points[corners[2]];
+      const std::array<double, 3> u{b.x - a.x, b.y - a.y, b.z - a.z};
+      const std::array<double, 3> v{c.x - a.x, c.y - a.y, c.z - a.z};
+      const double* const n = channel->values.data() + 9 * f;
+      EXPECT_NEAR(n[0] * u[0] + n[1] * u[1] + n[2] * u[2], 0, 1e-6);
+      EXPECT_NEAR(n[0] * v[0] + n[1] * v[1] + n[2] * v[2], 0, 1e-6);
+      EXPECT_GT(n[0] * (u[1] * v[2] - u[2] * v[1]) + n[1] * (u[2] * v[0] - u[0] * v[2]) +
+                    n[2] * (u[0] * v[1] - u[1] * v[0]),
+                0);
+      EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1, 1e-6);
+    }
+  }
+}
+
+TEST(GltfChannels, ColoursAreFloatsOrFractionsAndOtherPrimitivesAreWhite) {
+  Document d = tetrahedron_document();
+  Json& primitives = d.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives.push_back(primitives[0]);
+  const std::vector<std::uint8_t> bytes{255, 0, 51, 102, 255, 0, 51, 102,
+                                        255, 0, 51, 102, 255, 0, 51, 102};
+  const std::size_t of_bytes = add_accessor(d, bytes, 5121, "VEC4", 4);
+  d.json["accessors"][of_bytes]["normalized"] = true;
+  primitives[1]["attributes"]["COLOR_0"] = of_bytes;
+  const std::vector<float> floats{2, 0.5, -1, 2, 0.5, -1, 2, 0.5, -1, 2, 0.5, -1};
+  primitives[2]["attributes"]["COLOR_0"] = add_accessor(d, floats, 5126, "VEC3", 3);
+  const MeshFile file = read_channels(d);
+  const MeshChannel* const channel = channel_named(file, "color");
+  ASSERT_NE(channel, nullptr);
+  ASSERT_EQ(channel->width, 4U);
+  ASSERT_EQ(channel->values.size(), 3 * 12 * 4U);
+  const std::vector<std::vector<double>> expected{{1, 1, 1, 1}, {1, 0, 0.2, 0.4}, {1, 0.5, 0, 1}};
+  for (std::size_t c = 0; c < 36; ++c) {
+    const std::vector<double> at(channel->values.begin() + static_cast<std::ptrdiff_t>(4 * c),
+                                 channel->values.begin() + static_cast<std::ptrdiff_t>(4 * c + 4));
+    EXPECT_EQ(at, expected[c / 12]) << c;
+  }
+  EXPECT_TRUE(read(glb(d)).attributes.empty());
+}
+
+TEST(GltfChannels, DamagedOnesAreRefusedAndNumbersThatAreNotFiniteAreZero) {
+  const auto expect_refused_channel = [](const Document& d, const std::string& message) {
+    SCOPED_TRACE(message);
+    EXPECT_EQ(read(glb(d)).mesh.face_count(), 4U);  // Without attributes it is read.
+    try {
+      read_channels(d);
+      ADD_FAILURE() << "was read";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.place().file, "some.file");
+      EXPECT_NE(error.message().find(message), std::string::npos) << error.what();
+    }
+  };
+  const auto with = [](const std::string& member, const char* type, std::size_t parts,
+                       std::size_t count, int component = 5126) {
+    Document d = tetrahedron_document();
+    const std::size_t accessor =
+        add_accessor(d, std::vector<float>(parts * count, 0.5F), component, type, parts);
+    d.json["meshes"][0]["primitives"][0]["attributes"][member] = accessor;
+    return d;
+  };
+  EXPECT_EQ(read_channels(with("TEXCOORD_0", "VEC2", 2, 4)).attributes.channels.size(), 1U);
+  expect_refused_channel(with("TEXCOORD_0", "VEC2", 2, 3), "TEXCOORD_0 has 3 elements");
+  expect_refused_channel(with("COLOR_0", "VEC3", 3, 5), "COLOR_0 has 5 elements");
+  expect_refused_channel(with("NORMAL", "VEC2", 2, 4), "type is not VEC3");
+  expect_refused_channel(with("COLOR_0", "SCALAR", 1, 4), "type is not VEC3");
+  expect_refused_channel(with("NORMAL", "VEC3", 3, 4, 5125), "componentType 5125");
+  Document d = with("COLOR_0", "VEC3", 3, 4);
+  d.json["accessors"].back()["count"] = 1 << 30;
+  expect_refused_channel(d, "are not in its bufferView");
+  d = with("COLOR_0", "VEC3", 3, 4);
+  d.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 99;
+  expect_refused_channel(d, "accessors");
+  d = tetrahedron_document();
+  std::vector<float> odd(12, 0.25F);
+  odd[5] = std::numeric_limits<float>::quiet_NaN();
+  odd[7] = std::numeric_limits<float>::infinity();
+  d.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
+      add_accessor(d, odd, 5126, "VEC3", 3);
+  const MeshFile file = read_channels(d);
+  for (const double value : channel_named(file, "normal")->values) {
+    EXPECT_TRUE(std::isfinite(value));
+  }
+  ASSERT_FALSE(file.notes.empty());
+  EXPECT_NE(file.notes.back().find("not finite"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace plumb::gltf_test

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -384,6 +385,14 @@ TEST(OffAttributes, ColoursOfFacesHaveSeveralForms) {
   EXPECT_EQ(off_colors("nan 0 0;"), (Colors{Color{0, 0, 0, 1}}));
 }
 
+TEST(OffAttributes, AMaterialThatNoFaceHasDoesNotMatter) {
+  MeshFile file =
+      read(std::string("OFF\n3 1 0\n") + kOffPoints + "3 0 1 2 255 0 51\n", MeshFormat::Off);
+  const std::string text = written(file.mesh, file.attributes, MeshFormat::Off);
+  file.attributes.materials.push_back({"", Color{0.3, 0.3, 0.3, 1}, ""});
+  EXPECT_EQ(written(file.mesh, file.attributes, MeshFormat::Off), text);
+}
+
 TEST(OffAttributes, AnIndexOfAColourIsTheNameOfAMaterial) {
   const std::string text = std::string("OFF\n3 2 0\n") + kOffPoints + "3 0 1 2 7\n3 2 1 0 12\n";
   const MeshFile file = read(text, MeshFormat::Off);
@@ -484,6 +493,25 @@ TEST(ObjAttributes, ALibraryGivesColours) {
   EXPECT_EQ(color_of(file.attributes, 1), (Color{0.5, 0.5, 0.5, 0.25}));
   EXPECT_EQ(color_of(file.attributes, 2), std::nullopt);
   EXPECT_EQ(file.attributes.materials.size(), 3U);
+}
+
+TEST(ObjAttributes, ALibraryMayHaveANameThatLooksLikeAComment) {
+  const Folder folder("mtl_comment");
+  const std::string faces = "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n";
+  folder.put("part #1.mtl", "newmtl red\nKd 1 0 0\n");
+  folder.put("part.mtl", "newmtl red\nKd 0 0 1\n");
+  folder.put("a.obj", "mtllib part #1.mtl" + faces);
+  folder.put("b.obj", "mtllib part.mtl # the part" + faces);
+  const MeshFile a = read_mesh_file(folder.file("a.obj"), {}, wanted());
+  EXPECT_TRUE(a.notes.empty());
+  EXPECT_EQ(color_of(a.attributes, 0), (Color{1, 0, 0, 1}));
+  const MeshFile b = read_mesh_file(folder.file("b.obj"), {}, wanted());
+  EXPECT_TRUE(b.notes.empty());
+  EXPECT_EQ(color_of(b.attributes, 0), (Color{0, 0, 1, 1}));
+  // What is written next to such a name is read again.
+  write_mesh_file(folder.file("c #2.obj"), a.mesh, a.attributes);
+  const MeshFile c = read_mesh_file(folder.file("c #2.obj"), {}, wanted());
+  EXPECT_EQ(color_of(c.attributes, 0), (Color{1, 0, 0, 1}));
 }
 
 TEST(ObjAttributes, ALibraryThatCannotBeReadIsANote) {
@@ -640,6 +668,76 @@ TEST(GltfAttributes, MaterialsComeBack) {
       read_mesh(written(mesh, attributes, MeshFormat::Gltf), MeshFormat::Gltf).attributes.empty());
 }
 
+/// A closed strip of triangles over a square grid has vertices whose corners agree, and others
+/// whose corners do not.
+TEST(GltfAttributes, ChannelsAndTexturesComeBack) {
+  PolygonMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}};  // The last is unused.
+  for (const std::array<std::uint32_t, 3>& face :
+       {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    mesh.add_face(face);
+  }
+  MeshAttributes attributes;
+  attributes.materials = {{"wood", Color{1, 1, 1, 1}, "wood grain #1.png"},
+                          {"", Color{0, 1, 0, 1}, ""},
+                          {"brick", Color{1, 1, 1, 1}, "brick.jpg"}};
+  attributes.face_material = {2, 0, 1, 0};
+  MeshChannel color{"color", 4, {}}, normal{"normal", 3, {}};
+  MeshChannel first{"texcoord_0", 2, {}}, second{"texcoord_1", 2, {}};
+  for (std::size_t c = 0; c < 12; ++c) {
+    const Point3& p = mesh.points[mesh.corners[c]];
+    const double side = c / 3 < 2 ? 0.25 : 0.5;  // Differs from face to face at a vertex.
+    color.values.insert(color.values.end(), {p.x, side, p.z, 0.75});
+    first.values.insert(first.values.end(), {p.x, p.y + side});
+    second.values.insert(second.values.end(), {-3, 0.125 * p.z});
+    const std::array<double, 3> n =
+        c / 3 == 2 ? std::array<double, 3>{0, 0, 0} : std::array<double, 3>{0, -0.5, 0};
+    normal.values.insert(normal.values.end(), n.begin(), n.end());
+  }
+  attributes.channels = {first, second, normal, color};
+  const std::string bytes = written(mesh, attributes, MeshFormat::Gltf);
+  EXPECT_NE(bytes.find("wood%20grain%20%231.png"), std::string::npos);
+  const MeshFile file = read(bytes, MeshFormat::Gltf);
+  EXPECT_TRUE(file.notes.empty());
+  ASSERT_EQ(file.mesh.face_count(), 4U);
+  std::size_t found = 0;
+  for (std::size_t f = 0; f < 4; ++f) {
+    for (std::size_t g = 0; g < 4; ++g) {
+      if (file.mesh.points[file.mesh.face(f)[0]] != mesh.points[mesh.face(g)[0]] ||
+          file.mesh.points[file.mesh.face(f)[1]] != mesh.points[mesh.face(g)[1]] ||
+          file.mesh.points[file.mesh.face(f)[2]] != mesh.points[mesh.face(g)[2]]) {
+        continue;
+      }
+      ++found;
+      const MeshMaterial& from = attributes.materials[attributes.face_material[g]];
+      const MeshMaterial& to = file.attributes.materials[file.attributes.face_material[f]];
+      EXPECT_EQ(to.texture, from.texture);
+      EXPECT_EQ(to.name, from.name);
+      for (const std::string name : {"color", "texcoord_0", "texcoord_1", "normal"}) {
+        const MeshChannel *a = find(file.attributes, name), *b = find(attributes, name);
+        ASSERT_NE(a, nullptr) << name;
+        ASSERT_EQ(a->width, b->width) << name;
+        const std::size_t count = 3 * a->width;
+        std::vector<double> expected(
+            b->values.begin() + static_cast<std::ptrdiff_t>(count * g),
+            b->values.begin() + static_cast<std::ptrdiff_t>(count * (g + 1)));
+        if (name == "normal") {
+          // Of length 1; a face without normals has its own, here (1, 1, 1) / sqrt 3.
+          const double third = static_cast<float>(1 / std::sqrt(3.0));
+          expected = g == 2 ? std::vector<double>(9, third)
+                            : std::vector<double>{0, -1, 0, 0, -1, 0, 0, -1, 0};
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+          EXPECT_FLOAT_EQ(static_cast<float>(a->values[count * f + i]),
+                          static_cast<float>(expected[i]))
+              << name;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(found, 4U);
+}
+
 TEST(GltfAttributes, AMaterialThatThereIsNotIsRefused) {
   const std::string bytes = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],)"
                             R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":)"
@@ -664,6 +762,15 @@ TEST(LostAttributes, NamesWhatAFormatDoesNotHold) {
             begin + "names of materials, textures, groups, ids of faces, channel 'heat'");
   EXPECT_EQ(lost_attributes(all, MeshFormat::Obj),
             begin + "ids of faces, opacity of vertices, channel 'heat'");
+  EXPECT_EQ(lost_attributes(all, MeshFormat::Gltf),
+            begin + "textures, groups, ids of faces, channel 'heat'");
+  EXPECT_EQ(lost_attributes(all, MeshFormat::ThreeMf),
+            begin + "textures, ids of faces, channel 'heat'");
+  all.channels.push_back({"texcoord_0", 2, {}});
+  all.channels.push_back({"texcoord_2", 2, {}});
+  EXPECT_EQ(lost_attributes(all, MeshFormat::Gltf),
+            begin + "groups, ids of faces, channel 'heat', channel 'texcoord_2'");
+  all.channels.resize(2);
   EXPECT_EQ(lost_attributes(all, MeshFormat::Ply), begin + "names of materials, textures, groups");
   EXPECT_EQ(lost_attributes(all, MeshFormat::Stl),
             begin +

@@ -24,9 +24,9 @@ namespace plumb {
 
 /// The kinds of nodes, and their numbers. A division of circles is three numbers: $fn, $fa and $fs.
 enum class CsgKind : std::uint8_t {
-  Root,          ///< The union of the children: the whole file.
-  Group,         ///< The union of the children.
-  Union,         ///< The union of the children.
+  Root,   ///< The union of the children: the whole file.
+  Group,  ///< The union of the children.
+  Union,  ///< The union of the children.
   /// The union of the children. Four numbers: red, green, blue, opacity; or none. A negative number
   /// means that there is no colour.
   Color,

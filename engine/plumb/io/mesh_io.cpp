@@ -229,13 +229,16 @@ std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format)
   const bool is_glb = format == MeshFormat::Gltf;
   const bool is_3mf = format == MeshFormat::ThreeMf;
   const bool has_colors = is_off || is_ply || is_obj || is_glb || is_3mf;
+  const std::vector<const MeshChannel*> of_glb =
+      is_glb ? glb_channels(attributes) : std::vector<const MeshChannel*>();
+  const bool has_texcoords = !of_glb.empty() && of_glb.back()->name.starts_with("texcoord_");
   if (!attributes.face_material.empty()) {
     for (const MeshMaterial& material : attributes.materials) {
       add(material.color && !has_colors, "colours of faces");
       const bool is_index = is_off && is_off_color_index(material);
       add(!material.name.empty() && !is_obj && !is_glb && !is_3mf && !is_index,
           "names of materials");
-      add(!material.texture.empty() && !is_obj, "textures");
+      add(!material.texture.empty() && !is_obj && !has_texcoords, "textures");
     }
   }
   add(!attributes.face_group.empty() && !is_obj && !is_3mf, "groups");
@@ -244,7 +247,10 @@ std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format)
     const bool is_color = channel.name == "color" && (channel.width == 3 || channel.width == 4);
     const bool is_usual = is_color || (channel.name == "normal" && channel.width == 3) ||
                           (channel.name == "texcoord_0" && channel.width == 2);
-    const bool is_held = is_ply || ((is_off || is_obj) && is_usual) || (is_3mf && is_color);
+    const bool is_held = is_ply || ((is_off || is_obj) && is_usual) || (is_3mf && is_color) ||
+                         std::any_of(of_glb.begin(), of_glb.end(), [&](const MeshChannel* written) {
+                           return written->name == channel.name;
+                         });
     add(!is_held, "channel '" + channel.name + "'");
     add(is_obj && is_color && channel.width == 4, "opacity of vertices");
   }

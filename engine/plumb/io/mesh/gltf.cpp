@@ -72,6 +72,7 @@ class GltfReader {
  private:
   using Id = GltfDocument::Id;
   static constexpr Id kDocument = GltfDocument::kDocument;
+  static constexpr std::size_t kMostTexcoords = 8;
 
   /// A node that is to be placed by the topmost transform of above_. That transform is dropped
   /// after the last of its nodes.
@@ -88,6 +89,9 @@ class GltfReader {
     file.notes.insert(file.notes.end(), notes.begin(), notes.end());
     if (!is_empty) {
       if (keeps_attributes_) add_materials(file.attributes);
+      if (has_own_images_) {
+        file.notes.emplace_back("passed over: textures whose images are inside of the file");
+      }
       return file;
     }
     std::string why;
@@ -261,17 +265,20 @@ class GltfReader {
     for (double& part : *result.color) part = std::clamp(part, 0.0, 1.0);
     if (const auto texture = in_.object(*look, "baseColorTexture")) {
       result.texture = name_of_texture(in_.count(*texture, "index", {}, where));
+      if (result.texture.empty()) has_own_images_ = true;
+      charge_.add(2 * result.texture.size(), "materials");
     }
     return result;
   }
-  /// Returns the file of a texture; an empty text if its image is in the document.
+  /// Returns the file of a texture; an empty text if its image is in the document or if there is
+  /// none.
   std::string name_of_texture(std::size_t index) {
     const Id texture = in_.item("textures", index);
     if (!in_.has(texture, "source")) return {};
     const std::size_t source =
         in_.count(texture, "source", {}, GltfDocument::entry("textures", index));
     std::string uri = in_.text(in_.item("images", source), "uri");
-    return uri.starts_with("data:") ? std::string() : uri;
+    return uri.starts_with("data:") ? std::string() : decoded_uri(uri);
   }
 
   // ---------------------------------------------------------------- triangles
@@ -337,7 +344,40 @@ class GltfReader {
       }
       p.material = static_cast<std::uint32_t>(material);
     }
+    if (keeps_attributes_) add_channels(*attributes, where, p);
     return p;
+  }
+
+  /// Reads the colours, normals and texture coordinates of a primitive. A compressed mesh has only
+  /// its positions.
+  void add_channels(Id attributes, const std::string& where, GltfPrimitive& p) {
+    add_channel(attributes, "COLOR_0", "color", where, p);
+    add_channel(attributes, "NORMAL", "normal", where, p);
+    for (std::size_t i = 0; i < kMostTexcoords; ++i) {
+      const std::string number = std::to_string(i);
+      add_channel(attributes, "TEXCOORD_" + number, "texcoord_" + number, where, p);
+    }
+  }
+
+  void add_channel(Id attributes, const std::string& member, const std::string& name,
+                   const std::string& where, GltfPrimitive& p) {
+    if (!in_.has(attributes, member)) return;
+    const std::size_t accessor = in_.count(attributes, member.c_str(), {}, where);
+    if (p.is_compressed) {
+      triangles_.pass_over("compressed colours, normals and texture coordinates");
+      return;
+    }
+    std::string type = name == "normal" ? "VEC3" : "VEC2";
+    if (name == "color") type = accessors_.type_of(accessor) == "VEC4" ? "VEC4" : "VEC3";
+    GltfChannel channel{name, static_cast<std::uint32_t>(type.back() - '0'),
+                        accessors_.vectors(accessor, type)};
+    if (channel.values.count != p.positions.count) {
+      in_.fail(ErrorCode::CountMismatch, where,
+               member + " has " + std::to_string(channel.values.count) + " elements, POSITION " +
+                   std::to_string(p.positions.count));
+    }
+    charge_.add(sizeof(GltfChannel) + name.size(), "parts of meshes");
+    p.channels.push_back(std::move(channel));
   }
 
   /// Reads the triangles of a compressed primitive. Those of a strip are listed, too.
@@ -348,6 +388,7 @@ class GltfReader {
         accessors_.compressed(in_.count(draco, "bufferView", {}, where),
                               in_.count(*ids, "POSITION", {}, where), positions);
     p.mode = GltfMode::kTriangles;
+    p.is_compressed = true;
     p.positions = compressed.positions;
     p.indices = compressed.corners;
   }
@@ -358,6 +399,7 @@ class GltfReader {
   Context& context_;
   MemoryCharge charge_;  // Of lists of primitives and materials.
   const bool keeps_attributes_;
+  bool has_own_images_ = false;  // Whether a texture of a material has no file of its own.
   mutable std::size_t watched_ = 0;
   std::vector<Placed> open_;
   std::deque<GltfTransform> above_;                               // Of open nodes.

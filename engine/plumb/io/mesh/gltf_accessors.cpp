@@ -30,7 +30,12 @@ GltfElements GltfAccessors::indices(std::size_t accessor) {
 
 GltfElements GltfAccessors::vectors(std::size_t accessor, std::string_view type) {
   const std::string where = GltfDocument::entry("accessors", accessor);
-  return elements(accessor, vectors_of(accessor, type, where), type == "VEC4" ? 4 : 3, where);
+  const std::size_t parts = type == "VEC4" ? 4 : type == "VEC3" ? 3 : 2;
+  return elements(accessor, vectors_of(accessor, type, where), parts, where);
+}
+
+std::string GltfAccessors::type_of(std::size_t accessor) {
+  return accessor_of(accessor, GltfDocument::entry("accessors", accessor)).type;
 }
 
 bool GltfAccessors::can_open(std::size_t accessor) {

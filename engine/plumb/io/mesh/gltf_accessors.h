@@ -28,8 +28,10 @@ class GltfAccessors {
   /// Returns numbers that are indices, all of whose bytes exist. Throws "FILE: accessors[3]: what"
   /// if the accessor has another type, or if its data are not there.
   GltfElements indices(std::size_t accessor);
-  /// Returns points or quaternions, as floats, bytes or shorts. `type` is VEC3 or VEC4.
+  /// Returns vectors of 2, 3 or 4 floats, bytes or shorts. `type` is VEC2, VEC3 or VEC4.
   GltfElements vectors(std::size_t accessor, std::string_view type);
+  /// Returns the type that an accessor states, such as VEC3.
+  std::string type_of(std::size_t accessor);
 
   /// Whether an accessor names a view of a buffer that can be opened.
   bool can_open(std::size_t accessor);

@@ -15,6 +15,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "plumb/io/mesh/mesh_formats.h"
@@ -60,23 +61,6 @@ std::optional<std::uint32_t> hex_of(char c) {
   if ('a' <= c && c <= 'f') return static_cast<std::uint32_t>(c - 'a') + 10;
   if ('A' <= c && c <= 'F') return static_cast<std::uint32_t>(c - 'A') + 10;
   return {};
-}
-
-/// Returns a uri with codes such as %20 replaced. What is no code stays.
-std::string decoded(std::string_view uri) {
-  std::string text;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool is_code = uri[i] == '%' && i + 2 < uri.size();
-    const auto high = is_code ? hex_of(uri[i + 1]) : std::nullopt;
-    const auto low = is_code ? hex_of(uri[i + 2]) : std::nullopt;
-    if (high && low) {
-      text += static_cast<char>(*high << 4U | *low);
-      i += 2;
-    } else {
-      text += uri[i];
-    }
-  }
-  return text;
 }
 
 /// Whether the name names a file of the same folder.
@@ -154,9 +138,25 @@ GltfContainer open_gltf(std::string_view bytes, const std::string& name) {
   return out;
 }
 
+std::string decoded_uri(std::string_view uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const bool is_code = uri[i] == '%' && i + 2 < uri.size();
+    const auto high = is_code ? hex_of(uri[i + 1]) : std::nullopt;
+    const auto low = is_code ? hex_of(uri[i + 2]) : std::nullopt;
+    if (high && low) {
+      text += static_cast<char>(*high << 4U | *low);
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
 std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context& context) {
   if (uri.starts_with("data:")) return from_data_uri(uri, context);
-  const std::string file = decoded(uri);
+  const std::string file = decoded_uri(uri);
   if (!is_file_name(file)) {
     throw Error(ErrorCode::CannotOpen, "only files of the same folder are read");
   }
@@ -168,7 +168,36 @@ namespace {
 
 constexpr std::uint64_t kMostVertices = 0xffff'0000;
 
+/// Returns the image of a normal under the inverse transpose of a map, with the length of the
+/// normal. The inverse transpose is the matrix of cofactors divided by the determinant, of which
+/// the sign matters.
+std::array<double, 3> mapped_normal(const GltfTransform& m, bool is_mirrored,
+                                    const std::array<double, 4>& n) {
+  const auto cofactor = [&m](std::size_t i, std::size_t j) {
+    const std::size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+    return m[a][c] * m[b][d] - m[a][d] * m[b][c];
+  };
+  std::array<double, 3> image{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    image[i] = cofactor(i, 0) * n[0] + cofactor(i, 1) * n[1] + cofactor(i, 2) * n[2];
+  }
+  const double length = std::hypot(image[0], image[1], image[2]);
+  const double factor = std::hypot(n[0], n[1], n[2]) / length * (is_mirrored ? -1 : 1);
+  for (double& part : image) part = length > 0 ? part * factor : 0;
+  return image;
+}
+
 }  // namespace
+
+std::array<double, 4> GltfChannel::at(std::size_t vertex) const {
+  if (width == 4) return values.numbers<4>(vertex);
+  if (width == 3) {
+    const auto [x, y, z] = values.numbers<3>(vertex);
+    return {x, y, z, 1};
+  }
+  const auto [u, v] = values.numbers<2>(vertex);
+  return {u, v, 1, 1};
+}
 
 void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
                         const std::string& where) {
@@ -179,15 +208,100 @@ void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
     fail(ErrorCode::BadIndex, where, "no vertex " + std::to_string(index));
   };
   // If there are points they are finite, and so is the transform that moves them.
-  const bool turns = p.positions.count > 0 && mirrors(placed);
+  const bool is_mirrored = p.positions.count > 0 && mirrors(placed);
+  const std::vector<Collected*> channels = channels_of(p);
   const std::size_t count = p.corner_count(), step = p.mode == GltfMode::kTriangles ? 3 : 1;
   for (std::size_t i = 0; i + 2 < count; i += step) {
     if (i % kItemsPerCheckpoint == 0) context_.checkpoint("read", i, count);
     const std::uint32_t a = corner(p.mode == GltfMode::kFan ? 0 : i);
     const std::uint32_t b = corner(i + 1), c = corner(i + 2);
-    add_triangle(a, b, c, turns != (p.mode == GltfMode::kStrip && i % 2 == 1));
-    if (keeps_materials_) material_.push_back(p.material);
+    const bool turns = is_mirrored != (p.mode == GltfMode::kStrip && i % 2 == 1);
+    add_triangle(a, b, c, turns);
+    if (!keeps_materials_) continue;
+    material_.push_back(p.material);
+    if (channels.empty()) continue;
+    add_values(p, channels, placed, is_mirrored,
+               {a - first, (turns ? c : b) - first, (turns ? b : c) - first});
   }
+}
+
+/// Returns where the channels of a primitive are collected, with room for its corners. The corners
+/// before them have the values of gaps.
+std::vector<GltfTriangles::Collected*> GltfTriangles::channels_of(const GltfPrimitive& p) {
+  std::vector<Collected*> found;
+  const std::size_t corners = mesh_.mesh().corners.size();
+  const std::size_t added =
+      p.mode == GltfMode::kTriangles ? p.corner_count() : 3 * (p.corner_count() - 2);
+  for (const GltfChannel& channel : p.channels) {
+    auto at = std::find_if(collected_.begin(), collected_.end(), [&](const Collected& each) {
+      return each.channel.name == channel.name;
+    });
+    const bool is_color = channel.name == "color";
+    if (at == collected_.end()) {
+      collected_.push_back({{channel.name, is_color ? 4 : channel.width, {}}});
+      at = std::prev(collected_.end());
+    }
+    std::vector<double>& values = at->channel.values;
+    const std::size_t end = (corners + added) * at->channel.width;
+    if (end > values.capacity()) {
+      const std::size_t room = std::max(end, 2 * values.capacity());
+      charge_.add(room * sizeof(double), "the attributes of the mesh");
+      values.reserve(room);
+    }
+    values.resize(corners * at->channel.width, is_color ? 1 : 0);
+    at->has_opacity = at->has_opacity || channel.width == 4;
+    found.push_back(&*at);
+  }
+  return found;
+}
+
+/// Appends the numbers of the corners of a triangle. In glTF, v of a texture points down.
+void GltfTriangles::add_values(const GltfPrimitive& p, const std::vector<Collected*>& channels,
+                               const GltfTransform& placed, bool is_mirrored,
+                               const std::array<std::size_t, 3>& vertices) {
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    MeshChannel& to = channels[k]->channel;
+    for (const std::size_t vertex : vertices) {
+      std::array<double, 4> values = p.channels[k].at(vertex);
+      for (double& part : values) {
+        not_finite_ += std::isfinite(part) ? 0 : 1;
+        if (!std::isfinite(part)) part = 0;
+      }
+      if (to.name == "color") {
+        for (double& part : values) part = part > 1 ? 1 : part < 0 ? 0 : part;
+      } else if (to.name == "normal") {
+        const auto [x, y, z] = mapped_normal(placed, is_mirrored, values);
+        values = {x, y, z, 0};
+      } else {
+        values[1] = 1 - values[1];
+      }
+      for (std::size_t i = 0; i < to.width; ++i) {
+        const bool is_finite = std::isfinite(values[i]);
+        to.values.push_back(is_finite ? values[i] : 0);
+        not_finite_ += is_finite ? 0 : 1;
+      }
+    }
+  }
+}
+
+/// Returns a channel with the corners of the faces that were kept.
+MeshChannel GltfTriangles::finished(Collected& from, const std::vector<std::uint32_t>& kept) {
+  const std::size_t width = from.channel.width;
+  const bool is_color = from.channel.name == "color";
+  const std::size_t kept_width = is_color && !from.has_opacity ? 3 : width;
+  MeshChannel result{std::move(from.channel.name), static_cast<std::uint32_t>(kept_width), {}};
+  charge_.add(3 * kept.size() * kept_width * sizeof(double), "the attributes of the mesh");
+  result.values.reserve(3 * kept.size() * kept_width);
+  const std::vector<double>& values = from.channel.values;
+  for (const std::uint32_t f : kept) {
+    for (std::size_t c = 3 * std::size_t{f}; c < 3 * std::size_t{f} + 3; ++c) {
+      for (std::size_t i = 0; i < kept_width; ++i) {
+        const std::size_t at = c * width + i;
+        result.values.push_back(at < values.size() ? values[at] : is_color ? 1 : 0);
+      }
+    }
+  }
+  return result;
 }
 
 void GltfTriangles::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turns) {
@@ -222,6 +336,11 @@ MeshFile GltfTriangles::take() {
   const std::size_t dropped =
       weld_vertices(file.mesh, context_, keeps_materials_ ? &kept : nullptr);
   for (const std::uint32_t f : kept) file.attributes.face_material.push_back(material_[f]);
+  for (Collected& each : collected_) file.attributes.channels.push_back(finished(each, kept));
+  if (not_finite_ > 0) {
+    file.notes.push_back("numbers of vertices that are not finite, read as 0: " +
+                         std::to_string(not_finite_));
+  }
   if (dropped > 0) {
     file.notes.push_back(std::to_string(dropped) + (dropped == 1 ? " triangle" : " triangles") +
                          " with two equal corners left out");

@@ -10,12 +10,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/io/mesh/mesh_formats.h"
@@ -50,6 +52,9 @@ GltfContainer open_gltf(std::string_view bytes, const std::string& name);
 /// Returns the bytes of a file in the folder of the file that is read, charged; `name` has no
 /// slashes.
 using GltfLoader = std::function<std::string(const std::string& name)>;
+
+/// Returns a uri with codes such as %20 replaced. What is no code stays.
+std::string decoded_uri(std::string_view uri);
 
 /// Returns the bytes that a uri names, charged to the context. Throws errors without a place:
 /// UnknownFormat, Syntax, CannotOpen for files outside the folder, or for all files if `loader` is
@@ -213,6 +218,16 @@ struct GltfInstances {
   }
 };
 
+/// Numbers of the vertices of a primitive: colours, normals or texture coordinates.
+struct GltfChannel {
+  std::string name;         ///< As in MeshChannel.
+  std::uint32_t width = 0;  ///< 2, 3 or 4 numbers.
+  GltfElements values;      ///< One element for each vertex.
+
+  /// Returns the numbers of a vertex; those behind the width are 1.
+  std::array<double, 4> at(std::size_t vertex) const;
+};
+
 /// A part of a mesh.
 struct GltfPrimitive {
   std::size_t number;  ///< Number within its mesh.
@@ -220,6 +235,8 @@ struct GltfPrimitive {
   GltfElements positions;
   std::optional<GltfElements> indices;
   std::uint32_t material = MeshAttributes::kNone;  ///< Index into the materials of the document.
+  std::vector<GltfChannel> channels = {};          ///< If attributes are kept.
+  bool is_compressed = false;                      ///< Whether Draco compressed the vertices.
 
   std::size_t corner_count() const { return indices ? indices->count : positions.count; }
 };
@@ -229,9 +246,9 @@ class GltfTriangles {
  public:
   /// `name` is the file in messages.
   GltfTriangles(std::string name, Context& context)
-      : name_(std::move(name)), context_(context), mesh_(context) {}
+      : name_(std::move(name)), context_(context), mesh_(context), charge_(context) {}
 
-  /// Keeps the material of each triangle.
+  /// Keeps the material of each triangle, and the channels of its corners.
   void keep_materials() { keeps_materials_ = true; }
   void pass_over(std::string_view what) { mesh_.pass_over(what); }
   /// Returns how many triangles were added.
@@ -240,7 +257,8 @@ class GltfTriangles {
   /// Throws "FILE: where: what": BadIndex, NumberOutOfRange, ResourceLimit; Cancelled.
   void add(const GltfPrimitive& p, const GltfTransform& placed, const std::string& where);
   /// Returns the mesh with equal points made one. Triangles with two equal corners are left out,
-  /// with a note. If materials are kept, attributes.face_material has those of the document.
+  /// with a note. If materials are kept, attributes.face_material has those of the document, and
+  /// attributes.channels the channels of all primitives.
   MeshFile take();
 
  private:
@@ -251,11 +269,27 @@ class GltfTriangles {
   std::uint64_t add_points(const GltfElements& positions, const GltfTransform& m,
                            const std::string& where);
 
+  /// The numbers of a channel at all corners up to the last one that has some. Colours have four
+  /// numbers until all are known.
+  struct Collected {
+    MeshChannel channel;
+    bool has_opacity = false;
+  };
+
+  std::vector<Collected*> channels_of(const GltfPrimitive& p);
+  void add_values(const GltfPrimitive& p, const std::vector<Collected*>& channels,
+                  const GltfTransform& placed, bool is_mirrored,
+                  const std::array<std::size_t, 3>& vertices);
+  MeshChannel finished(Collected& from, const std::vector<std::uint32_t>& kept);
+
   std::string name_;
   Context& context_;
   MeshCollector mesh_;
+  MemoryCharge charge_;  // Of channels.
   bool keeps_materials_ = false;
   std::vector<std::uint32_t> material_;  // Of each triangle, if they are kept.
+  std::deque<Collected> collected_;
+  std::size_t not_finite_ = 0;
 };
 
 }  // namespace plumb

@@ -210,7 +210,7 @@ bool ObjReader::keep(std::string_view keyword) {
   if (keyword == "usemtl") {
     attributes_->use_material(name);
   } else if (keyword == "mtllib") {
-    attributes_->use_library(name);
+    attributes_->use_library(line);  // The name of a file may contain what looks like a comment.
   } else {
     attributes_->use_group(name);
   }

@@ -203,7 +203,8 @@ void ObjAttributes::load_libraries(std::vector<std::string>& notes) {
   }
 }
 
-/// Loads a library whose name is all of the arguments, or else libraries whose names are its words.
+/// Loads a library whose name is all of the arguments, or all of them up to a comment, or else
+/// libraries whose names are its words.
 bool ObjAttributes::load_library(const std::string& name, std::string& why) {
   if (!loader_) {
     why = "the name of the folder of the file is not known";
@@ -222,8 +223,10 @@ bool ObjAttributes::load_library(const std::string& name, std::string& why) {
     }
   };
   if (load(name)) return true;
-  bool are_loaded = name.find_first_of(kBlanks) != name.npos;
-  std::string_view rest = name;
+  const std::string without_comment(trimmed(std::string_view(name).substr(0, name.find(" #"))));
+  if (without_comment != name && load(without_comment)) return true;
+  bool are_loaded = without_comment.find_first_of(kBlanks) != without_comment.npos;
+  std::string_view rest = without_comment;
   constexpr std::size_t kMostLibraries = 64;
   std::set<std::string> seen;
   while (are_loaded && !rest.empty() && seen.size() < kMostLibraries) {

@@ -794,17 +794,28 @@ std::vector<double> parts_of(const std::array<double, 4>& color) {
   return {color.begin(), color[3] == 1 ? color.end() - 1 : color.end()};
 }
 
+/// Returns the numbers of the colours that faces have. A material that no face has does not decide
+/// how the others are written.
+std::vector<double> parts_of_faces(const MeshAttributes& attributes) {
+  std::vector<bool> is_used(attributes.materials.size());
+  for (const std::uint32_t material : attributes.face_material) {
+    if (material != MeshAttributes::kNone) is_used[material] = true;
+  }
+  std::vector<double> parts;
+  for (std::size_t m = 0; m < is_used.size(); ++m) {
+    const MeshMaterial& material = attributes.materials[m];
+    if (!is_used[m] || !material.color) continue;
+    const std::vector<double> more = parts_of(*material.color);
+    parts.insert(parts.end(), more.begin(), more.end());
+  }
+  return parts;
+}
+
 /// Writes the faces with the colours of their materials. A material without a colour whose name is
 /// an index of a colour is written as this index.
 void write_colored_faces(TextOutput& out, const PolygonMesh& mesh,
                          const MeshAttributes& attributes) {
-  std::vector<double> parts;
-  for (const MeshMaterial& material : attributes.materials) {
-    if (!material.color) continue;
-    const std::vector<double> more = parts_of(*material.color);
-    parts.insert(parts.end(), more.begin(), more.end());
-  }
-  const ColorStyle style(parts);
+  const ColorStyle style(parts_of_faces(attributes));
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     const auto face = mesh.face(f);
     out << std::uint64_t{face.size()};

@@ -11,9 +11,9 @@
 //
 // Left out with a warning: objects for supports, negative volumes, modifiers, beam lattices. Named
 // in a note: metadata, thumbnails, textures, settings of slicers; and base materials, colours and
-// names of parts (threemf_looks.h), if attributes are not asked for. Refused: extensions that the file
-// requires and that are not supported, document types, archives that unpack to more than 256 times
-// their size.
+// names of parts (threemf_looks.h), if attributes are not asked for. Refused: extensions that the
+// file requires and that are not supported, document types, archives that unpack to more than 256
+// times their size.
 //
 // Cost: O(bytes that the archive unpacks to), and the cost of step 4. Errors: those of these steps
 // with the place FILE(PART):LINE:COLUMN, or FILE for the archive; UnknownFormat if plumb is built

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "plumb/io/mesh/attribute_writer.h"
+#include "plumb/io/mesh/glb.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
@@ -130,7 +131,9 @@ bool holds_any(const MeshAttributes& outline, MeshFormat format) {
   const bool is_ply = format == MeshFormat::Ply || format == MeshFormat::PlyText;
   const bool is_obj = format == MeshFormat::Obj;
   const bool is_3mf = format == MeshFormat::ThreeMf;
-  if (format == MeshFormat::Gltf) return !outline.face_material.empty();
+  if (format == MeshFormat::Gltf) {
+    return !outline.face_material.empty() || !glb_channels(outline).empty();
+  }
   if (!is_off && !is_ply && !is_obj && !is_3mf) return false;
   const bool has_color =
       std::any_of(outline.materials.begin(), outline.materials.end(),
