@@ -115,15 +115,5 @@ TEST(ArithmeticWatch, a_job_is_stopped_by_the_failure_of_an_earlier_one) {
   EXPECT_THROW(run_jobs(context, 2, job), Error);
 }
 
-TEST(ArithmeticWatch, counts_allocations) {
-  std::stop_source stop;
-  stop.request_stop();
-  const Context context({}, stop.get_token());
-  ArithmeticWatch::count_allocation(std::uint64_t{1} << 40);  // Nobody watches.
-  const ArithmeticWatch watch(context);
-  EXPECT_THROW(ArithmeticWatch::count_allocation(std::uint64_t{1} << 20), Error);
-  EXPECT_NO_THROW(ArithmeticWatch::count_allocation(16));
-}
-
 }  // namespace
 }  // namespace plumb

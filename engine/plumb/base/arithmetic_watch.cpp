@@ -27,8 +27,4 @@ bool ArithmeticWatch::is_active() {
   return hook.call != nullptr;
 }
 
-void ArithmeticWatch::count_allocation(std::uint64_t bytes) {
-  detail::count_work(bytes / sizeof(std::uint64_t));
-}
-
 }  // namespace plumb

@@ -13,8 +13,6 @@
 // Context::checkpoint(), from every function that computes with numbers.
 #pragma once
 
-#include <cstdint>
-
 #include "plumb/base/context.h"
 
 #pragma GCC visibility push(default)
@@ -36,10 +34,6 @@ class ArithmeticWatch {
 
   /// Whether a watch of the calling thread exists.
   static bool is_active();
-  /// Counts `bytes` that GMP allocates. A program that replaces the allocators of GMP by functions
-  /// that may throw can call this function there before it allocates. Then a single operation on
-  /// numbers of millions of digits can be stopped as well. Throws if the limits are exceeded.
-  static void count_allocation(std::uint64_t bytes);
 
  private:
   // The check that was active before, and its argument.

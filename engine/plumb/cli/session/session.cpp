@@ -1,10 +1,11 @@
 // The process and its session: signals, limits of memory, common options, outputs.
 //
-// A signal handler only sets a stop token, or, for the second signal, removes temporary files and
-// leaves; both are async-signal-safe. GMP aborts when memory runs out, so its allocators are
-// replaced by ones that throw. Outputs are delivered in an order that leaves nothing half done:
+// A signal handler only sets a stop token, or removes temporary files and leaves: for the second
+// signal, and for an alarm, which rings if no checkpoint is reached in time. Both are
+// async-signal-safe. GMP aborts when memory runs out, so its allocators are replaced by ones that
+// report it and end the process. Outputs are delivered in an order that leaves nothing half done:
 // files are completed under temporary names, standard output is written, and only then do files get
-// their names, unless a stop came before.
+// their names, unless a stop came before. No alarm ends the process between these steps.
 // Tested by tests/cli/program_test.cpp.
 #include "plumb/cli/session/session.h"
 
@@ -17,7 +18,6 @@
 #include <cstdlib>
 #include <exception>
 #include <limits>
-#include <new>
 #include <utility>
 
 #include "plumb/base/keep_freed_memory.h"
@@ -61,36 +61,39 @@ void write_to_stderr(std::string_view text) {
   }
 }
 
-/// Calls only what a signal handler may call.
+/// Reports an error and ends the process. Calls only what a signal handler may call.
+[[noreturn]] void leave_with(std::string_view code, std::string_view message, ExitCode exit_code) {
+  write_to_stderr(is_json ? "{\"error\":{\"code\":\"" : "plumb: ");
+  if (is_json) {
+    write_to_stderr(code);
+    write_to_stderr("\",\"message\":\"");
+  }
+  write_to_stderr(message);
+  write_to_stderr(is_json ? "\",\"file\":null,\"line\":null,\"column\":null}}\n" : "\n");
+  leave(exit_code);
+}
+
 extern "C" void on_alarm(int) {
   if (is_delivering) return process::alarm_after(kGraceSeconds);
-  const bool is_cancelled = stop_source().stop_requested();
-  constexpr std::string_view kTimeLimit = "the time limit was reached (raise --limit-seconds)";
-  if (is_json) {
-    write_to_stderr(is_cancelled ? "{\"error\":{\"code\":\"cancelled\",\"message\":\""
-                                 : "{\"error\":{\"code\":\"resource-limit\",\"message\":\"");
-  } else {
-    write_to_stderr("plumb: ");
-  }
-  write_to_stderr(is_cancelled ? "cancelled" : kTimeLimit);
-  write_to_stderr(is_json ? "\",\"file\":null,\"line\":null,\"column\":null}}\n" : "\n");
-  leave(is_cancelled ? ExitCode::Cancelled : ExitCode::Limit);
+  if (stop_source().stop_requested()) leave_with("cancelled", "cancelled", ExitCode::Cancelled);
+  leave_with("resource-limit", "the time limit was reached (raise --limit-seconds)",
+             ExitCode::Limit);
 }
 
 extern "C" void on_abort(int) { leave(ExitCode::Internal); }
 
+// An exception cannot leave GMP: its functions free memory before they ask for more, and keep the
+// pointer.
 void* require(void* memory) {
-  if (memory == nullptr) throw std::bad_alloc();
+  if (memory == nullptr) {
+    leave_with("resource-limit", "out of memory (raise --limit-memory, or use a smaller input)",
+               ExitCode::Limit);
+  }
   return memory;
 }
 
-// Numbers of thousands of digits make single operations long, so limits are checked here, too.
-void* gmp_allocate(std::size_t size) {
-  ArithmeticWatch::count_allocation(size);
-  return require(std::malloc(size));
-}
+void* gmp_allocate(std::size_t size) { return require(std::malloc(size)); }
 void* gmp_reallocate(void* memory, std::size_t, std::size_t size) {
-  ArithmeticWatch::count_allocation(size);
   return require(std::realloc(memory, size));
 }
 void gmp_free(void* memory, std::size_t) { std::free(memory); }

@@ -62,7 +62,8 @@ inline constexpr std::array kExitMeanings{
 ///                     time limit: the process reports it and ends with 4 or 3 at once, with
 ///                     temporary files removed
 ///   malloc            Keeps what is freed
-///   GMP               Throws std::bad_alloc when memory runs out, instead of aborting
+///   GMP               When memory runs out, the process reports it and ends with 3 at once, with
+///                     temporary files removed
 std::stop_token prepare_process();
 
 /// Whether errors are reported as objects of JSON: set once, before the first command.
