@@ -116,7 +116,7 @@ TEST(DoubtfulFaces, PairsInGeneralPositionAreDecided) {
   EXPECT_EQ(wrong, 0U);
 }
 
-/// Triangles around a vertex, in the order of their edges or in another order, so that they may wind
+/// Triangles around a vertex, in the order of their edges or in another order, so that they may go
 /// around it several times, or fold back, or leave an edge open.
 PolygonMesh random_umbrella(Dice& dice) {
   std::vector<Point3> points = {{0, 0, 0}};
@@ -138,8 +138,8 @@ PolygonMesh random_umbrella(Dice& dice) {
   return make_mesh(points, faces);
 }
 
-/// Fans are recognized, and what is no fan is not taken for one.
-TEST(DoubtfulFaces, OnlyTrianglesThatGoAroundOnceAreAFan) {
+/// All pairs share a vertex. Those that meet elsewhere are listed, and many umbrellas give no face.
+TEST(DoubtfulFaces, TrianglesAroundAVertexAreListedIfTheyMeetElsewhere) {
   std::uint64_t meeting = 0, sound = 0;
   for (std::uint64_t i = 0; i < 2000; ++i) {
     Dice dice(i);
