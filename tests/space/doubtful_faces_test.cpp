@@ -116,6 +116,49 @@ TEST(DoubtfulFaces, PairsInGeneralPositionAreDecided) {
   EXPECT_EQ(wrong, 0U);
 }
 
+/// Triangles around a vertex, in the order of their edges or in another order, so that they may go
+/// around it several times, or fold back, or leave an edge open.
+PolygonMesh random_umbrella(Dice& dice) {
+  std::vector<Point3> points = {{0, 0, 0}};
+  const std::uint32_t count = 3 + dice.below(5), stride = 1 + dice.below(count - 1);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * i / count;
+    const double height = static_cast<double>(dice.between(-4, 4)) / 4;
+    points.push_back({std::cos(angle), std::sin(angle), height});
+  }
+  if (dice.below(4) == 0) std::swap(points[1], points[2]);
+  std::vector<testing::Face> faces;
+  std::uint32_t at = 0;
+  do {
+    const std::uint32_t next = (at + stride) % count;
+    faces.push_back({0, 1 + at, 1 + next});
+    at = next;
+  } while (at != 0);
+  if (dice.below(4) == 0) faces.pop_back();
+  return make_mesh(points, faces);
+}
+
+/// All pairs share a vertex. Those that meet elsewhere are listed, and many umbrellas give no face.
+TEST(DoubtfulFaces, TrianglesAroundAVertexAreListedIfTheyMeetElsewhere) {
+  std::uint64_t meeting = 0, sound = 0;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    Dice dice(i);
+    const PolygonMesh mesh = random_umbrella(dice);
+    const std::vector<std::uint32_t> found = all_doubts(mesh).faces;
+    sound += found.empty() ? 1 : 0;
+    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+      for (std::uint32_t g = 0; g < f; ++g) {
+        if (!testing::meet_elsewhere(mesh, mesh.face(f), mesh.face(g))) continue;
+        ++meeting;
+        EXPECT_TRUE(std::ranges::binary_search(found, f) && std::ranges::binary_search(found, g))
+            << "scene " << i << ": " << g << ' ' << f;
+      }
+    }
+  }
+  EXPECT_GT(meeting, 100U);
+  EXPECT_GT(sound, 100U);
+}
+
 /// A fan with so many triangles that their pairs are not all tested: nothing is left out.
 TEST(DoubtfulFaces, TooManyPairsGiveAllFaces) {
   std::vector<Point3> points = {{0, 0, 1}};

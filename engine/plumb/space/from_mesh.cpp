@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "plumb/base/internal/message_text.h"
+#include "plumb/base/internal/parallel.h"
 #include "plumb/space/boolean/simplify.h"
 #include "plumb/space/mesh/link_facets.h"
 #include "plumb/space/mesh/mesh_crossings.h"
@@ -36,6 +37,7 @@ namespace {
 constexpr std::uint64_t kBytesPerCorner = 200;
 constexpr std::uint64_t kBytesPerPoint = 4;   // This counts points that no face names, too.
 constexpr std::size_t kWorthOrdering = 4096;  // Fewer faces are close together in any order.
+constexpr std::size_t kWorthThreads = 4096;   // Fewer facets take less time than starting a thread.
 
 /// Removes vertices without a facet: corners of faces without area only.
 void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
@@ -75,12 +77,24 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
   std::ranges::sort(result.report.inside_out);
 }
 
-/// Finds fans and crossings, and reports the crossings as pairs of input faces.
+/// Finds fans and components at the same time; neither needs the other.
+void describe_parts(const MeshFacets& facets, MeshComplex& result, Context& context) {
+  const auto describe = [&](std::size_t i, Context&) {
+    if (i == 0) {
+      describe_components(facets, result);
+    } else {
+      result.has_fan = find_fans(result.complex);
+    }
+  };
+  if (facets.size() >= kWorthThreads) return run_jobs(context, 2, describe);
+  for (const std::size_t i : {0U, 1U}) describe(i, context);
+}
+
+/// Finds crossings, and reports them as pairs of input faces.
 void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryCharge& memory,
                         Context& context) {
   const SpaceComplex& complex = result.complex;
   std::vector<MeshReport::FacePair> pairs;
-  result.has_fan = find_fans(complex);
   result.crossings = find_mesh_crossings(complex, result.has_fan, context);
   memory.add(result.crossings.size() * (sizeof(result.crossings[0]) + sizeof(pairs[0])),
              "crossings of the mesh");
@@ -183,7 +197,7 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   drop_unused(facets, links, vertices);
   result.complex = link_facets(facets, links, vertices.point, tables, FlatEdges::Open);
   context.checkpoint("components", 0, 1);
-  describe_components(facets, result);
+  describe_parts(facets, result, context);
   describe_crossings(options, result, memory, context);
   result.jump = std::move(facets.jump);
   settle_flat_edges(options, *tables, result, context);

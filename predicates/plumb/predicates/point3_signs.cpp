@@ -119,8 +119,9 @@ std::optional<double> coordinate_of_plane(const PlaneTable& planes, PlaneId plan
   return std::ldexp(-static_cast<double>(static_cast<std::int64_t>(row[3])), slot.scale);
 }
 
-/// Returns the side of a plane across an axis on which an input point lies: coordinates are compared.
-/// Unsure if the plane is not seen to be across an axis. A canonical normal along an axis is positive.
+/// Returns the side of a plane across an axis on which an input point lies: coordinates are
+/// compared, as a canonical normal along an axis is positive. Unsure if the plane is not seen to be
+/// across an axis.
 FilteredSign side_across(const PlaneTable& planes, InputPointId x, PlaneId plane) {
   const PlaneSource& source = planes.source(plane);
   if (!source.is_explicit()) return exact3::side_across(planes, x, source);

@@ -94,8 +94,8 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::around(const Level& level) {
   return boxes;
 }
 
-/// Returns the places of the part of a box that is in the bounds. A box of the tree meets the box if
-/// and only if it meets this part.
+/// Returns the places of the part of a box that is in the bounds. A box of the tree meets the box
+/// if and only if it meets this part.
 PackedBoxTree::Box PackedBoxTree::place(const Box3& box) const {
   Box3 part;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -142,6 +142,8 @@ class PackedBoxTree {
       visit_below(levels_.size() - 1, 0, place(query), visit);
     }
   }
+  /// Returns the least box that contains all boxes.
+  const Box3& bounds() const { return bounds_; }
   /// Returns the numbers of the boxes, neighbours together.
   std::span<const std::uint32_t> order() const { return order_; }
 

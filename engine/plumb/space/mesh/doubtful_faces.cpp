@@ -183,6 +183,56 @@ class FilteredPair {
 
 // ---------------------------------------------------------------- the search
 
+/// The cells of a coarse grid that boxes meet. Most faces are far from all faces to be checked, and
+/// for these a few cells cost less than a tree.
+class MarkedCells {
+ public:
+  /// Marks the cells of boxes. Requires that the box around them, `bounds`, has a finite extent.
+  MarkedCells(const Box3& bounds, std::span<const Box3> boxes)
+      : bounds_(bounds), grid_(bounds, kLast), rows_((kLast + 1) * (kLast + 1), 0) {
+    for (const Box3& box : boxes) {
+      for_rows(box, [](std::uint32_t& row, std::uint32_t cells) {
+        row |= cells;
+        return true;
+      });
+    }
+  }
+  /// Whether a box may meet one of the boxes. If it does not, it surely meets none.
+  bool may_meet(const Box3& box) {
+    if (!box.meets(bounds_)) return false;
+    Box3 part;
+    for (std::size_t i = 0; i < 3; ++i) {
+      part.low[i] = std::max(box.low[i], bounds_.low[i]);
+      part.high[i] = std::min(box.high[i], bounds_.high[i]);
+    }
+    bool is_near = false;
+    for_rows(part, [&](std::uint32_t row, std::uint32_t cells) {
+      is_near = (row & cells) != 0;
+      return !is_near;
+    });
+    return is_near;
+  }
+
+ private:
+  static constexpr std::uint32_t kLast = 31;  // A row of cells is a word.
+
+  /// Calls visit(row, cells of the box in it) until it returns false.
+  template <class Visit>
+  void for_rows(const Box3& box, const Visit& visit) {
+    const auto low = grid_.cell(box.low), high = grid_.cell(box.high);
+    const std::uint32_t cells = (~0U << low[2]) & (~0U >> (kLast - high[2]));
+    for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
+      for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
+        if (!visit(rows_[(kLast + 1) * x + y], cells)) return;
+      }
+    }
+  }
+
+  Box3 bounds_;
+  CellGrid grid_;
+  std::vector<std::uint32_t> rows_;  // One bit for each cell.
+};
+
 class DoubtSearch {
  public:
   DoubtSearch(const PolygonMesh& mesh, std::span<const std::uint8_t> is_checked, Context& context)
@@ -290,10 +340,12 @@ class DoubtSearch {
       look_at(checked_[std::min(i, j)], checked_[std::max(i, j)]);
     };
     if (!tree.for_each_pair_inside(look, may_go_on)) return false;
+    MarkedCells cells(tree.bounds(), boxes_);
     for (std::uint32_t g = 0; g < mesh_.face_count(); ++g) {
       if (g % 1024 == 0) checkpoint(g);
       if (is_checked_[g] != 0 || mesh_.face(g).empty()) continue;
       const Box3 box = box_of(g);
+      if (!cells.may_meet(box)) continue;
       tree.for_each_meeting(box, [&](std::uint32_t i) {
         if (may_go_on() && boxes_[i].meets(box)) look_at(checked_[i], g);
       });

@@ -1,11 +1,11 @@
 // The search for pairs of facets that cross: candidates by boxes, then one exact test for each.
 //
-// No tree of boxes is good for all meshes, so three are tried in turn. Packed boxes (16 bits a
-// coordinate) serve meshes of one scale: 7 to 8 steps a triangle for spheres and scans. They are
-// given up after 32 steps a triangle, which bounds what is lost by a constant factor. Then boxes of
-// many scales go to a tree of doubles; triangles that are long and thin, or very many around a
-// vertex or in one facet, go to oriented boxes, which leave out pairs of one group, and pairs
-// around a vertex are found by boxes of their directions.
+// Up to 32 triangles are compared pair by pair. For more, no tree of boxes is good for all meshes,
+// so three are tried in turn. Packed boxes (16 bits a coordinate) serve meshes of one scale: 7 to 8
+// steps a triangle for spheres and scans. They are given up after 32 steps a triangle, which bounds
+// what is lost by a constant factor. Then boxes of many scales go to a tree of doubles; triangles
+// that are long and thin, or very many around a vertex or in one facet, go to oriented boxes, which
+// leave out pairs of one group, and pairs around a vertex are found by boxes of their directions.
 //
 // Every tree reports each pair whose boxes meet, so the result does not depend on which one is
 // used; found pairs are sorted and repetitions dropped.
@@ -55,11 +55,13 @@ class CrossingSearch {
   static constexpr std::uint64_t kBytesPerCorner = 100;
   static constexpr std::uint64_t kBytesPerThinTriangle = 640;
   static constexpr std::uint64_t kStepsPerTriangle = 32;
+  static constexpr std::size_t kFew = 32;
 
   /// Tests all pairs. What the first tree cannot find in a few steps a box is left to one of two
   /// others: for boxes of many scales, or for boxes that say little about their triangles.
   void find_all() {
     checkpoint();
+    if (triangles_.size() <= kFew) return find_among_few();
     const std::vector<Box3> boxes = boxes_of_triangles();
     checkpoint();
     const PackedBoxTree packed(boxes);
@@ -72,6 +74,16 @@ class CrossingSearch {
       find_around_hubs(groups);
     } else {
       find_in(BoxTree(boxes), [](std::uint32_t i) { return i; });
+    }
+  }
+
+  /// Tests the pairs of a few triangles, for which a tree costs more than it saves.
+  void find_among_few() {
+    const std::vector<Box3> boxes = boxes_by([&](VertexId v) { return box_of(complex_, v); });
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
+        if (boxes[i].meets(boxes[j])) look_at(i, j);
+      }
     }
   }
 

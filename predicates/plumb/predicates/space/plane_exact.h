@@ -112,8 +112,8 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
 }
 
 /// Returns the side of `plane` on which the input point x lies if the three points that define the
-/// plane have a common coordinate, which is compared with that of x; otherwise Unsure. Requires that
-/// `plane` is defined by three input points.
+/// plane have a common coordinate, which is compared with that of x. Otherwise returns Unsure.
+/// Requires that `plane` is defined by three input points.
 FilteredSign side_across(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
 /// Returns the side of `plane` on which the input point x lies. Requires that `plane` is defined by
