@@ -30,7 +30,6 @@ LAYERS = (
     ("us-atlas", "states-10m.json", "states"),
     ("world-atlas", "countries-10m.json", "countries"),
     ("world-atlas", "countries-50m.json", "countries"),
-    ("world-atlas", "land-50m.json", "land"),
     ("swiss-maps", "2024/ch-combined.json", "municipalities"),
 )
 
@@ -48,7 +47,9 @@ def child_cpu(command, may_fail=False):
 
 def read(path):
     with open(path) as text:
-        return json.load(text)["features"]
+        collection = json.load(text)
+    # mapshaper writes features without properties as a GeometryCollection.
+    return collection.get("features") or [{"geometry": geometry} for geometry in collection["geometries"]]
 
 
 def write(path, geometries):

@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/internal/message_text.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
 #include "plumb/cli/session/command.h"
