@@ -151,9 +151,12 @@ std::string_view example_of(std::string_view group) {
 
 /// Returns help for all commands, or for those that start with the word `group`.
 std::string overview(std::string_view group = {}) {
-  std::string text = "plumb " + std::string(kVersion) +
-                     " - exact geometry: every decision exact, every result auditable\n\n"
-                     "Usage: plumb COMMAND [ARGUMENTS] [OPTIONS]\n\nCommands:\n";
+  std::string text;
+  if (group.empty()) {
+    text = "plumb " + std::string(kVersion) +
+           " - exact geometry: every decision exact, every result auditable\n\n";
+  }
+  text += "Usage: plumb COMMAND [ARGUMENTS] [OPTIONS]\n\nCommands:\n";
   text += table(group.empty() ? all_rows() : rows_of(group));
   if (!group.empty()) text += "\nExample:\n  " + std::string(example_of(group)) + '\n';
   text +=

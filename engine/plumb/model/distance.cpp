@@ -444,7 +444,11 @@ SpaceDistance DistanceIndex::to(const RationalPoint3& p, Context& context) const
     return {0, p, p, *cell, {VertexId(0), true}};
   const auto found = SimplexTree::nearest(boundary.tree, tree_of(p, context), context);
   const NearestPoints& points = found.points;
-  return {points.squared, points.a, p, cell_of(set, boundary, found.a, points.face_a), VertexId(0)};
+  return {points.squared,
+          points.a,
+          p,
+          cell_of(set, boundary, found.a, points.face_a),
+          {VertexId(0), true}};
 }
 
 }  // namespace plumb
