@@ -20,6 +20,7 @@
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/plane/sweep/point_ranks.h"
@@ -172,7 +173,8 @@ void MapReader::add_corner(std::uint32_t vertex) {
 
 Map read_map(std::string_view text, const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
-  return MapReader(text, options, context).read();
+  return naming_foreign_files(text, "map", options.name,
+                              [&] { return MapReader(text, options, context).read(); });
 }
 
 Map read_map_file(const std::string& path, ReadOptions options, Context& context) {
