@@ -287,7 +287,9 @@ MapFile read_map_or_polygons(std::string_view text, const std::string& path, Rea
   options.name = input_name(path);
   MapFile file;
   if (const auto format = polygon_format(path, text)) {
-    PlaneFile read = read_polygons(text, *format, options, context);
+    PlaneFile read = naming_foreign_files(text, "WKT WKB GeoJSON", options.name, [&] {
+      return read_polygons(text, *format, options, context);
+    });
     const PlaneShapes& shapes = read.shapes;
     file.notes = std::move(read.notes);
     file.is_polygons = true;

@@ -121,8 +121,21 @@ constexpr std::array<std::string_view, 9> kWktWords{"POINT",    "LINESTRING", "P
                                                     "MULTI",    "GEOMETRYC",  "CURVE",
                                                     "COMPOUND", "CIRCULAR",   "SRID"};
 
-std::string told(const ForeignKind& kind) {
-  return "this is " + std::string(kind.what) + "; " + std::string(kind.advice);
+constexpr std::string_view kSolids = "OFF OBJ STL PLY glTF 3MF nef3";
+constexpr std::string_view kPlaneSets = "WKT WKB GeoJSON SVG DXF nef2";
+
+/// Returns what to do. A file that would have to be renamed, but that another family of commands
+/// reads, is one for that family.
+std::string_view advice_for(const ForeignKind& kind, std::string_view own) {
+  const bool is_known = !kind.reader.empty() && kind.advice.starts_with("give");
+  const bool reads_solids = kSolids.find(own) != kSolids.npos;
+  if (is_known && !reads_solids && kSolids.find(kind.reader) != kSolids.npos) {
+    return "plumb solid reads it";
+  }
+  if (is_known && reads_solids && kPlaneSets.find(kind.reader) != kPlaneSets.npos) {
+    return "plumb plane reads it";
+  }
+  return kind.advice;
 }
 
 bool is_own(const ForeignKind& kind, std::string_view own) {
@@ -233,7 +246,7 @@ const ForeignKind* kind_of(std::string_view bytes) {
 std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view own) {
   const ForeignKind* const kind = kind_of(bytes.substr(0, kMostSearched));
   if (kind == nullptr || is_own(*kind, own)) return {};
-  return told(*kind);
+  return "this is " + std::string(kind->what) + "; " + std::string(advice_for(*kind, own));
 }
 
 }  // namespace plumb
