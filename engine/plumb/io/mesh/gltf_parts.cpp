@@ -146,7 +146,9 @@ void GltfContainer::fail(std::size_t byte, ErrorCode code, const std::string& wh
 
 GltfContainer open_gltf(std::string_view bytes, const std::string& name) {
   if (bytes.find_first_not_of(" \t\r\n") == bytes.npos) {
-    WholeFile{name}.fail(ErrorCode::CountMismatch, "the file has no content");
+    TextCursor cursor(bytes, name);
+    cursor.next_line();
+    cursor.fail(ErrorCode::CountMismatch, "the file has no content");
   }
   GltfContainer out{bytes, name, bytes.starts_with("glTF"), bytes, {}};
   if (out.is_binary) {
