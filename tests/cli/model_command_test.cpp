@@ -39,6 +39,7 @@ class ModelProgram : public ::testing::Test {
 
 TEST_F(ModelProgram, makes_shapes) {
   EXPECT_EQ(volume({"solid", "make", "box", "--size", "1,2,3/2"}), "3");
+  EXPECT_EQ(volume({"solid", "make", "cube", "--size", "1,2,3/2"}), "3");
   EXPECT_EQ(volume({"solid", "make", "cone", "--segments", "4", "--height", "3"}), "2");
   EXPECT_EQ(volume({"solid", "make", "cylinder", "--segments", "4", "--radius", "2"}), "8");
   const Json sphere = made({"solid", "make", "sphere", "--segments", "16"});

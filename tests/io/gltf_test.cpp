@@ -494,7 +494,7 @@ TEST(GltfReader, refuses_hostile_bytes) {
 
 TEST(GltfReader, refuses_hostile_texts_with_their_place) {
   testing::expect_refusals(
-      {{"empty", "", 1, 1, "not JSON"},
+      {{"empty", "", 1, 1, "no content"},
        {"a list", "[]", 1, 1, "expected an object"},
        {"cut off", "{\n\"nodes\": [", 2, 11, "not JSON"},
        {"no text", "{\n\"\xff\": 1}", 2, 2, "not JSON"},

@@ -21,15 +21,6 @@ inline std::vector<HostileText> hostile_maps() {
        "\x7F"
        "ELF\x02\x01\x01 x\n",
        1, 1, "byte 0x7f"},
-      {"UTF-16",
-       bytes_with_nul("\xFF\xFE"
-                      "3\0 \0",
-                      6),
-       1, 1, "byte 0xff is not UTF-8"},
-      {"Latin-1 in a comment", "# caf\xE9\n" + kTriangle, 1, 6, "byte 0xe9 is not UTF-8"},
-      {"overlong UTF-8 in a comment", "# \xC0\xAF\n" + kTriangle, 1, 3, "not UTF-8"},
-      {"a surrogate in a comment", "# \xED\xA0\x80\n" + kTriangle, 1, 3, "not UTF-8"},
-      {"cut UTF-8 at the end", kTriangle + "# \xE2\x82", 7, 3, "not UTF-8"},
       {"control character in a comment", "# \x1B[2J\n" + kTriangle, 1, 3, "byte 0x1b"},
       {"a word for a count", "three 2\n", 1, 1, "'three'"},
       {"UTF-8 for a number", "3 2\n\xCF\x80 0\n1 0\n0 1\n1 2 3\n3 2 1\n", 2, 1,

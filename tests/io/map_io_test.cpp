@@ -53,7 +53,7 @@ TEST(MapReader, accepts_what_the_format_allows) {
       "3 2\r\n0 0\r\n1 0\r\n0 1\r\n1 2 3\r\n3 2 1\r",    // CR at the very end
       "\xEF\xBB\xBF"
       "3 2\n0 0\n1 0\n0 1\n1 2 3\n3 2 1\n",  // byte order mark
-      "# gr\xC3\xBC\xC3\x9F\r\n\n  # b\n3 2\n\n0 0\n1 0\n#\n0 1\n1 2 3\n \t\n3 2 1\n# end",
+      "# gr\xC3\xBC\xDF\r\n\n  # b\n3 2\n\n0 0\n1 0\n#\n0 1\n1 2 3\n \t\n3 2 1\n# end",
       "  3\t 2  \n 0 0 \n\t1 0\n+0 +1\n  1  2\t3\n003 02 1\n",  // blanks, signs, leading zeros
       "3 2\n-0 -0.0\n1.0 0e5\n.0 1.\n1 2 3\n3 2 1\n",           // decimals
       "3 2\n0/7 0\n3/3 0\n0 10/10\n1 2 3\n3 2 1\n",             // fractions

@@ -66,6 +66,10 @@ TEST(WktReader, accepts_what_the_format_allows) {
         "LINESTRING (0 0 1 2, 1 1 3 4, 0 0 5 6)"}},
       {"POLYGON ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1))\n",
        {"POLYGON((0 0,3 0,0 3,0 0),(1 1,2 1,1 2,1 1))",
+        "CURVEPOLYGON((0 0,3 0,0 3,0 0),(1 1,2 1,1 2,1 1))",
+        "# caf\xE9\rPOLYGON((0 0,3 0,0 3,0 0),\r(1 1,2 1,1 2,1 1))\r",
+        "MULTISURFACE (CURVEPOLYGON Z ((0 0 1, 3 0 1, 0 3 1, 0 0 1), (1 1 1, 2 1 1, 1 2 1, 1 1 "
+        "1)))",
         "POLYGON (EMPTY, (0 0, 3 0, 0 3, 0 0), EMPTY, (1 1, 2 1, 1 2, 1 1))",
         "MULTIPOLYGON (((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1)))",
         "MULTIPOLYGON (EMPTY, ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1)), EMPTY)",

@@ -92,6 +92,31 @@ ROWS = [
     # Drawings as Inkscape and Illustrator write them: hidden layers, entities, percentages, Latin-1.
     *[Row("28-svg-hidden-and-declared", "plane info " + name, 0, "area 6\n")
       for name in ("hidden.svg", "entities.svg", "percent.svg", "latin.svg")],
+    # A file of another kind than its extension says, or of a kind that is not read: what it is, and what to do.
+    *[Row("29-other-kinds-of-files", command, 2, says) for command, says in (
+        ("solid info utf16.obj", "utf16.obj: this is text in UTF-16; save it as UTF-8"),
+        ("solid info gz.stl", "gz.stl: this is a file packed by gzip; unpack it first"),
+        ("solid info x.step", "this is a STEP model"),
+        ("solid info dae.obj", "this is a COLLADA file"),
+        ("solid info stl.obj", "this is STL; give the file the extension .stl"),
+        ("solid info lfs.obj", "git lfs pull"),
+        ("plane info shapefile.geojson", "this is a shapefile; GDAL converts it"),
+        ("map check shapefile.geojson", "this is a shapefile; GDAL converts it"),
+        ("plane info csv.wkt", "this is a table with geometries"),
+        ("plane info topo.geojson", "this is TopoJSON"),
+        ("plane info html.geojson", "this is a web page"),
+        ("plane info dwg.dxf", "this is a DWG drawing"),
+        ("plane info utf16.wkt", "this is text in UTF-16"),
+        ("plane info a.kml", "this is a KML file"))],
+    # Comments in Latin-1, padding at the end, lines that end with CR.
+    *info("30-text-of-any-origin", "latin1.obj", "latin1.off", "ctrlz.obj", "nul.obj", "nul.off", "version.ply"),
+    Row("30-text-of-any-origin", "plane info cr.wkt", 0, "area 6\n"),
+    # Binary STL without its last two bytes, which mean nothing, and one of another order of bytes.
+    Row("31-stl-short-and-big-endian", "solid info short.stl", 0, SIXTH),
+    Row("31-stl-short-and-big-endian", "solid info big.stl", 2, "big.stl: at byte 80: the file has its numbers in big-endian order"),
+    # Polygons of curves that are all straight.
+    *[Row("32-wkt-straight-curves", "plane info " + name, 0, "area 6\n") for name in ("straight.wkt", "surface.wkt")],
+    *[Row("32-wkt-straight-curves", "plane info " + name, 2, "curves are not read") for name in ("arc.wkt", "compound.wkt")],
 ]
 
 

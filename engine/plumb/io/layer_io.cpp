@@ -26,6 +26,7 @@
 #include "plumb/io/plane_io.h"
 #include "plumb/io/text/double_text.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/json_reader.h"
 #include "plumb/io/text/text_output.h"
@@ -509,9 +510,11 @@ void require_layer_format(const std::string& path) {
 LayerFile read_layer(std::string_view text, const LayerReadOptions& options, Context& context) {
   const RoundToNearest rounding;
   const ReadOptions read{.name = options.name};
-  if (begins_like_wkb(text)) return layer_of_shapes(read_wkb(text, read, context), context);
-  if (begins_like_wkt(text)) return layer_of_shapes(read_wkt(text, read, context), context);
-  return read_json_layer(text, options, context);
+  return naming_foreign_files(text, "GeoJSON TopoJSON WKT WKB", options.name, [&] {
+    if (begins_like_wkb(text)) return layer_of_shapes(read_wkb(text, read, context), context);
+    if (begins_like_wkt(text)) return layer_of_shapes(read_wkt(text, read, context), context);
+    return read_json_layer(text, options, context);
+  });
 }
 
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options, Context& context) {

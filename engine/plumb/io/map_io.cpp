@@ -20,6 +20,7 @@
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/plane/sweep/point_ranks.h"
@@ -172,7 +173,8 @@ void MapReader::add_corner(std::uint32_t vertex) {
 
 Map read_map(std::string_view text, const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
-  return MapReader(text, options, context).read();
+  return naming_foreign_files(text, "map", options.name,
+                              [&] { return MapReader(text, options, context).read(); });
 }
 
 Map read_map_file(const std::string& path, ReadOptions options, Context& context) {
@@ -285,7 +287,9 @@ MapFile read_map_or_polygons(std::string_view text, const std::string& path, Rea
   options.name = input_name(path);
   MapFile file;
   if (const auto format = polygon_format(path, text)) {
-    PlaneFile read = read_polygons(text, *format, options, context);
+    PlaneFile read = naming_foreign_files(text, "WKT WKB GeoJSON", options.name, [&] {
+      return read_polygons(text, *format, options, context);
+    });
     const PlaneShapes& shapes = read.shapes;
     file.notes = std::move(read.notes);
     file.is_polygons = true;

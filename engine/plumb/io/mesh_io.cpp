@@ -25,6 +25,7 @@
 #include "plumb/io/mesh/stl.h"
 #include "plumb/io/mesh/threemf.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/input_cursors.h"
 
 namespace plumb {
@@ -83,8 +84,30 @@ MeshFormat guess_mesh_format(std::string_view bytes) {
   return has_binary_content(bytes) ? MeshFormat::Stl : MeshFormat::Obj;
 }
 
-MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options,
-                   Context& context) {
+namespace {
+
+/// Returns the format in the words of foreign_files.h.
+std::string_view kind_of(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::Obj:
+      return "OBJ";
+    case MeshFormat::Stl:
+    case MeshFormat::StlBinary:
+      return "STL";
+    case MeshFormat::Ply:
+    case MeshFormat::PlyText:
+      return "PLY";
+    case MeshFormat::Gltf:
+      return "glTF";
+    case MeshFormat::ThreeMf:
+      return "3MF";
+    default:
+      return "OFF";
+  }
+}
+
+MeshFile read_mesh_as(std::string_view bytes, MeshFormat format, const ReadOptions& options,
+                      Context& context) {
   switch (format) {
     case MeshFormat::Obj:
       return read_obj(bytes, options, context);
@@ -103,6 +126,14 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
   }
 }
 
+}  // namespace
+
+MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options,
+                   Context& context) {
+  return naming_foreign_files(bytes, kind_of(format), options.name,
+                              [&] { return read_mesh_as(bytes, format, options, context); });
+}
+
 namespace {
 
 /// Reads a file whose folder is known, so that it may name other files.
@@ -114,8 +145,10 @@ MeshFile read_placed_mesh(const std::string& path, std::string_view bytes, MeshF
   const auto load = [&](const std::string& name) {
     return read_input(named_file(path, name, options.named_files), context);
   };
-  if (format == MeshFormat::Obj) return read_obj(bytes, options, context, load);
-  return read_gltf(bytes, load, options, context);
+  return naming_foreign_files(bytes, kind_of(format), options.name, [&] {
+    return format == MeshFormat::Obj ? read_obj(bytes, options, context, load)
+                                     : read_gltf(bytes, load, options, context);
+  });
 }
 
 }  // namespace

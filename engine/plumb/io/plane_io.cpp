@@ -27,6 +27,7 @@
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/svg_reader.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/plane/sweep/sweep.h"
 #include "plumb/predicates/error.h"
@@ -458,8 +459,26 @@ PlaneRead read_dxf_set(std::string_view text, std::string_view layer, const Read
   return set_of(read_dxf_layer(text, layer, options, context), options.rings, context);
 }
 
-PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
-                         Context& context) {
+namespace {
+
+/// Returns the format in the words of foreign_files.h.
+std::string_view kind_of(PlaneFormat format) {
+  switch (format) {
+    case PlaneFormat::Nef2:
+      return "nef2";
+    case PlaneFormat::GeoJson:
+      return "GeoJSON";
+    case PlaneFormat::Dxf:
+      return "DXF";
+    case PlaneFormat::Svg:
+      return "SVG";
+    default:
+      return "WKT WKB";
+  }
+}
+
+PlaneRead read_plane_set_as(std::string_view text, PlaneFormat format, const ReadOptions& options,
+                            Context& context) {
   switch (format) {
     case PlaneFormat::Nef2:
       return {read_nef2(text, options, context), {}};
@@ -476,6 +495,14 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
     default:
       return set_of(read_wkt(text, options, context), options.rings, context);
   }
+}
+
+}  // namespace
+
+PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOptions& options,
+                         Context& context) {
+  return naming_foreign_files(text, kind_of(format), options.name,
+                              [&] { return read_plane_set_as(text, format, options, context); });
 }
 
 PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,

@@ -25,6 +25,7 @@
 #include "plumb/io/surface/scene_parser.h"
 #include "plumb/io/svg_reader.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
@@ -380,7 +381,8 @@ SurfaceMesh fanned_surface(const PolygonMesh& mesh) {
 SceneFile read_scene_file(const std::string& path, ReadOptions options, Context& context) {
   options.name = input_name(path);
   const std::string text = read_input(path, context);
-  const ParsedScene scene = parse_scene(text, options, context);
+  const ParsedScene scene = naming_foreign_files(
+      text, "scene", options.name, [&] { return parse_scene(text, options, context); });
   const auto beside = [&](const std::string& name) {
     return named_file(path, name, options.named_files);
   };

@@ -83,7 +83,8 @@ class MakeSolid : public SetOperation<MadeSolid> {
     app.add_option("SHAPE", shape_, "box, sphere, cylinder, cone or torus")
         ->required()
         ->type_name("")
-        ->check(CLI::IsMember({"box", "sphere", "cylinder", "cone", "torus"}).description(""));
+        ->check(
+            CLI::IsMember({"box", "cube", "sphere", "cylinder", "cone", "torus"}).description(""));
     app.add_option("--size", size_, "Sides of a box (default 1,1,1)")->type_name("X,Y,Z");
     app.add_option("--radius", radius_, "Of a circle (default 1)")->type_name("R");
     app.add_option("--top", top_, "Radius at the top of a cone (default 0)")->type_name("R");
@@ -101,7 +102,9 @@ class MakeSolid : public SetOperation<MadeSolid> {
   PolygonMesh mesh(Session& session) const {
     const Placement placement = is_centred_ ? Placement::Centred : Placement::Corner;
     Context& context = session.context();
-    if (shape_ == "box") return box_mesh(doubles_argument<3>(size_, "--size", session), placement);
+    if (shape_ == "box" || shape_ == "cube") {
+      return box_mesh(doubles_argument<3>(size_, "--size", session), placement);
+    }
     const double radius = double_argument(radius_, "--radius", session);
     if (shape_ == "sphere") return sphere_mesh(radius, segments_, context);
     if (shape_ == "torus") {

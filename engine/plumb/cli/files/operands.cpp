@@ -25,6 +25,7 @@
 #include "plumb/io/scene_reader.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
@@ -265,6 +266,11 @@ SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
 void require_solid(const std::string& file, const std::string& bytes) {
   const FileKind kind = kind_of_file(file, bytes);
   if (kind == FileKind::Solid) return;
+  // XML and other text may be taken for a drawing or for WKT.
+  constexpr std::string_view kPlaneKinds = "SVG GeoJSON TopoJSON WKT WKB DXF nef2";
+  if (const auto foreign = foreign_kind(bytes, kPlaneKinds)) {
+    throw Error(ErrorCode::UnknownFormat, *foreign, {.file = input_name(file)});
+  }
   const std::string what = kind == FileKind::Map ? "a map" : "a set of the plane";
   throw Error(ErrorCode::UnknownFormat,
               what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .nef",

@@ -39,7 +39,8 @@ GltfDocument::~GltfDocument() {
 void GltfDocument::require_version() const {
   const auto asset = object(kDocument, "asset");
   if (asset && text(*asset, "version").starts_with("2.")) return;
-  fail(ErrorCode::UnknownFormat, "asset", "does not say version 2 of glTF");
+  fail(ErrorCode::UnknownFormat, "asset",
+       "does not say version 2 of glTF; version 1 is not read: export the model as glTF 2.0");
 }
 
 bool GltfDocument::is_true(Id object, std::string_view member) const {

@@ -129,6 +129,11 @@ void GltfContainer::fail(std::size_t byte, ErrorCode code, const std::string& wh
 }
 
 GltfContainer open_gltf(std::string_view bytes, const std::string& name) {
+  if (bytes.find_first_not_of(" \t\r\n") == bytes.npos) {
+    TextCursor cursor(bytes, name);
+    cursor.next_line();
+    cursor.fail(ErrorCode::CountMismatch, "the file has no content");
+  }
   GltfContainer out{bytes, name, bytes.starts_with("glTF"), bytes, {}};
   if (out.is_binary) {
     read_chunks(out);
@@ -158,7 +163,8 @@ std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context
   if (uri.starts_with("data:")) return from_data_uri(uri, context);
   const std::string file = decoded_uri(uri);
   if (!is_file_name(file)) {
-    throw Error(ErrorCode::CannotOpen, "only files of the same folder are read");
+    throw Error(ErrorCode::CannotOpen,
+                plumb::quoted(file) + ": only files of the same folder are read");
   }
   if (!loader) throw Error(ErrorCode::CannotOpen, "the folder of its file is not known");
   return loader(file);

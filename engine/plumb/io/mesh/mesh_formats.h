@@ -14,6 +14,7 @@
 #include "plumb/base/context.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/lines.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/space/mesh_arrays.h"
@@ -96,17 +97,6 @@ class MeshCollector {
   std::uint64_t charged_corners_ = 0;
   std::uint64_t charged_faces_ = 0;
 };
-
-/// Returns `read(text)`. If the lines of the text end with CR alone, `read` gets a copy with LF,
-/// whose memory is charged while it exists.
-template <class Read>
-MeshFile read_lines(std::string_view text, const ReadOptions& options, Context& context,
-                    Read read) {
-  if (!ends_lines_with_cr(text)) return read(text);
-  MemoryCharge charge(context);
-  with_place(WholeFile{options.name}, [&] { charge.add(text.size(), "the lines of the file"); });
-  return read(with_line_feeds(text, text.size()));
-}
 
 // Welding: vertices at one place become one, for formats that list the corners of every triangle.
 

@@ -413,7 +413,7 @@ MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& co
     WholeFile{options.name}.fail(ErrorCode::CountMismatch, "the file has no content");
   }
   const RoundToNearest rounding;
-  return read_lines(text, options, context, [&](std::string_view lines) {
+  return read_lines(without_padding(text), options, context, [&](std::string_view lines) {
     return ObjReader(lines, options, loader, context).read();
   });
 }

@@ -742,7 +742,7 @@ bool begins_off(std::string_view word) {
 MeshFile read_off(std::string_view text, const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
   return read_lines(text, options, context, [&](std::string_view lines) {
-    OffReader reader(lines, options, context);
+    OffReader reader(without_padding(lines), options, context);
     if (!reader.read_keyword()) return reader.read();
     return OffBinaryReader(lines, reader.bytes_read(), reader.keyword(), options, context).read();
   });

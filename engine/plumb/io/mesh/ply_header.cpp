@@ -186,7 +186,7 @@ void HeaderReader::read_format() {
   constexpr std::string_view kKnown = "ascii, binary_little_endian or binary_big_endian";
   header_.format = find(kFormats, take(kKnown), kKnown);
   const std::string_view version = take("1.0");
-  if (version != "1.0") {
+  if (version != "1.0" && version != "1") {
     fail(ErrorCode::UnknownFormat,
          "version " + quoted(version) + " of the format; this program reads 1.0", version.data());
   }

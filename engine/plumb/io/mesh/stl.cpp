@@ -4,7 +4,8 @@
 // count of triangles, else by control characters, which no text has. The word "solid" alone does
 // not decide, because many binary files begin with it. Writers that stream leave the count of
 // triangles open, and others append bytes, so layout_of() compares count and size and accepts what
-// can be read in one way only. Nobody keeps to one grammar of the text either, so a text is a list
+// can be read in one way only. A file whose count fits its size when read in the other order of
+// bytes is refused. Nobody keeps to one grammar of the text either, so a text is a list
 // of statements. Only what no facet can do without must be there: a facet that is cut off by the
 // end of the file is refused. STL has no shared vertices, so equal points are welded, exactly,
 // after reading; a triangle that then has two equal corners is left out with a note. Binary
@@ -279,6 +280,16 @@ bool has_attribute_bytes(std::string_view bytes) {
                 "; it announces " + count_of(announced(bytes), "triangle"));
 }
 
+/// Refuses a file whose count is that of its triangles if its bytes are read in the other order.
+void refuse_big_endian(std::string_view bytes, const ReadOptions& options) {
+  BinaryInput in(bytes, kHeaderBytes, std::endian::big, options.name);
+  const std::uint64_t triangles = in.take<std::uint32_t>();
+  if (triangles == 0 || triangles * kTriangleBytes != in.bytes_left()) return;
+  in.fail(ErrorCode::UnknownFormat,
+          "the file has its numbers in big-endian order; binary STL is little-endian",
+          kHeaderBytes);
+}
+
 /// Compares the count that a binary file announces with its size. If they differ by less than a
 /// triangle, the count is right. If the size is one of whole triangles, it is the size that is
 /// right. Writers that do not know the count beforehand write 0 or the largest number.
@@ -288,7 +299,10 @@ BinaryLayout layout_of(std::string_view bytes, const ReadOptions& options) {
   const std::uint64_t needed = std::uint64_t{count} * kTriangleBytes;
   if (needed == room) return {count};
   if (has_attribute_bytes(bytes)) return {count, true};
+  refuse_big_endian(bytes, options);
   const bool has_more = needed < room;
+  // The attribute of the last triangle, which means nothing, may be cut off.
+  if (!has_more && needed - room <= sizeof(std::uint16_t)) return {count};
   if (has_more && room - needed < kTriangleBytes) {
     return {count, false, static_cast<std::size_t>(room - needed)};
   }
@@ -312,7 +326,9 @@ void read_triangle(BinaryInput& in, const BinaryLayout& layout, MeshCollector& m
     const double z = take_coordinate(in);
     mesh.add_point({x, y, z});
   }
-  if (const auto attribute = in.take<std::uint16_t>(); attribute != 0) {
+  const bool has_attribute = in.bytes_left() >= sizeof(std::uint16_t);
+  if (const auto attribute = has_attribute ? in.take<std::uint16_t>() : std::uint16_t{0};
+      attribute != 0) {
     mesh.pass_over("attributes of triangles");
     if (layout.has_attribute_bytes) in.skip(attribute);
   }

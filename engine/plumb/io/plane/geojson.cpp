@@ -435,6 +435,11 @@ void GeoJsonReader::add_lists(const Type& type) {
 }  // namespace
 
 PlaneFile read_geojson(std::string_view text, const ReadOptions& options, Context& context) {
+  if (text.find_first_not_of(" \t\r\n") == text.npos) {
+    TextCursor cursor(text, options.name);
+    cursor.next_line();
+    cursor.fail(ErrorCode::CountMismatch, "the file has no content");
+  }
   const RoundToNearest rounding;
   return GeoJsonReader(text, options, context).read();
 }

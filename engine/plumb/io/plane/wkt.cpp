@@ -20,6 +20,7 @@
 
 #include "plumb/io/plane/shape_text.h"
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/lines.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
 
@@ -107,7 +108,7 @@ class WktReader {
     std::string_view name;
     Body body;
   };
-  static const std::array<Kind, 13> kKinds;
+  static const std::array<Kind, 14> kKinds;
 
   /// What a word such as POINTZ names.
   struct Named {
@@ -167,11 +168,12 @@ class WktReader {
   ReadNumber x_, y_, height_, other_;
 };
 
-const std::array<WktReader::Kind, 13> WktReader::kKinds{{
+const std::array<WktReader::Kind, 14> WktReader::kKinds{{
     {"POINT", &WktReader::read_point},
     {"LINESTRING", &WktReader::read_line},
     {"LINEARRING", &WktReader::read_ring_as_polygon},
     {"POLYGON", &WktReader::read_polygon},
+    {"CURVEPOLYGON", &WktReader::read_polygon},  // Its rings may all be straight.
     {"TRIANGLE", &WktReader::read_polygon},
     {"MULTIPOINT", &WktReader::read_points},
     {"MULTILINESTRING", &WktReader::read_lines},
@@ -422,7 +424,10 @@ void WktReader::read_ring() {
 }
 
 void WktReader::read_polygon() {
-  read_list([this] { read_ring(); });
+  read_list([this] {
+    if (find_token() && is_curve(next_)) fail_kind(next_);
+    read_ring();
+  });
   shapes_.end_polygon();
 }
 
@@ -490,7 +495,9 @@ bool begins_like_wkt(std::string_view text) {
 
 PlaneFile read_wkt(std::string_view text, const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
-  return WktReader(text, options, context).read();
+  return read_lines(without_padding(text), options, context, [&](std::string_view lines) {
+    return WktReader(lines, options, context).read();
+  });
 }
 
 namespace {

@@ -133,7 +133,8 @@ bool lies_below(const std::string& folder, const std::string& file) {
   std::error_code error;
   const fs::path base = fs::canonical(folder.empty() ? "." : folder, error);
   if (error) return false;
-  const fs::path place = fs::weakly_canonical(file, error);
+  // A relative path whose first part does not exist would stay relative.
+  const fs::path place = fs::weakly_canonical(fs::absolute(file, error), error);
   return !error &&
          std::mismatch(base.begin(), base.end(), place.begin(), place.end()).first == base.end();
 }

@@ -149,7 +149,10 @@ void TextCursor::skip_comment() {
   const char* const line_end = std::find(p_, end_, '\n');
   const char* last = line_end;
   if (last != p_ && last[-1] == '\r') --last;
-  require_text({p_, static_cast<std::size_t>(last - p_)});
+  const char* const control = std::find_if(p_, last, [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7F;
+  });
+  if (control != last) require_text({control, 1});
   p_ = line_end;
 }
 

@@ -4,7 +4,7 @@
 //   - Lines end with LF or CRLF. Blanks are spaces and tabs.
 //   - Blank lines are skipped. A line is a comment if its first character other than a blank is
 //     '#'. Comments are skipped, too.
-//   - Comments must be UTF-8 without control characters.
+//   - Comments may be in any encoding that has ASCII in it. They have no control characters.
 //   - A byte order mark at the start is skipped.
 //   - Columns are counted in bytes, starting at 1.
 #pragma once

@@ -1,0 +1,45 @@
+// Files of another kind than the one that is read: what they are, and what to do.
+//
+// A reader that is given a file of another kind fails at its first word, and what it expected there
+// tells nobody that the file is packed, is in UTF-16, or is a STEP model. naming_foreign_files()
+// looks at the first bytes of a file that a reader refused. It never decides how a file is read, so
+// a file that a reader accepts may begin with anything.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "plumb/predicates/error.h"
+
+namespace plumb {
+
+/// Returns what the file is and what to do, such as "this is a file packed by gzip; unpack it
+/// first". `own` are the kinds that the reader reads, in words between blanks, such as " OFF ";
+/// these are not named. Returns no value if the first bytes are those of no other known kind. Cost:
+/// at most the first 4096 bytes are searched.
+std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view own);
+
+/// Whether an error may be due to a file of another kind.
+constexpr bool is_of_format(ErrorCode code) {
+  return code == ErrorCode::NotText || code == ErrorCode::Syntax ||
+         code == ErrorCode::CountMismatch || code == ErrorCode::UnknownFormat;
+}
+
+/// Returns `read()`. If it refuses the format of the file, and the file is of another kind, throws
+/// Error{UnknownFormat} "FILE: this is ...; ..." in its place.
+template <class Read>
+auto naming_foreign_files(std::string_view bytes, std::string_view own, const std::string& name,
+                          Read read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    if (!is_of_format(error.code()) || error.place().file != name) throw;
+    if (const auto kind = foreign_kind(bytes, own)) {
+      throw Error(ErrorCode::UnknownFormat, *kind, {name});
+    }
+    throw;
+  }
+}
+
+}  // namespace plumb
