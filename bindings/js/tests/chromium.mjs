@@ -1,16 +1,16 @@
 // Headless chromium for tests: a server of the package, and what a page shows.
 import {spawn, spawnSync} from 'node:child_process';
-import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
+import {mkdtempSync, readFileSync, rmSync, statSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
-import {basename, dirname, join} from 'node:path';
+import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const tests = dirname(fileURLToPath(import.meta.url));
 export const dist = process.env.PLUMB_JS_DIST ?? join(tests, '../dist');
 export const hasChromium = spawnSync('chromium', ['--version']).status === 0;
 
-const types = {js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm', html: 'text/html'};
+const types = {js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm', html: 'text/html', css: 'text/css'};
 
 /** Serves the package, the scripts of the tests and a page, and hands what is posted to `receive`. */
 export async function serve(page, receive = () => {}) {
@@ -20,9 +20,9 @@ export async function serve(page, receive = () => {}) {
       request.on('data', (part) => (text += part)).on('end', () => response.end() && receive(text));
       return;
     }
-    const name = basename(new URL(request.url, 'http://host').pathname);
-    const file = [dist, tests].map((folder) => join(folder, name)).find((path) => name !== '' && existsSync(path));
-    response.setHeader('content-type', types[name.split('.').at(-1)] ?? 'text/html');
+    const {pathname} = new URL(request.url, 'http://host');  // Dots that lead upwards are resolved here.
+    const file = [dist, tests].map((folder) => join(folder, pathname)).find((path) => statSync(path, {throwIfNoEntry: false})?.isFile());
+    response.setHeader('content-type', types[pathname.split('.').at(-1)] ?? 'text/html');
     response.end(file === undefined ? page : readFileSync(file));
   });
   await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
