@@ -10,9 +10,17 @@ const tests = dirname(fileURLToPath(import.meta.url));
 export const dist = process.env.PLUMB_JS_DIST ?? join(tests, '../dist');
 export const hasChromium = spawnSync('chromium', ['--version']).status === 0;
 
-const types = {js: 'text/javascript', mjs: 'text/javascript', wasm: 'application/wasm', html: 'text/html', css: 'text/css'};
+const types = {
+  js: 'text/javascript',
+  mjs: 'text/javascript',
+  wasm: 'application/wasm',
+  html: 'text/html',
+  css: 'text/css'
+};
 
-/** Serves the package, the scripts of the tests and a page, and hands what is posted to `receive`. */
+/**
+ * Serves the package, the scripts of the tests and a page, and hands what is posted to `receive`.
+ */
 export async function serve(page, receive = () => {}) {
   const server = createServer((request, response) => {
     if (request.method === 'POST') {
@@ -20,8 +28,12 @@ export async function serve(page, receive = () => {}) {
       request.on('data', (part) => (text += part)).on('end', () => response.end() && receive(text));
       return;
     }
-    const {pathname} = new URL(request.url, 'http://host');  // Dots that lead upwards are resolved here.
-    const file = [dist, tests].map((folder) => join(folder, pathname)).find((path) => statSync(path, {throwIfNoEntry: false})?.isFile());
+    const {pathname} =
+        new URL(request.url, 'http://host');  // Dots that lead upwards are resolved here.
+    const file =
+        [dist, tests].map((folder) => join(folder, pathname)).find((path) => statSync(path, {
+                                                                               throwIfNoEntry: false
+                                                                             })?.isFile());
     response.setHeader('content-type', types[pathname.split('.').at(-1)] ?? 'text/html');
     response.end(file === undefined ? page : readFileSync(file));
   });
@@ -29,7 +41,10 @@ export async function serve(page, receive = () => {}) {
   return server;
 }
 
-/** The first text that a page posts: `await fetch('/shown', {method: 'POST', body: text})`. An error that nobody catches is one. */
+/**
+ * The first text that a page posts: `await fetch('/shown', {method: 'POST', body: text})`. An
+ * error that nobody catches is one.
+ */
 export async function shownBy(page) {
   const watch = `<script>
     for (const name of ['error', 'unhandledrejection']) {
@@ -39,12 +54,17 @@ export async function shownBy(page) {
   const shown = new Promise((resolve) => (receive = resolve));
   const server = await serve(`<!doctype html><meta charset="utf-8">${watch}${page}`, receive);
   const profile = mkdtempSync(join(tmpdir(), 'plumb-js-'));
-  const browser = spawn('chromium', [
-    '--headless', '--no-sandbox', '--disable-gpu', `--user-data-dir=${profile}`, `http://127.0.0.1:${server.address().port}/`],
-  {stdio: 'ignore'});
+  const browser = spawn(
+      'chromium',
+      [
+        '--headless', '--no-sandbox', '--disable-gpu', `--user-data-dir=${profile}`,
+        `http://127.0.0.1:${server.address().port}/`
+      ],
+      {stdio: 'ignore'});
   const ended = new Promise((resolve) => browser.on('exit', resolve));
   try {
-    return await Promise.race([shown, ended.then(() => Promise.reject(new Error('chromium has ended')))]);
+    return await Promise.race(
+        [shown, ended.then(() => Promise.reject(new Error('chromium has ended')))]);
   } finally {
     browser.kill();
     await ended;

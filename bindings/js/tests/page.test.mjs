@@ -1,14 +1,20 @@
-// The page in headless chromium, from files to the download, as a visitor uses it: in a frame that this test drives.
+// The page in headless chromium, from files to the download, as a visitor uses it: in a frame that
+// this test drives.
 import assert from 'node:assert/strict';
 import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
+
 import {dist, hasChromium, shownBy} from './chromium.mjs';
 
 const skip = !hasChromium || !existsSync(join(dist, 'page/index.html'));
 
-/** A page that opens the package's page in a frame and posts what `steps`, a script, returns as JSON. */
-const driver = (steps) => `<iframe id="page" src="/page/index.html" style="width:900px;height:700px"></iframe><script type="module">
+/**
+ * A page that opens the package's page in a frame and posts what `steps`, a script, returns as
+ * JSON.
+ */
+const driver = (steps) =>
+    `<iframe id="page" src="/page/index.html" style="width:900px;height:700px"></iframe><script type="module">
 const frame = document.getElementById('page');
 const at = (id) => frame.contentDocument?.getElementById(id);
 const until = async (condition) => {
@@ -36,8 +42,10 @@ const shown = async (steps) => {
   return text.startsWith('{') ? JSON.parse(text) : assert.fail(text);
 };
 
-test('two meshes: operations, facts, the picture and the file', {skip, timeout: 200000}, async () => {
-  const found = await shown(`
+test(
+    'two meshes: operations, facts, the picture and the file', {skip, timeout: 200000},
+    async () => {
+      const found = await shown(`
     give({'a.off': box(0, 6), 'b.off': box(0.5, 6)});
     await said('Done');
     const union = facts();
@@ -51,25 +59,31 @@ test('two meshes: operations, facts, the picture and the file', {skip, timeout: 
     at('format').value = 'off';
     at('download').click();
     return {union, difference: facts(), names: lines('names'), file: await saved, picture: at('picture').srcdoc.length};`);
-  assert.equal(found.union.volume, '1.5');
-  assert.deepEqual([found.difference.volume, found.difference.vertices, found.difference.convex], ['0.5', '8', 'yes']);
-  assert.deepEqual(found.names, ['A: a.off', 'B: b.off']);
-  assert.ok(found.file.startsWith('OFF\n8 6 '), found.file.slice(0, 40));
-  assert.ok(found.picture > 10000);
-});
+      assert.equal(found.union.volume, '1.5');
+      assert.deepEqual(
+          [found.difference.volume, found.difference.vertices, found.difference.convex],
+          ['0.5', '8', 'yes']);
+      assert.deepEqual(found.names, ['A: a.off', 'B: b.off']);
+      assert.ok(found.file.startsWith('OFF\n8 6 '), found.file.slice(0, 40));
+      assert.ok(found.picture > 10000);
+    });
 
-test('an open mesh is mended, and a broken file is an error with its place', {skip, timeout: 200000}, async () => {
-  const found = await shown(`
+test(
+    'an open mesh is mended, and a broken file is an error with its place', {skip, timeout: 200000},
+    async () => {
+      const found = await shown(`
     give({'open.off': box(0, 5)});
     await said('Done');
     const defects = lines('defects'), volume = facts().volume;
     give({'bad.off': 'OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 x 0\\n3 0 1 2\\n'});
     await until(() => at('status').classList.contains('error'));
     return {defects, volume, error: at('status').textContent};`);
-  assert.equal(found.volume, '1');
-  assert.ok(found.defects.some((line) => line.includes('borders: 1')) && found.defects.some((line) => line.includes('mended')));
-  assert.ok(found.error.startsWith('bad.off:5:3: '), found.error);
-});
+      assert.equal(found.volume, '1');
+      assert.ok(
+          found.defects.some((line) => line.includes('borders: 1')) &&
+          found.defects.some((line) => line.includes('mended')));
+      assert.ok(found.error.startsWith('bad.off:5:3: '), found.error);
+    });
 
 test('a layer: overlaps and gaps are found and repaired', {skip, timeout: 200000}, async () => {
   const found = await shown(`
