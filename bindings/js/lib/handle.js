@@ -3,9 +3,14 @@
 // An object of JavaScript owns one object of the engine. dispose() releases it; if nobody calls
 // dispose(), a registry releases it some time after the last reference is gone. The address is
 // private to this module, which hands it to the other ones by functions.
-import {badArgument, engine, shown} from './memory.js';
+import {badArgument, engine, isReady, shown} from './memory.js';
 
-const registry = new FinalizationRegistry(({free, address}) => engine()[`_${free}`](address));
+const registry = new FinalizationRegistry(({free, address}) => release(free, address));
+
+// Nothing is left to do where the engine has stopped.
+function release(free, address) {
+  if (isReady()) engine()[`_${free}`](address);
+}
 const wrapped = Symbol('wrapped');
 
 export let addressOf, wrap;
@@ -32,7 +37,7 @@ export class Handle {
   dispose() {
     if (this.#address === 0) return;
     registry.unregister(this);
-    engine()[`_${this.constructor.free}`](this.#address);
+    release(this.constructor.free, this.#address);
     this.#address = 0;
   }
 

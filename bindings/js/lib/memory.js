@@ -10,20 +10,22 @@
 import {PlumbError} from './error.js';
 
 let module = null;
+let failure = null;  // Why the engine cannot be used any more.
 
 /** Makes the instance of the WebAssembly module that all calls use. */
 export function setModule(instance) { module = instance; }
 
 /** The instance, or an exception that says how to make it. */
 export function engine() {
+  if (failure !== null) throw failure;
   if (module === null) {
     throw new PlumbError('NOT_READY', 'plumb is not ready: call and await init() first');
   }
   return module;
 }
 
-/** Whether init() has loaded the engine. */
-export const isReady = () => module !== null;
+/** Whether init() has loaded the engine, and it has not stopped. */
+export const isReady = () => module !== null && failure === null;
 
 // ---- texts and arrays that come out
 
@@ -321,7 +323,7 @@ export class Frame {
 
   #call(name, inputs) {
     const error = this.block(4);
-    const status = engine()[`_${name}`](...inputs, error);
+    const status = statusOf(name, inputs, error);
     if (status === 0) return;
     const failure = takeError(status, this.u32(error));
     if (this.#stop !== null && failure.code === 'CANCELLED') throw this.#stop.error;
@@ -329,11 +331,22 @@ export class Frame {
   }
 
   release() {
+    if (!isReady()) return;
     const free = engine()._free;
     if (this.#context !== 0) engine()._plumb_context_free(this.#context);
     for (const address of this.#blocks) free(address);
     this.#blocks = [];
     this.#context = 0;
+  }
+}
+
+/** Calls a function. After a trap, where GMP ends without memory, nothing can be called again. */
+function statusOf(name, inputs, error) {
+  try {
+    return engine()[`_${name}`](...inputs, error);
+  } catch (trap) {
+    failure = new PlumbError('INTERNAL', `the engine has stopped: ${trap?.message ?? trap}`);
+    throw failure;
   }
 }
 

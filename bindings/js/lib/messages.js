@@ -15,6 +15,7 @@ function mapped(value, mark) {
   const marker = mark(value);
   if (marker !== undefined) return marker;
   if (Array.isArray(value)) return value.map((element) => mapped(element, mark));
+  if (Object.getPrototypeOf(value) !== Object.prototype) return value;
   return Object.fromEntries(
       Object.entries(value).map(([name, member]) => [name, mapped(member, mark)]));
 }

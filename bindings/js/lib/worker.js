@@ -21,7 +21,7 @@ const numbers = new WeakMap();  // The number of each proxy, and the connection 
  */
 export async function connect({wasm, worker} = {}) {
   const connection = new Connection(worker ?? await startWorker());
-  await connection.call(null, 'init', [{wasm}]);
+  await connection.call(null, 'init', [{wasm: wasm instanceof URL ? wasm.href : wasm}]);
   const offered = {terminate: () => connection.terminate()};
   for (const name of classes) offered[name] = membersOf(connection, name);
   for (const name of functions) offered[name] = (...inputs) => connection.call(null, name, inputs);

@@ -2,10 +2,11 @@
 // the types. node --test bindings/js/tests; PLUMB_JS_DIST names the package. Skipped where the
 // package has the predicates only.
 import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
 import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {test} from 'node:test';
-import {fileURLToPath} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 
 import {cases, failure} from './core.mjs';
 
@@ -128,6 +129,38 @@ test(
       assert.ok(performance.now() - start < 20000, 'the operation went on');
       await assert.rejects(a.union(b, {signal: AbortSignal.abort(reason)}), reason);
     }));
+
+test('the worker loads the engine from where it is told', {skip, timeout: 120000}, async () => {
+  const {connect} = await import(join(dist, 'worker.js'));
+  const bytes = readFileSync(join(dist, 'engine.wasm'));
+  const places = [await WebAssembly.compile(bytes), bytes, pathToFileURL(join(dist, 'engine.wasm'))];
+  for (const wasm of places) {
+    const remote = await connect({wasm});
+    assert.match(await remote.version(), /^\d/);
+    remote.terminate();
+  }
+  await assert.rejects(connect({wasm: new URL('missing.wasm', import.meta.url)}));
+});
+
+test('after a trap, everything says that the engine has stopped', {skip}, () => {
+  const script = `
+    const {init, isReady, Solid} = await import('./index.js'), {engine} = await import('./memory.js');
+    await init();
+    const solid = Solid.ball(1), codes = [];
+    engine()._plumb_solid_volume = () => { throw new WebAssembly.RuntimeError('unreachable'); };
+    for (const use of [() => solid.volume(), () => solid.counts(), () => Solid.empty()]) {
+      try {
+        use();
+      } catch ({code, message}) {
+        codes.push(code + ' ' + message.includes('unreachable'));
+      }
+    }
+    solid.dispose();
+    console.log(codes.join(), isReady());`;
+  const {stdout, stderr} = spawnSync(
+      process.execPath, ['--input-type=module', '-e', script], {cwd: dist, encoding: 'utf8'});
+  assert.equal(stdout.trim(), 'INTERNAL true,INTERNAL true,INTERNAL true false', stderr);
+});
 
 // ---- types
 
