@@ -3,10 +3,11 @@
 //   bindings/js/build && npm install --no-save --prefix build/peers manifold-3d
 //   node bench/peers/js_peer.mjs [PAIR...] [--rounds N] [--prefix FOLDER] [--package FOLDER]
 //
-// CPU time, user and system, of this process, from arrays of vertices and triangles to such arrays: both libraries in turn, N rounds,
-// and one before that is not counted; medians. Each has one thread. plumb rounds to the nearest doubles, as space_peer.cpp does; the
-// last column is its time with a mesh that is valid after rounding. Manifold keeps floats, to which it rounds the input. The pairs are
-// those of space_peer.cpp. The answer is the volume of the union, to 1e-4 of it.
+// CPU time, user and system, of this process, from arrays of vertices and triangles to such arrays:
+// both libraries in turn, N rounds, and one before that is not counted; medians. Each has one
+// thread. plumb rounds to the nearest doubles, as space_peer.cpp does; the last column is its time
+// with a mesh that is valid after rounding. Manifold keeps floats, to which it rounds the input.
+// The pairs are those of space_peer.cpp. The answer is the volume of the union, to 1e-4 of it.
 import {readFileSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
@@ -30,15 +31,19 @@ function icosphere(depth, centre) {
   const golden = (1 + Math.sqrt(5)) / 2;
   const first = [[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0]];
   const unit = (p) => p.map((x) => x / Math.hypot(...p));
-  const points = [...first, ...first.map(([x, y, z]) => [z, x, y]), ...first.map(([x, y, z]) => [y, z, x])].map(unit);
+  const points = [
+    ...first, ...first.map(([x, y, z]) => [z, x, y]), ...first.map(([x, y, z]) => [y, z, x])
+  ].map(unit);
   const dot = (p, q) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-  const det = (p, q, r) => dot(p, [q[1] * r[2] - q[2] * r[1], q[2] * r[0] - q[0] * r[2], q[0] * r[1] - q[1] * r[0]]);
+  const det = (p, q, r) =>
+      dot(p, [q[1] * r[2] - q[2] * r[1], q[2] * r[0] - q[0] * r[2], q[0] * r[1] - q[1] * r[0]]);
   const near = (i, j) => i !== j && dot(points[i], points[j]) > 0.4;
   let faces = [];
   for (let i = 0; i < 12; ++i) {
     for (let j = i + 1; j < 12; ++j) {
       for (let k = i + 1; k < 12; ++k) {
-        if (near(i, j) && near(i, k) && near(j, k) && det(points[i], points[j], points[k]) > 0) faces.push([i, j, k]);
+        if (near(i, j) && near(i, k) && near(j, k) && det(points[i], points[j], points[k]) > 0)
+          faces.push([i, j, k]);
       }
     }
   }
@@ -46,7 +51,8 @@ function icosphere(depth, centre) {
     const middle = new Map();
     const between = (a, b) => {
       const key = Math.min(a, b) * 1e6 + Math.max(a, b);
-      if (!middle.has(key)) middle.set(key, points.push(unit(points[a].map((x, axis) => x + points[b][axis]))) - 1);
+      if (!middle.has(key))
+        middle.set(key, points.push(unit(points[a].map((x, axis) => x + points[b][axis]))) - 1);
       return middle.get(key);
     };
     faces = faces.flatMap(([a, b, c]) => {
@@ -54,7 +60,10 @@ function icosphere(depth, centre) {
       return [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]];
     });
   }
-  return {vertices: Float64Array.from(points.flatMap((p) => p.map((x, axis) => x + centre[axis]))), triangles: Uint32Array.from(faces.flat())};
+  return {
+    vertices: Float64Array.from(points.flatMap((p) => p.map((x, axis) => x + centre[axis]))),
+    triangles: Uint32Array.from(faces.flat())
+  };
 }
 
 function gridCube(n, low) {
@@ -81,15 +90,20 @@ function gridCube(n, low) {
       }
     }
   }
-  return {vertices: Float64Array.from(points.flatMap((p) => p.map((x, axis) => x + low[axis]))), triangles: Uint32Array.from(triangles)};
+  return {
+    vertices: Float64Array.from(points.flatMap((p) => p.map((x, axis) => x + low[axis]))),
+    triangles: Uint32Array.from(triangles)
+  };
 }
 
 function bunny() {
-  const numbers = readFileSync(join(root, 'corpus/solids/bunny.off'), 'utf8').split(/\s+/).slice(1).map(Number);
+  const numbers =
+      readFileSync(join(root, 'corpus/solids/bunny.off'), 'utf8').split(/\s+/).slice(1).map(Number);
   const [points, faces] = numbers, at = 3 + 3 * points;
   return {
     vertices: Float64Array.from(numbers.slice(3, at)),
-    triangles: Uint32Array.from({length: 3 * faces}, (_, i) => numbers[at + 4 * Math.floor(i / 3) + 1 + (i % 3)]),
+    triangles: Uint32Array.from(
+        {length: 3 * faces}, (_, i) => numbers[at + 4 * Math.floor(i / 3) + 1 + (i % 3)]),
   };
 }
 
@@ -122,20 +136,25 @@ const pairs = {
 
 const plumb = await import(pathToFileURL(join(dist, 'index.js')).href);
 await plumb.init();
-const {default: load} = await import(pathToFileURL(join(prefix, 'node_modules/manifold-3d/manifold.js')).href);
-const {version} = JSON.parse(readFileSync(join(prefix, 'node_modules/manifold-3d/package.json'), 'utf8'));
+const {default: load} =
+    await import(pathToFileURL(join(prefix, 'node_modules/manifold-3d/manifold.js')).href);
+const {version} =
+    JSON.parse(readFileSync(join(prefix, 'node_modules/manifold-3d/package.json'), 'utf8'));
 const {Manifold, Mesh} = await load().then((library) => (library.setup(), library));
 
 function byPlumb([a, b], rounding) {
   const {Solid} = plumb;
-  const first = Solid.fromMesh(a.vertices, a.triangles), second = Solid.fromMesh(b.vertices, b.triangles), sum = first.union(second);
+  const first = Solid.fromMesh(a.vertices, a.triangles),
+        second = Solid.fromMesh(b.vertices, b.triangles), sum = first.union(second);
   const mesh = sum.toMesh({rounding});
   for (const solid of [first, second, sum]) solid.dispose();
   return mesh;
 }
 
 function byManifold(meshes) {
-  const [first, second] = meshes.map(({floats, triangles}) => new Manifold(new Mesh({numProp: 3, vertProperties: floats, triVerts: triangles})));
+  const [first, second] = meshes.map(
+      ({floats, triangles}) =>
+          new Manifold(new Mesh({numProp: 3, vertProperties: floats, triVerts: triangles})));
   const sum = first.add(second), mesh = sum.getMesh();
   for (const solid of [first, second, sum]) solid.delete();
   return {vertices: mesh.vertProperties, triangles: mesh.triVerts, width: mesh.numProp};
@@ -145,7 +164,8 @@ function volume({vertices: p, triangles, width = 3}) {
   let sum = 0;
   for (let i = 0; i < triangles.length; i += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => width * triangles[i + k]);
-    sum += p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) + p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2]) +
+    sum += p[a] * (p[b + 1] * p[c + 2] - p[b + 2] * p[c + 1]) +
+        p[a + 1] * (p[b + 2] * p[c] - p[b] * p[c + 2]) +
         p[a + 2] * (p[b] * p[c + 1] - p[b + 1] * p[c]);
   }
   return sum / 6;
@@ -158,24 +178,33 @@ function cpuOf(body) {
 
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
-console.log(`plumb ${plumb.version()} and manifold-3d ${version}, ${rounds} rounds; seconds of CPU`);
+console.log(
+    `plumb ${plumb.version()} and manifold-3d ${version}, ${rounds} rounds; seconds of CPU`);
 console.log('| two of | plumb, nearest doubles | manifold-3d | ratio | plumb, valid |');
 console.log('|---|---|---|---|---|');
 for (const name of words.length > 0 ? words : Object.keys(pairs)) {
   const pair = pairs[name]().map((mesh) => ({...mesh, floats: Float32Array.from(mesh.vertices)}));
-  const ways = {nearest: () => byPlumb(pair, 'nearest'), manifold: () => byManifold(pair), valid: () => byPlumb(pair, 'valid')};
+  const ways = {
+    nearest: () => byPlumb(pair, 'nearest'),
+    manifold: () => byManifold(pair),
+    valid: () => byPlumb(pair, 'valid')
+  };
   const times = {nearest: [], manifold: [], valid: []}, volumes = {};
   for (let round = -1; round < rounds; ++round) {
     for (const [way, body] of Object.entries(ways)) {
       const {seconds, result} = cpuOf(body);
-      if (round >= 0) times[way].push(seconds);
-      else volumes[way] = volume(result);
+      if (round >= 0)
+        times[way].push(seconds);
+      else
+        volumes[way] = volume(result);
     }
   }
   for (const way of ['manifold', 'valid']) {
-    if (Math.abs(volumes[way] - volumes.nearest) > tolerance * volumes.nearest) throw new Error(`${name}: volumes ${JSON.stringify(volumes)}`);
+    if (Math.abs(volumes[way] - volumes.nearest) > tolerance * volumes.nearest)
+      throw new Error(`${name}: volumes ${JSON.stringify(volumes)}`);
   }
   const ratios = times.nearest.map((seconds, i) => seconds / times.manifold[i]);
   const shown = (way) => `${median(times[way]).toPrecision(2)} s`;
-  console.log(`| ${name} | ${shown('nearest')} | ${shown('manifold')} | ${median(ratios).toFixed(2)} | ${shown('valid')} |`);
+  console.log(`| ${name} | ${shown('nearest')} | ${shown('manifold')} | ${
+      median(ratios).toFixed(2)} | ${shown('valid')} |`);
 }

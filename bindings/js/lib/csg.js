@@ -5,15 +5,20 @@ import {PlaneSet} from './plane_set.js';
 import {readOptions, tell, withFiles} from './sets.js';
 import {Solid} from './solid.js';
 
-/** Evaluates a model (.csg). Gives a Solid, a PlaneSet, or null for a model without geometry. `files` has the files that it imports. */
+/**
+ * Evaluates a model (.csg). Gives a Solid, a PlaneSet, or null for a model without geometry.
+ * `files` has the files that it imports.
+ */
 export function readCsg(data, {name = 'model.csg', files = {}, ...options} = {}) {
-  return inFrame(options, (frame) => withFiles({...files, [name]: data}, (folder) => {
-    const solid = frame.block(4), set = frame.block(4), notes = frame.block(4);
-    const below = 0;
-    frame.check('plumb_csg_read_file', frame.text(`${folder}/${name}`, 'name'), readOptions(frame, options), below, solid, set, notes,
-        frame.context());
-    tell(frame.notes(notes), options);
-    if (frame.u32(solid) !== 0) return wrap(Solid, frame.u32(solid));
-    return frame.u32(set) !== 0 ? wrap(PlaneSet, frame.u32(set)) : null;
-  }));
+  return inFrame(
+      options, (frame) => withFiles({...files, [name]: data}, (folder) => {
+                 const solid = frame.block(4), set = frame.block(4), notes = frame.block(4);
+                 const below = 0;
+                 frame.check(
+                     'plumb_csg_read_file', frame.text(`${folder}/${name}`, 'name'),
+                     readOptions(frame, options), below, solid, set, notes, frame.context());
+                 tell(frame.notes(notes), options);
+                 if (frame.u32(solid) !== 0) return wrap(Solid, frame.u32(solid));
+                 return frame.u32(set) !== 0 ? wrap(PlaneSet, frame.u32(set)) : null;
+               }));
 }

@@ -1,4 +1,7 @@
-/** What goes wrong. `code` is a name such as 'BAD_SHAPE'; the last three are empty or 0 if the error is about no text. */
+/**
+ * What goes wrong. `code` is a name such as 'BAD_SHAPE'; the last three are empty or 0 if the
+ * error is about no text.
+ */
 export class PlumbError extends Error {
   constructor(code, message, {text = message, file = '', line = 0, column = 0} = {}) {
     super(text);
@@ -14,7 +17,10 @@ export class PlumbError extends Error {
   without(text) {
     const short = (from) => from.replaceAll(text, '');
     return new PlumbError(this.code, short(this.reason), {
-      text: short(this.message), file: short(this.file), line: this.line, column: this.column,
+      text: short(this.message),
+      file: short(this.file),
+      line: this.line,
+      column: this.column,
     });
   }
 }

@@ -21,30 +21,28 @@ export class Fraction {
     Object.freeze(this);
   }
 
-  /** The exact value of a number, BigInt, fraction, or text such as '1/3', '0.1' (a tenth) or '2.5e-3'. */
+  /**
+   * The exact value of a number, BigInt, fraction, or text such as '1/3', '0.1' (a tenth) or
+   * '2.5e-3'.
+   */
   static from(value) {
     if (value instanceof Fraction) return value;
     if (typeof value === 'bigint') return new Fraction(value);
     if (typeof value === 'number') return ofDouble(value);
     if (typeof value === 'string') return ofText(value);
-    throw badArgument(`an exact number is a number, a BigInt, a Fraction or a string, not ${shown(value)}`);
+    throw badArgument(
+        `an exact number is a number, a BigInt, a Fraction or a string, not ${shown(value)}`);
   }
 
   /** 'p/q', or 'p'. */
   toString() {
     return this.denominator === 1n ? `${this.numerator}` : `${this.numerator}/${this.denominator}`;
   }
-  toJSON() {
-    return this.toString();
-  }
+  toJSON() { return this.toString(); }
 
   /** The nearest number; an infinity beyond the largest one. */
-  toNumber() {
-    return nearest(this.numerator, this.denominator);
-  }
-  valueOf() {
-    return this.toNumber();
-  }
+  toNumber() { return nearest(this.numerator, this.denominator); }
+  valueOf() { return this.toNumber(); }
 
   /** Whether an exact number has the same value. */
   equals(other) {
@@ -53,18 +51,21 @@ export class Fraction {
   }
 }
 
-const bitLength = (n) => (n === 0n ? 0 : n.toString(16).length * 4 - Math.clz32(parseInt(n.toString(16)[0], 16)) + 28);
+const bitLength = (n) =>
+    (n === 0n ? 0 : n.toString(16).length * 4 - Math.clz32(parseInt(n.toString(16)[0], 16)) + 28);
 
-// A quotient of 64 bits or more, whose last bit says whether anything is left, is rounded once by Number(): to nearest, ties to
-// even. A result below the normal numbers is cut to the bits that it has before it is rounded.
+// A quotient of 64 bits or more, whose last bit says whether anything is left, is rounded once by
+// Number(): to nearest, ties to even. A result below the normal numbers is cut to the bits that it
+// has before it is rounded.
 function nearest(p, q) {
   if (p === 0n) return 0;
   const sign = p < 0n ? -1 : 1;
   if (p < 0n) p = -p;
   let shift = 66 - (bitLength(p) - bitLength(q));  // The quotient has 66 or 67 bits.
-  if (shift > 1074 + 2) shift = 1074 + 2;          // Two bits below the last one of subnormal numbers.
+  if (shift > 1074 + 2) shift = 1074 + 2;  // Two bits below the last one of subnormal numbers.
   let quotient = shift >= 0 ? (p << BigInt(shift)) / q : p / (q << BigInt(-shift));
-  const exact = shift >= 0 ? quotient * q === p << BigInt(shift) : quotient * (q << BigInt(-shift)) === p;
+  const exact =
+      shift >= 0 ? quotient * q === p << BigInt(shift) : quotient * (q << BigInt(-shift)) === p;
   if (shift === 1076) {
     // Multiples of 2^-1074 are what there is below the normal numbers: round to one here.
     const units = quotient >> 2n, rest = (quotient & 3n) * 2n + (exact ? 0n : 1n);
@@ -75,7 +76,8 @@ function nearest(p, q) {
   return sign * scaled(Number(quotient), -shift - 1);
 }
 
-// x times 2^exponent. Neither step rounds, because x has 53 bits and the result is normal, or is an infinity.
+// x times 2^exponent. Neither step rounds, because x has 53 bits and the result is normal, or is an
+// infinity.
 function scaled(x, exponent) {
   const half = Math.trunc(exponent / 2);
   return x * 2 ** half * 2 ** (exponent - half);
@@ -85,7 +87,8 @@ function ofDouble(x) {
   if (!Number.isFinite(x)) throw new PlumbError('NOT_FINITE', `${x} is not finite`);
   if (Number.isInteger(x)) return new Fraction(BigInt(x));
   let q = 1n;
-  while (!Number.isInteger(x)) {  // Products with powers of 2 are exact, as long as they are below the largest number.
+  while (!Number.isInteger(
+      x)) {  // Products with powers of 2 are exact, as long as they are below the largest number.
     const step = Math.abs(x) < 1 ? 2 ** 500 : 2 ** 53;
     x *= step;
     q *= BigInt(step);
@@ -93,7 +96,8 @@ function ofDouble(x) {
   return new Fraction(BigInt(x), q);
 }
 
-const decimal = /^([+-]?)(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d{1,5}))?$|^([+-]?)\.(\d+)(?:[eE]([+-]?\d{1,5}))?$/;
+const decimal =
+    /^([+-]?)(\d+)(?:\.(\d*))?(?:[eE]([+-]?\d{1,5}))?$|^([+-]?)\.(\d+)(?:[eE]([+-]?\d{1,5}))?$/;
 function ofText(text) {
   const quotient = /^\s*([+-]?\d+)\s*\/\s*(\d+)\s*$/.exec(text);
   if (quotient) return new Fraction(BigInt(quotient[1].replace('+', '')), BigInt(quotient[2]));
@@ -103,7 +107,8 @@ function ofText(text) {
   const whole = match[2] ?? '', part = match[3] ?? match[6] ?? '';
   const exponent = Number(match[4] ?? match[7] ?? 0) - part.length;
   const digits = sign * BigInt(whole + part || '0');
-  return exponent >= 0 ? new Fraction(digits * 10n ** BigInt(exponent)) : new Fraction(digits, 10n ** BigInt(-exponent));
+  return exponent >= 0 ? new Fraction(digits * 10n ** BigInt(exponent)) :
+                         new Fraction(digits, 10n ** BigInt(-exponent));
 }
 
 // ---- lists in the engine's memory
@@ -119,7 +124,10 @@ function listOf(frame, values) {
   return frame.make('plumb_numbers_from_texts', address, count);
 }
 
-/** Runs a body with a list of exact numbers, and releases the list. `values` is an array of exact numbers. */
+/**
+ * Runs a body with a list of exact numbers, and releases the list. `values` is an array of exact
+ * numbers.
+ */
 export function withNumbers(frame, values, what, body) {
   if (!Array.isArray(values) && !(values instanceof Float64Array)) {
     throw badArgument(`${what} must be an array of exact numbers, not ${shown(values)}`);
@@ -134,17 +142,21 @@ export function withNumbers(frame, values, what, body) {
 
 /** A point or vector of exactly `width` exact numbers. */
 export function vector(values, width, what) {
-  if ((Array.isArray(values) || ArrayBuffer.isView(values)) && values.length === width) return Array.from(values);
-  throw badArgument(`${what} must be an array of ${width} exact numbers, not ${Array.isArray(values) ? `of ${values.length}` : shown(values)}`);
+  if ((Array.isArray(values) || ArrayBuffer.isView(values)) && values.length === width)
+    return Array.from(values);
+  throw badArgument(`${what} must be an array of ${width} exact numbers, not ${
+      Array.isArray(values) ? `of ${values.length}` : shown(values)}`);
 }
 
 /** Points of `width` exact numbers each, as one list. */
 export function vectors(points, width, what) {
   if (points instanceof Float64Array) {
-    if (points.length % width !== 0) throw badArgument(`${what} has ${points.length} numbers, which is no multiple of ${width}`);
+    if (points.length % width !== 0)
+      throw badArgument(`${what} has ${points.length} numbers, which is no multiple of ${width}`);
     return points;
   }
-  if (!Array.isArray(points)) throw badArgument(`${what} must be an array of points, not ${shown(points)}`);
+  if (!Array.isArray(points))
+    throw badArgument(`${what} must be an array of points, not ${shown(points)}`);
   return points.flatMap((point, i) => vector(point, width, `${what}[${i}]`));
 }
 
@@ -152,7 +164,8 @@ export function vectors(points, width, what) {
 export function takeNumbers(list) {
   const result = [];
   const length = engine()._plumb_numbers_count(list) >>> 0;
-  for (let i = 0; i < length; ++i) result.push(ofText(textAt(engine()._plumb_numbers_exact(list, i))));
+  for (let i = 0; i < length; ++i)
+    result.push(ofText(textAt(engine()._plumb_numbers_exact(list, i))));
   engine()._plumb_numbers_free(list);
   return result;
 }

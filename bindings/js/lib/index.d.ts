@@ -3,7 +3,7 @@
 /** Loads the engine; needed once, before anything else. Later calls wait for the same load. */
 export function init(options?: {
   /** The address, the bytes or the module of engine.wasm, if it does not lie beside the script. */
-  wasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
+  wasm?: string|URL|ArrayBuffer|Uint8Array|WebAssembly.Module;
 }): Promise<void>;
 /** Whether the engine is loaded. */
 export function isReady(): boolean;
@@ -14,13 +14,18 @@ export function version(): string;
 
 /** Names of what goes wrong. */
 export type ErrorCode =
-  | 'CANNOT_OPEN' | 'CANNOT_WRITE' | 'NOT_TEXT' | 'SYNTAX' | 'NUMBER_OUT_OF_RANGE' | 'COUNT_MISMATCH' | 'BAD_INDEX'
-  | 'DEGENERATE_FACE' | 'UNKNOWN_FORMAT' | 'USAGE' | 'CLOSED_PIPE' | 'BAD_SHAPE' | 'RESOURCE_LIMIT' | 'CANCELLED' | 'NOT_FINITE'
-  | 'BAD_ARGUMENT' | 'OUT_OF_MEMORY' | 'INTERNAL' | 'NOT_READY';
+    |'CANNOT_OPEN'|'CANNOT_WRITE'|'NOT_TEXT'|'SYNTAX'|'NUMBER_OUT_OF_RANGE'|'COUNT_MISMATCH'|
+    'BAD_INDEX'|'DEGENERATE_FACE'|'UNKNOWN_FORMAT'|'USAGE'|'CLOSED_PIPE'|'BAD_SHAPE'|
+    'RESOURCE_LIMIT'|'CANCELLED'|'NOT_FINITE'|'BAD_ARGUMENT'|'OUT_OF_MEMORY'|'INTERNAL'|'NOT_READY';
 
-/** What every function throws. `message` is 'FILE:LINE:COLUMN: reason', as far as the place is known. */
+/**
+ * What every function throws. `message` is 'FILE:LINE:COLUMN: reason', as far as the place is
+ * known.
+ */
 export class PlumbError extends Error {
-  constructor(code: ErrorCode, reason: string, place?: {text?: string; file?: string; line?: number; column?: number});
+  constructor(
+      code: ErrorCode, reason: string,
+      place?: {text?: string; file?: string; line?: number; column?: number});
   readonly code: ErrorCode;
   /** The sentence without the place. */
   readonly reason: string;
@@ -37,10 +42,15 @@ export interface Options {
   /** The time that the operation may take, in seconds. */
   timeout?: number;
   /** The working memory that it may take, in bytes, as the engine estimates it. */
-  memoryLimit?: number | bigint;
-  /** Called at most 20 times a second; `total` is 0 if unknown. What it throws stops the operation and is thrown by it. */
+  memoryLimit?: number|bigint;
+  /**
+   * Called at most 20 times a second; `total` is 0 if unknown. What it throws stops the operation
+   * and is thrown by it.
+   */
   onProgress?: (phase: string, done: number, total: number) => void;
-  /** Stops the operation. On the thread of the operation it is asked after each report of progress. */
+  /**
+   * Stops the operation. On the thread of the operation it is asked after each report of progress.
+   */
   signal?: AbortSignal;
 }
 
@@ -53,7 +63,10 @@ export interface Note {
 
 /** How files are read. */
 export interface ReadOptions extends Options {
-  /** The name of the file: its extension chooses the format, and messages have it. Without a name, the first bytes choose. */
+  /**
+   * The name of the file: its extension chooses the format, and messages have it. Without a name,
+   * the first bytes choose.
+   */
   name?: string;
   /** Whether 0.1 means a tenth, not the nearest double. */
   exactDecimals?: boolean;
@@ -61,7 +74,7 @@ export interface ReadOptions extends Options {
 }
 
 /** Files are bytes or texts. */
-export type FileData = Uint8Array | ArrayBuffer | ArrayBufferView | string;
+export type FileData = Uint8Array|ArrayBuffer|ArrayBufferView|string;
 /** The files that a file names, by their names. `name` must then be stated, too. */
 export interface SiblingFiles {
   files?: Record<string, FileData>;
@@ -70,19 +83,19 @@ export interface SiblingFiles {
 // ---- numbers
 
 /** An exact number: a double stands for exactly what it is, '0.1' for a tenth. */
-export type Exact = number | bigint | string | Fraction;
-export type Vector2 = readonly [Exact, Exact] | Float64Array;
-export type Vector3 = readonly [Exact, Exact, Exact] | Float64Array;
-export type Vector4 = readonly [Exact, Exact, Exact, Exact] | Float64Array;
+export type Exact = number|bigint|string|Fraction;
+export type Vector2 = readonly[Exact, Exact]|Float64Array;
+export type Vector3 = readonly[Exact, Exact, Exact]|Float64Array;
+export type Vector4 = readonly[Exact, Exact, Exact, Exact]|Float64Array;
 /** Points as arrays, or coordinates x, y(, z), x, ... in one Float64Array. */
-export type Points2 = readonly Vector2[] | Float64Array;
-export type Points3 = readonly Vector3[] | Float64Array;
-export type Coordinates = Float64Array | readonly number[];
-export type Indices = Uint32Array | readonly number[];
+export type Points2 = readonly Vector2[]|Float64Array;
+export type Points3 = readonly Vector3[]|Float64Array;
+export type Coordinates = Float64Array|readonly number[];
+export type Indices = Uint32Array|readonly number[];
 
 /** A rational number in lowest terms. Immutable. */
 export class Fraction {
-  constructor(numerator: bigint | number | string, denominator?: bigint | number | string);
+  constructor(numerator: bigint|number|string, denominator?: bigint|number|string);
   static from(value: Exact): Fraction;
   readonly numerator: bigint;
   readonly denominator: bigint;
@@ -108,7 +121,7 @@ export interface PolygonMesh {
   faceBegin: Uint32Array;
   corners: Uint32Array;
 }
-export type Mesh = TriangleMesh | PolygonMesh;
+export type Mesh = TriangleMesh|PolygonMesh;
 /** What a mesh of a solid changes or does not show. */
 export interface ToMeshReport {
   roundedVertices: number;
@@ -131,7 +144,7 @@ export interface Repair {
   /** Points at most this far apart become one. */
   weld?: number;
   /** What happens to faces with the corners of an earlier face. */
-  doubled?: 'keep' | 'if better' | 'drop';
+  doubled?: 'keep'|'if better'|'drop';
   /** Whether faces that disagree with their neighbours are turned. */
   reorient?: boolean;
   /** Holes with at most so many edges are filled. */
@@ -154,7 +167,10 @@ export interface RepairReport {
   holes: number;
   isClosed: boolean;
 }
-/** Indices of faces; `doubled` and `crossings` are pairs of faces, `borders` and `holes` chains of vertices. */
+/**
+ * Indices of faces; `doubled` and `crossings` are pairs of faces, `borders` and `holes` chains of
+ * vertices.
+ */
 export interface MeshReport {
   isClosed: boolean;
   /** All crossing pairs, listed or not. */
@@ -172,29 +188,38 @@ export interface MeshReport {
   holes: Uint32Array[];
 }
 /** Reads OFF, OBJ, STL, PLY, glTF or 3MF as it is; polygons only if the file has any. */
-export function readMesh(data: FileData, options?: ReadOptions & SiblingFiles): Mesh;
+export function readMesh(data: FileData, options?: ReadOptions&SiblingFiles): Mesh;
 /** Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf'. */
 export function writeMesh(mesh: Mesh, format: MeshFormat): Uint8Array;
 /** What is wrong with a mesh. At most maxListed (1000) crossings are listed. */
-export function checkMesh(mesh: Mesh, options?: Options & {maxListed?: number}): MeshReport;
-/** Mends a mesh. 'automatic' changes as little as possible, and gives null if nothing makes a solid of it. */
-export function repairMesh(mesh: Mesh, repair?: Repair | 'automatic', options?: Options):
-    {mesh: Mesh; report: RepairReport; notes: Note[]} | null;
+export function checkMesh(mesh: Mesh, options?: Options&{maxListed?: number}): MeshReport;
+/**
+ * Mends a mesh. 'automatic' changes as little as possible, and gives null if nothing makes a solid
+ * of it.
+ */
+export function repairMesh(mesh: Mesh, repair?: Repair|'automatic', options?: Options):
+    {mesh: Mesh; report: RepairReport; notes: Note[]}|null;
 /** The Delaunay triangulation of points x, y, x, ...: three indices for each triangle. */
 export function delaunay(points: Coordinates, options?: Options): Uint32Array;
 
-export type MeshFormat = 'off' | 'off-exact' | 'obj' | 'stl' | 'stl-binary' | 'ply' | 'ply-text' | 'glb' | '3mf';
-export type PictureFormat = 'html' | 'svg' | 'glb' | 'png';
+export type MeshFormat = 'off'|'off-exact'|'obj'|'stl'|'stl-binary'|'ply'|'ply-text'|'glb'|'3mf';
+export type PictureFormat = 'html'|'svg'|'glb'|'png';
 /** Winding numbers that are inside. */
-export type Rule = 'positive' | 'nonzero' | 'evenodd';
+export type Rule = 'positive'|'nonzero'|'evenodd';
 
 // ---- objects
 
-/** An object whose memory is outside of JavaScript's. `using`, dispose() or the garbage collector releases it. */
+/**
+ * An object whose memory is outside of JavaScript's. `using`, dispose() or the garbage collector
+ * releases it.
+ */
 export abstract class Handle {
   /** Whether dispose() was called. */
   readonly isDisposed: boolean;
-  /** Releases the memory at once. Any other use afterwards throws an error, but a second call does nothing. */
+  /**
+   * Releases the memory at once. Any other use afterwards throws an error, but a second call does
+   * nothing.
+   */
   dispose(): void;
   [Symbol.dispose](): void;
 }
@@ -239,13 +264,13 @@ export abstract class PointSet<Self, Vector, Kind extends string> extends Handle
   isSubsetOf(other: Self, options?: Options): boolean;
   contains(point: Vector, options?: Options): boolean;
   locate(point: Vector, options?: Options): Cell<Kind>;
-  locateAll(points: readonly Vector[] | Float64Array, options?: Options): Cell<Kind>[];
+  locateAll(points: readonly Vector[]|Float64Array, options?: Options): Cell<Kind>[];
   /** The first cell of the set on a ray; null if there is none. */
-  shoot(origin: Vector, direction: Vector, options?: Options): RayHit<Kind> | null;
+  shoot(origin: Vector, direction: Vector, options?: Options): RayHit<Kind>|null;
   /** The first cell of the boundary on a ray, whether it belongs to the set or not. */
-  shootToBoundary(origin: Vector, direction: Vector, options?: Options): RayHit<Kind> | null;
+  shootToBoundary(origin: Vector, direction: Vector, options?: Options): RayHit<Kind>|null;
   /** Checks every invariant from scratch: the first broken one as a sentence, or null. */
-  audit(options?: Options): string | null;
+  audit(options?: Options): string|null;
 }
 
 export interface FromMeshOptions extends Options {
@@ -259,8 +284,11 @@ export interface FromMeshOptions extends Options {
   repair?: Repair;
 }
 export interface RoundingOptions extends Options {
-  /** 'valid' (the default): faces or edges meet only in common ends after rounding. 'nearest': the nearest doubles, even if not. */
-  rounding?: 'valid' | 'nearest';
+  /**
+   * 'valid' (the default): faces or edges meet only in common ends after rounding. 'nearest': the
+   * nearest doubles, even if not.
+   */
+  rounding?: 'valid'|'nearest';
   onNote?: (note: Note) => void;
 }
 export interface ToMeshOptions extends RoundingOptions {
@@ -270,8 +298,11 @@ export interface ToMeshOptions extends RoundingOptions {
   splitVertices?: boolean;
 }
 
-/** A set of points of space that half-spaces can make: bounded or not, open or closed, with dangling parts or not. */
-export class Solid extends PointSet<Solid, Vector3, 'vertex' | 'edge' | 'facet' | 'volume'> {
+/**
+ * A set of points of space that half-spaces can make: bounded or not, open or closed, with
+ * dangling parts or not.
+ */
+export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'volume'> {
   private constructor();
   static empty(): Solid;
   static whole(): Solid;
@@ -281,75 +312,106 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex' | 'edge' | 'facet' 
   static intersectionOf(solids: readonly Solid[], options?: Options): Solid;
   /** The solid that triangles bound; the mesh may cross itself. An open mesh throws BAD_SHAPE. */
   static fromMesh(vertices: Coordinates, triangles: Indices, options?: FromMeshOptions): Solid;
-  static fromPolygons(vertices: Coordinates, faceBegin: Indices, corners: Indices, options?: FromMeshOptions): Solid;
+  static fromPolygons(
+      vertices: Coordinates, faceBegin: Indices, corners: Indices,
+      options?: FromMeshOptions): Solid;
   /** The points with a x + b y + c z + d <= 0, or < 0. */
   static halfSpace(plane: Vector4, options?: {closed?: boolean}): Solid;
   /** The intersection of half-spaces, of four numbers each. */
-  static halfSpaces(planes: Coordinates, options?: Options & {closed?: boolean}): Solid;
+  static halfSpaces(planes: Coordinates, options?: Options&{closed?: boolean}): Solid;
   static plane(plane: Vector4): Solid;
   static polyline(points: Points3, options?: Options): Solid;
   /** The closed planar polygon with these corners. */
   static facet(corners: Points3, options?: Options): Solid;
   /** The box between two exact corners. */
-  static box(low: Vector3, high: Vector3, options?: Options & {closed?: boolean}): Solid;
+  static box(low: Vector3, high: Vector3, options?: Options&{closed?: boolean}): Solid;
   /** A ball of 8 * 4 ** rounds triangles around the origin. */
   static ball(radius: number, rounds?: number): Solid;
   /** A ball whose equator has `chords` corners; convex exactly. */
   static sphere(radius: number, chords?: number, options?: Options): Solid;
-  static cylinder(height: number, bottomRadius: number,
-      options?: Options & {topRadius?: number; chords?: number; centred?: boolean}): Solid;
-  static torus(radius: number, tubeRadius: number, options?: Options & {chords?: number; tubeChords?: number}): Solid;
+  static cylinder(height: number, bottomRadius: number, options?: Options&{
+    topRadius?: number;
+    chords?: number;
+    centred?: boolean
+  }): Solid;
+  static torus(radius: number, tubeRadius: number, options?: Options&{
+    chords?: number;
+    tubeChords?: number
+  }): Solid;
   static hull(points: Points3, options?: Options): Solid;
   static hullOf(solids: readonly Solid[], options?: Options): Solid;
-  /** The value of an expression such as '(A + B) * !C': + union, * intersection, - difference, ^ symmetric difference, ! complement. */
+  /**
+   * The value of an expression such as '(A + B) * !C': + union, * intersection, - difference, ^
+   * symmetric difference, ! complement.
+   */
   static evaluate(expression: string, solids: Record<string, Solid>, options?: Options): Solid;
   /** Reads OFF, OBJ, STL, PLY, glTF, 3MF or .nef. */
-  static read(data: FileData, options?: ReadOptions & FromMeshOptions & SiblingFiles): Solid;
+  static read(data: FileData, options?: ReadOptions&FromMeshOptions&SiblingFiles): Solid;
   static fromBytes(data: FileData): Solid;
   /** Reads lines `a b c d closed` or `a b c d open`, and intersects the half-spaces. */
   static readHalfSpaces(data: FileData, options?: ReadOptions): Solid;
   /** Draws several solids, moved apart by `apart` (1) times their distances. */
-  static drawMany(solids: readonly Solid[], format: PictureFormat, options?: Options & {title?: string; apart?: number}): Uint8Array;
+  static drawMany(solids: readonly Solid[], format: PictureFormat, options?: Options&{
+    title?: string;
+    apart?: number
+  }): Uint8Array;
 
-  write(format: MeshFormat | 'nef', options?: RoundingOptions): Uint8Array;
+  write(format: MeshFormat|'nef', options?: RoundingOptions): Uint8Array;
   /** The canonical .nef file: equal sets give equal bytes. */
   toBytes(options?: Options): Uint8Array;
-  draw(format: PictureFormat, options?: Options & {title?: string}): Uint8Array;
+  draw(format: PictureFormat, options?: Options&{title?: string}): Uint8Array;
   /** A page that shows the solid and loads nothing. */
-  toHtml(options?: Options & {title?: string}): string;
+  toHtml(options?: Options&{title?: string}): string;
   /** The boundary of a bounded solid; facets[t] is the facet that triangle t is of. */
-  toMesh(options?: ToMeshOptions): TriangleMesh & {facets: Uint32Array; report: ToMeshReport};
-  toPolygons(options?: ToMeshOptions): PolygonMesh & {facets: Uint32Array; report: ToMeshReport};
+  toMesh(options?: ToMeshOptions): TriangleMesh&{
+    facets: Uint32Array;
+    report: ToMeshReport
+  };
+  toPolygons(options?: ToMeshOptions): PolygonMesh&{
+    facets: Uint32Array;
+    report: ToMeshReport
+  };
   /** The same set with its cells in the one order that depends on the set alone. */
   canonical(options?: Options): Solid;
   /** Combines the solid with a half-space or a plane. */
-  section(plane: Vector4, options?: Options & {
-    kind?: 'closed below' | 'open below' | 'plane';
-    operation?: 'union' | 'intersection' | 'difference' | 'symmetricDifference';
+  section(plane: Vector4, options?: Options&{
+    kind?: 'closed below'|'open below'|'plane';
+    operation?: 'union'|'intersection'|'difference'|'symmetricDifference';
   }): Solid;
   /** The image under an affine map: three rows [a, b, c, d], exact. */
   transformed(rows: readonly Vector4[], options?: Options): Solid;
   translated(by: Vector3, options?: Options): Solid;
-  /** The rotation is exactly orthogonal, and exact for multiples of 90 degrees about a coordinate axis. */
-  rotated(axis: readonly [number, number, number], degrees: number, options?: Options): Solid;
+  /**
+   * The rotation is exactly orthogonal, and exact for multiples of 90 degrees about a coordinate
+   * axis.
+   */
+  rotated(axis: readonly[number, number, number], degrees: number, options?: Options): Solid;
   mirrored(normal: Vector3, options?: Options): Solid;
-  scaled(factors: Vector3 | Exact, options?: Options): Solid;
-  /** Scales the bounding box to sizes; 0 keeps an axis, or scales it with the others if it is `automatic`. */
-  resized(size: Vector3, options?: Options & {automatic?: readonly [boolean, boolean, boolean]}): Solid;
+  scaled(factors: Vector3|Exact, options?: Options): Solid;
+  /**
+   * Scales the bounding box to sizes; 0 keeps an axis, or scales it with the others if it is
+   * `automatic`.
+   */
+  resized(size: Vector3, options?: Options&{automatic?: readonly[boolean, boolean, boolean]}):
+      Solid;
   minkowskiSum(other: Solid, options?: Options): Solid;
   /** The vectors by which the other solid can be moved so that it lies in this one. */
   minkowskiErosion(other: Solid, options?: Options): Solid;
   /** The convex parts; every point belongs to one of them, or their closures. */
-  decompose(options?: Options & {method?: 'best' | 'cuts' | 'walls'; closed?: boolean}): Solid[];
+  decompose(options?: Options&{
+    method?: 'best'|'cuts'|'walls';
+    closed?: boolean
+  }): Solid[];
   components(options?: Options): Solid[];
   convexHull(options?: Options): Solid;
   slice(height: Exact, options?: Options): PlaneSet;
-  slices(heights: readonly Exact[] | Float64Array, options?: Options): PlaneSet[];
+  slices(heights: readonly Exact[]|Float64Array, options?: Options): PlaneSet[];
   /** The closure of the projection along the z-axis. */
   shadow(options?: Options): PlaneSet;
   /** 1 for each point x, y, z that belongs to the set, else 0. */
   containsPoints(points: Coordinates, options?: Options): Uint8Array;
-  counts(): {vertices: number; edges: number; facets: number; volumes: number; markedVolumes: number};
+  counts():
+      {vertices: number; edges: number; facets: number; volumes: number; markedVolumes: number};
   isBounded(): boolean;
   /** Whether the boundary is a 2-manifold. */
   isSimple(): boolean;
@@ -357,17 +419,20 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex' | 'edge' | 'facet' 
   /** `failing`: pairs of a facet and a vertex on its outer side. */
   convexity(options?: Options): {isConvex: boolean; reflexEdges: number; failing: Uint32Array};
   /** The exact volume; null if it is infinite. */
-  volume(options?: Options): Fraction | null;
+  volume(options?: Options): Fraction|null;
   /** The exact centroid; null if the volume is 0 or infinite. */
-  centroid(options?: Options): Fraction[] | null;
+  centroid(options?: Options): Fraction[]|null;
   /** The area of the boundary, with a relative error below 2 ** -50. */
   surfaceArea(options?: Options): number;
   /** The handles of the boundary; null if it is no closed surface. */
-  genus(): number | null;
-  boundingBox(): {low: Fraction[]; high: Fraction[]} | null;
+  genus(): number|null;
+  boundingBox(): {low: Fraction[]; high: Fraction[]}|null;
 }
 
-/** Flat arrays: polygon p has the rings from polygonBegin[p] on, and ring r the corners from ringBegin[r] on. */
+/**
+ * Flat arrays: polygon p has the rings from polygonBegin[p] on, and ring r the corners from
+ * ringBegin[r] on.
+ */
 export interface Shapes {
   points: Float64Array;
   polygonBegin: Uint32Array;
@@ -387,7 +452,7 @@ export interface RoundingReport {
 }
 
 /** A set of points of the plane: polygons, lines and points, each with or without its boundary. */
-export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex' | 'edge' | 'face'> {
+export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'> {
   private constructor();
   static empty(): PlaneSet;
   static whole(): PlaneSet;
@@ -398,13 +463,19 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex' | 'edge' | 'f
   /** The points with a x + b y + c <= 0, or < 0. */
   static halfPlane(line: Vector3, options?: {closed?: boolean}): PlaneSet;
   static line(line: Vector3): PlaneSet;
-  static box(low: Vector2, high: Vector2, options?: Options & {closed?: boolean}): PlaneSet;
+  static box(low: Vector2, high: Vector2, options?: Options&{closed?: boolean}): PlaneSet;
   /** The regular polygon in a circle around the origin. */
   static disk(radius: number, chords?: number, options?: Options): PlaneSet;
-  static polygon(points: Points2, options?: Options & {closed?: boolean}): PlaneSet;
+  static polygon(points: Points2, options?: Options&{closed?: boolean}): PlaneSet;
   /** What closed chains of doubles bound; by default the odd winding numbers. */
-  static polygons(rings: readonly Points2[], options?: Options & {rule?: Rule; closed?: boolean}): PlaneSet;
-  static fromRings(points: Coordinates, ringBegin: Indices, corners: Indices, options?: Options & {rule?: Rule; closed?: boolean}): PlaneSet;
+  static polygons(rings: readonly Points2[], options?: Options&{
+    rule?: Rule;
+    closed?: boolean
+  }): PlaneSet;
+  static fromRings(points: Coordinates, ringBegin: Indices, corners: Indices, options?: Options&{
+    rule?: Rule;
+    closed?: boolean
+  }): PlaneSet;
   static polyline(points: Points2, options?: Options): PlaneSet;
   static polylines(chains: readonly Points2[], options?: Options): PlaneSet;
   static hull(points: Points2, options?: Options): PlaneSet;
@@ -414,53 +485,65 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex' | 'edge' | 'f
   static fromBytes(data: FileData): PlaneSet;
 
   /** `grid`: coordinates become its multiples. */
-  write(format: 'wkt' | 'geojson' | 'dxf' | 'nef2', options?: RoundingOptions & {grid?: Exact}): Uint8Array;
+  write(format: 'wkt'|'geojson'|'dxf'|'nef2', options?: RoundingOptions&{grid?: Exact}): Uint8Array;
   /** The .nef2 file, which holds the set exactly. */
   toBytes(options?: Options): Uint8Array;
-  toWkt(options?: RoundingOptions & {grid?: Exact}): string;
-  toGeoJson(options?: RoundingOptions & {grid?: Exact}): object;
-  draw(format: PictureFormat, options?: Options & {title?: string}): Uint8Array;
-  toHtml(options?: Options & {title?: string}): string;
-  /** The bounded parts of the closure as arrays, with the nearest doubles; rounded() makes them valid first. */
+  toWkt(options?: RoundingOptions&{grid?: Exact}): string;
+  toGeoJson(options?: RoundingOptions&{grid?: Exact}): object;
+  draw(format: PictureFormat, options?: Options&{title?: string}): Uint8Array;
+  toHtml(options?: Options&{title?: string}): string;
+  /**
+   * The bounded parts of the closure as arrays, with the nearest doubles; rounded() makes them
+   * valid first.
+   */
   shapes(options?: Options): Shapes;
-  /** The closure with coordinates that are doubles, or multiples of a step; edges meet only in common ends. */
-  rounded(options?: Options & {step?: Exact}): {set: PlaneSet; report: RoundingReport};
+  /**
+   * The closure with coordinates that are doubles, or multiples of a step; edges meet only in
+   * common ends.
+   */
+  rounded(options?: Options&{step?: Exact}): {set: PlaneSet; report: RoundingReport};
   /** Triangles that cover a bounded set, as a mesh with z = 0. */
   triangulated(options?: Options): TriangleMesh;
   /** The image under an affine map: two rows [a, b, c], exact. */
   transformed(rows: readonly Vector3[], options?: Options): PlaneSet;
   translated(by: Vector2, options?: Options): PlaneSet;
   /** Grown by a distance, or shrunk by a negative one. */
-  offset(distance: number, options?: Options & {
-    join?: 'round' | 'mitre' | 'square' | 'bevel';
+  offset(distance: number, options?: Options&{
+    join?: 'round'|'mitre'|'square'|'bevel';
     mitreLimit?: number;
     chordError?: number;
     circleSegments?: number;
   }): PlaneSet;
   minkowskiSum(other: PlaneSet, options?: Options): PlaneSet;
-  decompose(options?: Options & {method?: 'best' | 'cuts' | 'diagonals' | 'optimal'; closed?: boolean}): PlaneSet[];
+  decompose(options?: Options&{
+    method?: 'best'|'cuts'|'diagonals'|'optimal';
+    closed?: boolean
+  }): PlaneSet[];
   convexHull(options?: Options): PlaneSet;
-  extruded(height: number, options?: Options & {
+  extruded(height: number, options?: Options&{
     centred?: boolean;
     /** Degrees by which the top is turned clockwise. */
     twist?: number;
     layers?: number;
     /** The factor, or those of x and y, at the top. */
-    scale?: number | readonly [number, number];
+    scale?: number|readonly[number, number];
   }): Solid;
   /** What the set sweeps around the z-axis; its y-axis becomes the z-axis. */
-  revolved(options?: Options & {angle?: number; steps?: number}): Solid;
+  revolved(options?: Options&{
+    angle?: number;
+    steps?: number
+  }): Solid;
   containsPoints(points: Coordinates, options?: Options): Uint8Array;
   counts(): {vertices: number; edges: number; faces: number; markedFaces: number};
   isBounded(): boolean;
   isConvex(options?: Options): boolean;
   convexity(options?: Options): {isConvex: boolean; reflexCorners: number; parts: number};
   /** The exact area; null if it is infinite. */
-  area(options?: Options): Fraction | null;
+  area(options?: Options): Fraction|null;
 }
 
 /** A set of directions: vectors, all of whose positive multiples are the same direction. */
-export class SphereSet extends PointSet<SphereSet, Vector3, 'point' | 'arc' | 'face'> {
+export class SphereSet extends PointSet<SphereSet, Vector3, 'point'|'arc'|'face'> {
   private constructor();
   static empty(): SphereSet;
   static whole(): SphereSet;
@@ -468,9 +551,9 @@ export class SphereSet extends PointSet<SphereSet, Vector3, 'point' | 'arc' | 'f
   static points(directions: Points3, options?: Options): SphereSet;
   static unionOf(sets: readonly SphereSet[], options?: Options): SphereSet;
   static intersectionOf(sets: readonly SphereSet[], options?: Options): SphereSet;
-  static halfSphere(normal: Vector3, options?: Options & {closed?: boolean}): SphereSet;
+  static halfSphere(normal: Vector3, options?: Options&{closed?: boolean}): SphereSet;
   /** The intersection of half-spheres. */
-  static halfSpheres(normals: Points3, options?: Options & {closed?: boolean}): SphereSet;
+  static halfSpheres(normals: Points3, options?: Options&{closed?: boolean}): SphereSet;
   static circle(normal: Vector3): SphereSet;
   /** The region to the left of a closed chain of shortest arcs. */
   static polygon(corners: Points3, options?: {closed?: boolean}): SphereSet;
@@ -481,13 +564,13 @@ export class SphereSet extends PointSet<SphereSet, Vector3, 'point' | 'arc' | 'f
 // ---- maps and layers
 
 export interface MapDefect {
-  kind: 'duplicate' | 'open' | 'crossing' | 'twin' | 'mixed' | 'nested';
+  kind: 'duplicate'|'open'|'crossing'|'twin'|'mixed'|'nested';
   cycles: number[];
   /** Pairs of vertices. */
   edges: [number, number][];
   /** The exact place. */
-  point: [Fraction, Fraction] | null;
-  near: [number, number] | null;
+  point: [Fraction, Fraction]|null;
+  near: [number, number]|null;
   /** What is wrong and how to correct it. */
   hint: string;
 }
@@ -508,7 +591,10 @@ export class Map extends Handle {
   private constructor();
   static fromCycles(points: Points2, cycles: readonly Indices[]): Map;
   static fromArrays(points: Points2, cycleBegin: Indices, corners: Indices): Map;
-  /** Reads a map, or polygons of WKT, GeoJSON or WKB; those lack outer boundaries: check({outer: 'infer'}). */
+  /**
+   * Reads a map, or polygons of WKT, GeoJSON or WKB; those lack outer boundaries: check({outer:
+   * 'infer'}).
+   */
   static read(data: FileData, options?: ReadOptions): Map;
   write(): Uint8Array;
   readonly pointCount: number;
@@ -516,11 +602,15 @@ export class Map extends Handle {
   points(): Float64Array;
   cycles(): number[][];
   /** Decides exactly whether it is a planar subdivision. */
-  check(options?: Options & {outer?: 'listed' | 'infer' | 'ignore'; mergeVertices?: boolean; maxDefects?: number}): MapReport;
+  check(options?: Options&{
+    outer?: 'listed'|'infer'|'ignore';
+    mergeVertices?: boolean;
+    maxDefects?: number
+  }): MapReport;
 }
 export class MapReport extends Handle {
   private constructor();
-  readonly verdict: 'valid' | 'not planar' | 'open' | 'superposed';
+  readonly verdict: 'valid'|'not planar'|'open'|'superposed';
   readonly isValid: boolean;
   counts(): {
     vertices: number; edges: number; cycles: number; components: number; regions: number;
@@ -533,9 +623,9 @@ export class MapReport extends Handle {
   /** The map after vertices were merged and cycles were added. */
   map(): Map;
   /** The union of regions of a valid map. */
-  select(regions: readonly number[], options?: Options & {closed?: boolean}): PlaneSet;
+  select(regions: readonly number[], options?: Options&{closed?: boolean}): PlaneSet;
   dcel(): HalfEdges;
-  write(format: 'text' | 'json' | 'geojson' | PictureFormat, options?: {title?: string}): Uint8Array;
+  write(format: 'text'|'json'|'geojson'|PictureFormat, options?: {title?: string}): Uint8Array;
   toString(): string;
   toHtml(options?: {title?: string}): string;
 }
@@ -548,7 +638,8 @@ export class MapOverlay extends Handle {
   /** The exact areas; 0 for unbounded faces. */
   areas(): Fraction[];
   dcel(): HalfEdges;
-  write(format: 'text' | 'json' | 'geojson' | 'svg' | 'html', options?: RoundingOptions & {title?: string}): Uint8Array;
+  write(format: 'text'|'json'|'geojson'|'svg'|'html', options?: RoundingOptions&{title?: string}):
+      Uint8Array;
 }
 export function overlay(first: MapReport, second: MapReport, options?: Options): MapOverlay;
 
@@ -556,8 +647,7 @@ export interface LayerReport {
   /** Whether there are overlaps or gaps. */
   hasDefects: boolean;
   regions: {
-    kind: 'overlap' | 'gap' | 'hole';
-    area: Fraction;
+    kind: 'overlap'|'gap'|'hole'; area: Fraction;
     /** Twice the area divided by the perimeter. */
     width: number;
     features: number[];
@@ -570,29 +660,39 @@ export interface LayerReport {
 /** Features with polygons, ids and properties, such as countries. */
 export class Layer extends Handle {
   private constructor();
-  /** Reads GeoJSON (also as an object), TopoJSON, WKT or WKB. `object` names an object of TopoJSON. */
-  static read(data: FileData | {type: string}, options?: ReadOptions & {object?: string}): Layer;
+  /**
+   * Reads GeoJSON (also as an object), TopoJSON, WKT or WKB. `object` names an object of TopoJSON.
+   */
+  static read(data: FileData|{type: string}, options?: ReadOptions&{object?: string}): Layer;
   /** The Voronoi cells of points in a box x, y, x, y. */
   static voronoi(points: Coordinates, box: Coordinates, options?: Options): Layer;
   /** A feature for each bounded face of a set. */
   static ofFaces(set: PlaneSet, options?: Options): Layer;
   readonly featureCount: number;
   ids(): unknown[];
-  properties(): (Record<string, unknown> | null)[];
-  write(format: 'geojson' | 'topojson' | 'wkt', options?: Options): Uint8Array;
+  properties(): (Record<string, unknown>|null)[];
+  write(format: 'geojson'|'topojson'|'wkt', options?: Options): Uint8Array;
   toGeoJson(options?: Options): object;
   /** An enclosed region that no feature covers is a gap if it is narrower than gapsBelow. */
-  check(options?: Options & {gapsBelow?: number}): LayerReport;
+  check(options?: Options&{gapsBelow?: number}): LayerReport;
   /** The layer without overlaps and gaps. */
-  repaired(options?: Options & {owner?: 'longest border' | 'largest' | 'smallest' | 'first'; gapsBelow?: number}):
-      {layer: Layer; report: LayerReport};
+  repaired(options?: Options&{
+    owner?: 'longest border'|'largest'|'smallest'|'first';
+    gapsBelow?: number
+  }): {layer: Layer; report: LayerReport};
   /** A feature for each group; null leaves a feature out. */
-  dissolved(groups: readonly (number | null)[], options?: Options): Layer;
-  /** Fewer corners: those of triangles of at most this area go, while more than the part `kept` of them is left. */
-  simplified(options?: Options & {tolerance?: number; kept?: number}): Layer;
+  dissolved(groups: readonly(number|null)[], options?: Options): Layer;
+  /**
+   * Fewer corners: those of triangles of at most this area go, while more than the part `kept` of
+   * them is left.
+   */
+  simplified(options?: Options&{
+    tolerance?: number;
+    kept?: number
+  }): Layer;
   /** A feature for each pair of features that have common points. */
-  overlaid(other: Layer, options?: Options & {pairs?: 'all' | 'first' | 'both' | 'first only'}):
-      {layer: Layer; pairs: [number | null, number | null][]};
+  overlaid(other: Layer, options?: Options&{pairs?: 'all' | 'first' | 'both' | 'first only'}):
+      {layer: Layer; pairs: [number | null, number|null][]};
 }
 
 // ---- surfaces and models
@@ -602,11 +702,14 @@ export class Scene extends Handle {
   private constructor();
   /** An orientable 2-manifold of triangles. */
   static fromMesh(vertices: Coordinates, triangles: Indices): Scene;
-  static read(data: FileData, options?: ReadOptions & SiblingFiles): Scene;
+  static read(data: FileData, options?: ReadOptions&SiblingFiles): Scene;
   /** The scene as JSON; `model` is the name of the file of its mesh. */
   write(model: string): Uint8Array;
   readonly polygonCount: number;
-  /** Adds the point of a face whose second and third corner have these weights, and returns its index. */
+  /**
+   * Adds the point of a face whose second and third corner have these weights, and returns its
+   * index.
+   */
   addPoint(face: number, weights: Vector2): number;
   /** Adds the closed polygon of geodesics through points, and returns its index. */
   addPolygon(points: Indices, options?: Options): number;
@@ -617,30 +720,37 @@ export class Scene extends Handle {
   /** Adds loops around handles so that shapes separate the surface; returns how many. */
   separate(options?: Options): number;
   /** A locally shortest path between two points; null between components. */
-  geodesic(from: number, to: number, options?: Options): {points: Float64Array; faces: Uint32Array} | null;
+  geodesic(from: number, to: number, options?: Options): {points: Float64Array;
+                                                          faces: Uint32Array}|null;
   divide(options?: Options): SurfaceDivision;
 }
 /** A surface that polygons divide into cells. */
 export class SurfaceDivision extends Handle {
   private constructor();
-  counts(): {triangles: number; segments: number; crossings: number; cells: number; shapes: number; cellEdges: number};
+  counts(): {
+    triangles: number; segments: number; crossings: number; cells: number; shapes: number;
+    cellEdges: number
+  };
   /** How often shapes wind around a cell, without zeros. */
   labels(cell: number): {shape: number; value: number}[];
   area(cell: number): number;
   /** Pairs of neighbouring cells. */
   neighbours(): Uint32Array;
   separates(shape: number): {overIntegers: boolean; modulo2: boolean};
-  toMesh(options?: Options): TriangleMesh & {cells: Uint32Array};
-  /** The cells for which an expression such as 'A * !B' holds; by default the odd labels are inside. */
-  select(expression: string, options?: Options & {rule?: Rule}): SurfaceRegion;
-  audit(): string | null;
-  write(format: 'obj' | 'ply' | 'glb' | 'dot', options?: Options & {region?: SurfaceRegion}): Uint8Array;
-  draw(format: PictureFormat, options?: Options & SurfacePicture): Uint8Array;
-  toHtml(options?: Options & SurfacePicture): string;
+  toMesh(options?: Options): TriangleMesh&{cells: Uint32Array};
+  /**
+   * The cells for which an expression such as 'A * !B' holds; by default the odd labels are
+   * inside.
+   */
+  select(expression: string, options?: Options&{rule?: Rule}): SurfaceRegion;
+  audit(): string|null;
+  write(format: 'obj'|'ply'|'glb'|'dot', options?: Options&{region?: SurfaceRegion}): Uint8Array;
+  draw(format: PictureFormat, options?: Options&SurfacePicture): Uint8Array;
+  toHtml(options?: Options&SurfacePicture): string;
 }
 export interface SurfacePicture {
   region?: SurfaceRegion;
-  layer?: 'polygons' | 'slices' | 'cells' | 'labels' | 'result';
+  layer?: 'polygons'|'slices'|'cells'|'labels'|'result';
   title?: string;
 }
 export class SurfaceRegion extends Handle {
@@ -653,4 +763,4 @@ export class SurfaceRegion extends Handle {
 }
 
 /** Evaluates a flattened model of OpenSCAD (.csg); null if it has no geometry. */
-export function readCsg(data: FileData, options?: ReadOptions & SiblingFiles): Solid | PlaneSet | null;
+export function readCsg(data: FileData, options?: ReadOptions&SiblingFiles): Solid|PlaneSet|null;

@@ -1,23 +1,26 @@
 // The package: loads the engine, and names what there is.
-import {setModule, engine, isReady, onProgress, textAt} from './memory.js';
-import {PlumbError} from './error.js';
 import createEngine from './engine.js';
+import {PlumbError} from './error.js';
+import {engine, isReady, onProgress, setModule, textAt} from './memory.js';
 
+export {readCsg} from './csg.js';
 export {PlumbError} from './error.js';
 export {Fraction} from './fraction.js';
 export {Handle} from './handle.js';
+export {Layer} from './layer.js';
+export {Map, MapOverlay, MapReport, overlay} from './map.js';
+export {PlaneSet} from './plane_set.js';
 export {PointSet} from './sets.js';
 export {checkMesh, delaunay, readMesh, repairMesh, Solid, writeMesh} from './solid.js';
-export {PlaneSet} from './plane_set.js';
 export {SphereSet} from './sphere_set.js';
-export {Map, MapOverlay, MapReport, overlay} from './map.js';
-export {Layer} from './layer.js';
 export {Scene, SurfaceDivision, SurfaceRegion} from './surface.js';
-export {readCsg} from './csg.js';
 
 let loading = null;
 
-/** Loads the engine; later calls wait for the same load. `wasm`: the address, bytes or module of engine.wasm if it lies elsewhere. */
+/**
+ * Loads the engine; later calls wait for the same load. `wasm`: the address, bytes or module of
+ * engine.wasm if it lies elsewhere.
+ */
 export function init({wasm} = {}) {
   loading ??= load(wasm).catch((error) => {
     loading = null;  // A later call may succeed.
@@ -48,13 +51,12 @@ async function bytesAt(address) {
     return readFile(url);
   }
   const response = await fetch(url);
-  if (!response.ok) throw new PlumbError('CANNOT_OPEN', `${url}: ${response.status} ${response.statusText}`);
+  if (!response.ok)
+    throw new PlumbError('CANNOT_OPEN', `${url}: ${response.status} ${response.statusText}`);
   return response.arrayBuffer();
 }
 
 /** The version of the library, such as '0.1.0'. */
-export function version() {
-  return textAt(engine()._plumb_version());
-}
+export function version() { return textAt(engine()._plumb_version()); }
 
 export {isReady};

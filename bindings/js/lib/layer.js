@@ -1,7 +1,18 @@
 // Layers: features with polygons, ids and properties.
 import {takeNumbers} from './fraction.js';
 import {addressOf, Handle, wrap} from './handle.js';
-import {badArgument, constant, copyOf, count, decode, engine, inFrame, real, takeBytes, takeIndices} from './memory.js';
+import {
+  badArgument,
+  constant,
+  copyOf,
+  count,
+  decode,
+  engine,
+  inFrame,
+  real,
+  takeBytes,
+  takeIndices
+} from './memory.js';
 import {PlaneSet} from './plane_set.js';
 import {readOptions, self, tell} from './sets.js';
 
@@ -16,9 +27,14 @@ export class Layer extends Handle {
 
   static read(data, options = {}) {
     return inFrame(options, (frame) => {
-      const bytes = frame.bytes(typeof data === 'object' && data !== null && data.type !== undefined ? JSON.stringify(data) : data, 'the file');
+      const bytes = frame.bytes(
+          typeof data === 'object' && data !== null && data.type !== undefined ?
+              JSON.stringify(data) :
+              data,
+          'the file');
       const {address, notes} = frame.makeWithNotes(
-          'plumb_layer_read', bytes.address, bytes.count, readOptions(frame, options), frame.text(options.object, 'object'));
+          'plumb_layer_read', bytes.address, bytes.count, readOptions(frame, options),
+          frame.text(options.object, 'object'));
       tell(notes, options);
       return wrap(Layer, address);
     });
@@ -26,66 +42,81 @@ export class Layer extends Handle {
   static voronoi(points, box, options) {
     return inFrame(options, (frame) => {
       const sites = frame.doubles(points, 2, 'points'), corners = frame.doubles(box, 4, 'the box');
-      if (corners.count !== 1) throw badArgument('the box must have four numbers: x, y of its lower left and upper right corners');
-      return wrap(Layer, frame.make('plumb_layer_voronoi', sites.address, sites.count, corners.address));
+      if (corners.count !== 1)
+        throw badArgument(
+            'the box must have four numbers: x, y of its lower left and upper right corners');
+      return wrap(
+          Layer, frame.make('plumb_layer_voronoi', sites.address, sites.count, corners.address));
     });
   }
   static ofFaces(set, options) {
-    return inFrame(options, (frame) => wrap(Layer, frame.make('plumb_layer_of_faces', addressOf(set, PlaneSet, 'set'))));
+    return inFrame(
+        options,
+        (frame) =>
+            wrap(Layer, frame.make('plumb_layer_of_faces', addressOf(set, PlaneSet, 'set'))));
   }
 
-  get featureCount() {
-    return engine()._plumb_layer_feature_count(self(this)) >>> 0;
-  }
-  ids() {
-    return jsonOfFeatures(this, 'plumb_layer_id');
-  }
-  properties() {
-    return jsonOfFeatures(this, 'plumb_layer_properties');
-  }
+  get featureCount() { return engine()._plumb_layer_feature_count(self(this)) >>> 0; }
+  ids() { return jsonOfFeatures(this, 'plumb_layer_id'); }
+  properties() { return jsonOfFeatures(this, 'plumb_layer_properties'); }
   write(format, options) {
-    return inFrame(options, (frame) => takeBytes(frame.make('plumb_layer_write', self(this), frame.text(format, 'format'))));
+    return inFrame(
+        options,
+        (frame) =>
+            takeBytes(frame.make('plumb_layer_write', self(this), frame.text(format, 'format'))));
   }
-  toGeoJson(options) {
-    return JSON.parse(decode(this.write('geojson', options)));
-  }
+  toGeoJson(options) { return JSON.parse(decode(this.write('geojson', options))); }
 
   /** `gapsBelow`: by default a ten thousandth of the diagonal of the layer. */
   check({gapsBelow = -1, ...options} = {}) {
-    return inFrame(options, (frame) =>
-      reportOf(frame.make('plumb_layer_check', self(this), real(gapsBelow, 'gapsBelow')), this, frame));
+    return inFrame(
+        options,
+        (frame) => reportOf(
+            frame.make('plumb_layer_check', self(this), real(gapsBelow, 'gapsBelow')), this,
+            frame));
   }
   repaired({owner = 'longest border', gapsBelow = -1, ...options} = {}) {
     return inFrame(options, (frame) => {
       const out = frame.block(4), report = frame.block(4);
-      frame.check('plumb_layer_repair', self(this), constant(owners, owner, 'owner'), real(gapsBelow, 'gapsBelow'), out, report,
-          frame.context());
+      frame.check(
+          'plumb_layer_repair', self(this), constant(owners, owner, 'owner'),
+          real(gapsBelow, 'gapsBelow'), out, report, frame.context());
       return {layer: wrap(Layer, frame.u32(out)), report: reportOf(frame.u32(report), this, frame)};
     });
   }
   /** `groups` has a group for each feature; null leaves a feature out. */
   dissolved(groups, options) {
     return inFrame(options, (frame) => {
-      const numbers = Array.from(groups, (group) => (group === null ? none : count(group, 'a group')));
+      const numbers =
+          Array.from(groups, (group) => (group === null ? none : count(group, 'a group')));
       const {address, count: length} = frame.numbers(Uint32Array, numbers, 'groups');
-      const groupCount = numbers.reduce((most, group) => (group === none ? most : Math.max(most, group + 1)), 0);
-      return wrap(Layer, frame.make('plumb_layer_dissolve', self(this), address, length, groupCount));
+      const groupCount =
+          numbers.reduce((most, group) => (group === none ? most : Math.max(most, group + 1)), 0);
+      return wrap(
+          Layer, frame.make('plumb_layer_dissolve', self(this), address, length, groupCount));
     });
   }
   simplified({tolerance = Infinity, kept = 0, ...options} = {}) {
-    return inFrame(options, (frame) =>
-      wrap(Layer, frame.make('plumb_layer_simplify', self(this), real(tolerance, 'tolerance'), real(kept, 'kept'))));
+    return inFrame(
+        options,
+        (frame) => wrap(
+            Layer,
+            frame.make(
+                'plumb_layer_simplify', self(this), real(tolerance, 'tolerance'),
+                real(kept, 'kept'))));
   }
   overlaid(other, {pairs = 'all', ...options} = {}) {
     return inFrame(options, (frame) => {
       const out = frame.block(4), made = frame.block(4);
-      frame.check('plumb_layer_overlay', self(this), addressOf(other, Layer, 'other'), constant(pairsKept, pairs, 'pairs'), out, made,
-          frame.context());
+      frame.check(
+          'plumb_layer_overlay', self(this), addressOf(other, Layer, 'other'),
+          constant(pairsKept, pairs, 'pairs'), out, made, frame.context());
       const flat = takeIndices(frame.u32(made));
       const feature = (index) => (index === none ? null : index);
       return {
         layer: wrap(Layer, frame.u32(out)),
-        pairs: Array.from({length: flat.length / 2}, (_, i) => [feature(flat[2 * i]), feature(flat[2 * i + 1])]),
+        pairs: Array.from(
+            {length: flat.length / 2}, (_, i) => [feature(flat[2 * i]), feature(flat[2 * i + 1])]),
       };
     });
   }
@@ -93,9 +124,10 @@ export class Layer extends Handle {
 
 function jsonOfFeatures(layer, name) {
   return Array.from({length: layer.featureCount}, (_, i) => inFrame(undefined, (frame) => {
-    const text = decode(takeBytes(frame.makeBriefly(name, self(layer), i)));
-    return text === '' ? null : JSON.parse(text);
-  }));
+                                                    const text = decode(takeBytes(
+                                                        frame.makeBriefly(name, self(layer), i)));
+                                                    return text === '' ? null : JSON.parse(text);
+                                                  }));
 }
 
 /** A report as an object; it is released. */
@@ -108,12 +140,16 @@ function reportOf(report, layer, frame) {
       kind: kinds[engine()._plumb_layer_report_kind(report, i)],
       area: takeNumbers(frame.makeBriefly('plumb_layer_report_area', report, i))[0],
       width: engine()._plumb_layer_report_width(report, i),
-      features: Array.from(copyOf(Uint32Array, features, frame.u32(length))), owner: owner === none ? null : owner,
+      features: Array.from(copyOf(Uint32Array, features, frame.u32(length))),
+      owner: owner === none ? null : owner,
     };
   });
-  const write = (format) => decode(takeBytes(frame.make('plumb_layer_report_write', report, self(layer), frame.text(format, 'format'))));
+  const write = (format) => decode(takeBytes(
+      frame.make('plumb_layer_report_write', report, self(layer), frame.text(format, 'format'))));
   const result = {
-    hasDefects: engine()._plumb_layer_report_has_defects(report) !== 0, regions, text: write('text'),
+    hasDefects: engine()._plumb_layer_report_has_defects(report) !== 0,
+    regions,
+    text: write('text'),
     geoJson: JSON.parse(write('geojson')),
   };
   engine()._plumb_layer_report_free(report);

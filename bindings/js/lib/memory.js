@@ -1,30 +1,31 @@
 // The memory of the WebAssembly module, and calls of the C interface in it.
 //
-// A Frame holds what one call needs: copies of arrays and texts, places for results, and the context. release() frees all of it, so
-// that a call leaves nothing behind but the objects that it made. Every function of the C interface that can fail takes the address
-// of an error as its last parameter; Frame.check() passes one and turns an error into an exception.
+// A Frame holds what one call needs: copies of arrays and texts, places for results, and the
+// context. release() frees all of it, so that a call leaves nothing behind but the objects that it
+// made. Every function of the C interface that can fail takes the address of an error as its last
+// parameter; Frame.check() passes one and turns an error into an exception.
 //
-// Structs have the layout of C on wasm32: members follow each other, each at a multiple of its size.
-// tests/structs.test.mjs compares the layouts with the header plumb.h.
+// Structs have the layout of C on wasm32: members follow each other, each at a multiple of its
+// size. tests/structs.test.mjs compares the layouts with the header plumb.h.
 import {PlumbError} from './error.js';
 
 let module = null;
+let failure = null;  // Why the engine cannot be used any more.
 
 /** Makes the instance of the WebAssembly module that all calls use. */
-export function setModule(instance) {
-  module = instance;
-}
+export function setModule(instance) { module = instance; }
 
 /** The instance, or an exception that says how to make it. */
 export function engine() {
+  if (failure !== null) throw failure;
   if (module === null) {
     throw new PlumbError('NOT_READY', 'plumb is not ready: call and await init() first');
   }
   return module;
 }
 
-/** Whether init() has loaded the engine. */
-export const isReady = () => module !== null;
+/** Whether init() has loaded the engine, and it has not stopped. */
+export const isReady = () => module !== null && failure === null;
 
 // ---- texts and arrays that come out
 
@@ -37,14 +38,17 @@ export function textAt(address) {
 export function copyOf(Type, address, count) {
   const heap = engine().HEAPU8;
   if (count === 0) return new Type(0);
-  return new Type(heap.buffer.slice(address >>> 0, (address >>> 0) + count * Type.BYTES_PER_ELEMENT));
+  return new Type(
+      heap.buffer.slice(address >>> 0, (address >>> 0) + count * Type.BYTES_PER_ELEMENT));
 }
 
 /** The value of a constant of an enumeration of C by its name; an exception lists the names. */
 export function constant(names, value, what) {
   const index = names.indexOf(value);
   if (index >= 0) return index;
-  throw new PlumbError('BAD_ARGUMENT', `${what} must be one of ${names.map((name) => `'${name}'`).join(', ')}, not ${shown(value)}`);
+  throw new PlumbError(
+      'BAD_ARGUMENT',
+      `${what} must be one of ${names.map((name) => `'${name}'`).join(', ')}, not ${shown(value)}`);
 }
 
 /** A value as it stands in messages. */
@@ -55,9 +59,7 @@ export function shown(value) {
   return `an object of ${value.constructor?.name ?? 'no class'}`;
 }
 
-export function badArgument(message) {
-  return new PlumbError('BAD_ARGUMENT', message);
-}
+export function badArgument(message) { return new PlumbError('BAD_ARGUMENT', message); }
 
 /** A count or index as a number from 0 to 2^32 - 1. */
 export function count(value, what) {
@@ -73,7 +75,14 @@ export function real(value, what) {
 
 // ---- structs
 
-const sizes = {bool: 1, i32: 4, u32: 4, pointer: 4, f64: 8, u64: 8};
+const sizes = {
+  bool: 1,
+  i32: 4,
+  u32: 4,
+  pointer: 4,
+  f64: 8,
+  u64: 8
+};
 
 /** The layout of a struct of C. The first member is struct_size. */
 export class Struct {
@@ -95,11 +104,16 @@ export class Struct {
     view.setUint32(0, this.size, true);
     for (const {name, type, offset} of this.members) {
       const value = values[name] ?? 0;
-      if (type === 'bool') view.setUint8(offset, value ? 1 : 0);
-      else if (type === 'f64') view.setFloat64(offset, value, true);
-      else if (type === 'u64') view.setBigUint64(offset, BigInt(value), true);
-      else if (type === 'i32') view.setInt32(offset, value, true);
-      else view.setUint32(offset, value, true);
+      if (type === 'bool')
+        view.setUint8(offset, value ? 1 : 0);
+      else if (type === 'f64')
+        view.setFloat64(offset, value, true);
+      else if (type === 'u64')
+        view.setBigUint64(offset, BigInt(value), true);
+      else if (type === 'i32')
+        view.setInt32(offset, value, true);
+      else
+        view.setUint32(offset, value, true);
     }
   }
 
@@ -107,11 +121,16 @@ export class Struct {
     const view = new DataView(engine().HEAPU8.buffer, address >>> 0, this.size);
     const values = {};
     for (const {name, type, offset} of this.members) {
-      if (type === 'bool') values[name] = view.getUint8(offset) !== 0;
-      else if (type === 'f64') values[name] = view.getFloat64(offset, true);
-      else if (type === 'u64') values[name] = Number(view.getBigUint64(offset, true));
-      else if (type === 'i32') values[name] = view.getInt32(offset, true);
-      else values[name] = view.getUint32(offset, true);
+      if (type === 'bool')
+        values[name] = view.getUint8(offset) !== 0;
+      else if (type === 'f64')
+        values[name] = view.getFloat64(offset, true);
+      else if (type === 'u64')
+        values[name] = Number(view.getBigUint64(offset, true));
+      else if (type === 'i32')
+        values[name] = view.getInt32(offset, true);
+      else
+        values[name] = view.getUint32(offset, true);
     }
     return values;
   }
@@ -123,9 +142,7 @@ const isWanted = (value) => value !== undefined && value !== null;
 let running = null;  // The frame whose operation reports its progress.
 
 /** What the module calls about 20 times a second during an operation with a context. */
-export function onProgress(phase, done, total) {
-  running?.report(phase, done, total);
-}
+export function onProgress(phase, done, total) { running?.report(phase, done, total); }
 
 /** The memory of one call. */
 export class Frame {
@@ -138,7 +155,8 @@ export class Frame {
   constructor(options) {
     engine();
     if (isWanted(options)) {
-      if (typeof options !== 'object') throw badArgument(`options must be an object, not ${shown(options)}`);
+      if (typeof options !== 'object')
+        throw badArgument(`options must be an object, not ${shown(options)}`);
       this.#options = options;
     }
   }
@@ -154,7 +172,10 @@ export class Frame {
     return address;
   }
 
-  /** Copies an array of numbers; what is no array of the type is converted, and a value that changes by it is refused. */
+  /**
+   * Copies an array of numbers; what is no array of the type is converted, and a value that
+   * changes by it is refused.
+   */
   numbers(Type, values, what) {
     const array = converted(Type, values, what);
     const address = engine()._malloc(Math.max(array.byteLength, 8)) >>> 0;
@@ -167,21 +188,25 @@ export class Frame {
   /** Copies records of `width` numbers each. */
   records(Type, values, width, what) {
     const {address, count: length} = this.numbers(Type, values, what);
-    if (length % width !== 0) throw badArgument(`${what} has ${length} numbers, which is no multiple of ${width}`);
+    if (length % width !== 0)
+      throw badArgument(`${what} has ${length} numbers, which is no multiple of ${width}`);
     return {address, count: length / width};
   }
 
-  doubles(values, width, what) {
-    return this.records(Float64Array, values, width, what);
-  }
+  doubles(values, width, what) { return this.records(Float64Array, values, width, what); }
 
   /** Copies bytes, or the UTF-8 of a text. */
   bytes(data, what) {
     let bytes = data;
-    if (typeof data === 'string') bytes = new TextEncoder().encode(data);
-    else if (data instanceof ArrayBuffer) bytes = new Uint8Array(data);
-    else if (ArrayBuffer.isView(data)) bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-    else throw badArgument(`${what} must be a Uint8Array, an ArrayBuffer or a string, not ${shown(data)}`);
+    if (typeof data === 'string')
+      bytes = new TextEncoder().encode(data);
+    else if (data instanceof ArrayBuffer)
+      bytes = new Uint8Array(data);
+    else if (ArrayBuffer.isView(data))
+      bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+    else
+      throw badArgument(
+          `${what} must be a Uint8Array, an ArrayBuffer or a string, not ${shown(data)}`);
     const address = engine()._malloc(Math.max(bytes.length, 1)) >>> 0;
     if (address === 0) throw new PlumbError('OUT_OF_MEMORY', 'out of memory');
     this.#blocks.push(address);
@@ -192,16 +217,15 @@ export class Frame {
   /** Copies a text that ends at its first zero character; null stands for no text. */
   text(value, what) {
     if (!isWanted(value)) return 0;
-    if (typeof value !== 'string') throw badArgument(`${what} must be a string, not ${shown(value)}`);
+    if (typeof value !== 'string')
+      throw badArgument(`${what} must be a string, not ${shown(value)}`);
     const address = this.block(engine().lengthBytesUTF8(value) + 1);
     engine().stringToUTF8(value, address, engine().lengthBytesUTF8(value) + 1);
     return address;
   }
 
   /** Copies addresses. */
-  addresses(values) {
-    return this.numbers(Uint32Array, Uint32Array.from(values), 'addresses');
-  }
+  addresses(values) { return this.numbers(Uint32Array, Uint32Array.from(values), 'addresses'); }
 
   struct(layout, values = {}) {
     const address = this.block(layout.size);
@@ -211,23 +235,15 @@ export class Frame {
 
   // -- results
 
-  u32(address) {
-    return engine().HEAPU32[address >>> 2];
-  }
-  flag(address) {
-    return engine().HEAPU8[address] !== 0;
-  }
-  f64(address) {
-    return engine().HEAPF64[address >>> 3];
-  }
+  u32(address) { return engine().HEAPU32[address >>> 2]; }
+  flag(address) { return engine().HEAPU8[address] !== 0; }
+  f64(address) { return engine().HEAPF64[address >>> 3]; }
   u64(address) {
     return Number(new DataView(engine().HEAPU8.buffer, address, 8).getBigUint64(0, true));
   }
 
   /** The notes that a function left at an address; they are released. */
-  notes(address) {
-    return takeNotes(this.u32(address));
-  }
+  notes(address) { return takeNotes(this.u32(address)); }
 
   // -- calls
 
@@ -236,15 +252,20 @@ export class Frame {
     const options = this.#options;
     if (this.#context !== 0 || options === null) return this.#context;
     const {timeout, memoryLimit, onProgress: progress, signal} = options;
-    if (!isWanted(timeout) && !isWanted(memoryLimit) && !isWanted(progress) && !isWanted(signal)) return 0;
-    if (isWanted(signal) && typeof signal.aborted !== 'boolean') throw badArgument(`signal must be an AbortSignal, not ${shown(signal)}`);
-    if (isWanted(progress) && typeof progress !== 'function') throw badArgument(`onProgress must be a function, not ${shown(progress)}`);
+    if (!isWanted(timeout) && !isWanted(memoryLimit) && !isWanted(progress) && !isWanted(signal))
+      return 0;
+    if (isWanted(signal) && typeof signal.aborted !== 'boolean')
+      throw badArgument(`signal must be an AbortSignal, not ${shown(signal)}`);
+    if (isWanted(progress) && typeof progress !== 'function')
+      throw badArgument(`onProgress must be a function, not ${shown(progress)}`);
     if (signal?.aborted) throw signal.reason;
     const out = this.block(4);
     this.#call('plumb_context_new', [out]);
     this.#context = this.u32(out);
-    if (isWanted(timeout)) this.#call('plumb_context_set_time_limit', [this.#context, real(timeout, 'timeout')]);
-    if (isWanted(memoryLimit)) this.#call('plumb_context_set_memory_limit', [this.#context, byteCount(memoryLimit)]);
+    if (isWanted(timeout))
+      this.#call('plumb_context_set_time_limit', [this.#context, real(timeout, 'timeout')]);
+    if (isWanted(memoryLimit))
+      this.#call('plumb_context_set_memory_limit', [this.#context, byteCount(memoryLimit)]);
     if (isWanted(progress) || isWanted(signal)) engine()._plumb_js_watch(this.#context);
     return this.#context;
   }
@@ -260,7 +281,10 @@ export class Frame {
     }
   }
 
-  /** Calls a function whose last parameters are a result, the context and the error, and returns the address of the result. */
+  /**
+   * Calls a function whose last parameters are a result, the context and the error, and returns
+   * the address of the result.
+   */
   make(name, ...inputs) {
     const out = this.block(4);
     this.check(name, ...inputs, out, this.context());
@@ -274,7 +298,10 @@ export class Frame {
     return this.u32(out);
   }
 
-  /** Does the same for a function whose last parameters are a result, notes, the context and the error. Returns both. */
+  /**
+   * Does the same for a function whose last parameters are a result, notes, the context and the
+   * error. Returns both.
+   */
   makeWithNotes(name, ...inputs) {
     const out = this.block(4), notes = this.block(4);
     this.check(name, ...inputs, out, notes, this.context());
@@ -296,7 +323,7 @@ export class Frame {
 
   #call(name, inputs) {
     const error = this.block(4);
-    const status = engine()[`_${name}`](...inputs, error);
+    const status = statusOf(name, inputs, error);
     if (status === 0) return;
     const failure = takeError(status, this.u32(error));
     if (this.#stop !== null && failure.code === 'CANCELLED') throw this.#stop.error;
@@ -304,11 +331,22 @@ export class Frame {
   }
 
   release() {
+    if (!isReady()) return;
     const free = engine()._free;
     if (this.#context !== 0) engine()._plumb_context_free(this.#context);
     for (const address of this.#blocks) free(address);
     this.#blocks = [];
     this.#context = 0;
+  }
+}
+
+/** Calls a function. After a trap, where GMP ends without memory, nothing can be called again. */
+function statusOf(name, inputs, error) {
+  try {
+    return engine()[`_${name}`](...inputs, error);
+  } catch (trap) {
+    failure = new PlumbError('INTERNAL', `the engine has stopped: ${trap?.message ?? trap}`);
+    throw failure;
   }
 }
 
@@ -324,21 +362,24 @@ export function inFrame(options, body) {
 
 function byteCount(value) {
   if (typeof value === 'bigint' && value >= 0n) return value;
-  if (typeof value === 'number' && value >= 0 && Number.isFinite(value)) return BigInt(Math.floor(value));
+  if (typeof value === 'number' && value >= 0 && Number.isFinite(value))
+    return BigInt(Math.floor(value));
   throw badArgument(`memoryLimit must be a number of bytes, not ${shown(value)}`);
 }
 
 function converted(Type, values, what) {
   if (values instanceof Type) return values;
   if (typeof values !== 'object' || values === null || typeof values.length !== 'number') {
-    throw badArgument(`${what} must be a ${Type.name} or an array of numbers, not ${shown(values)}`);
+    throw badArgument(
+        `${what} must be a ${Type.name} or an array of numbers, not ${shown(values)}`);
   }
   const result = new Type(values.length);
   for (let i = 0; i < result.length; ++i) {
     const value = values[i];
     result[i] = value;
     if (typeof value !== 'number' || (result[i] !== value && !Number.isNaN(value))) {
-      throw badArgument(`${what}[${i}] is ${shown(value)}, which is no ${Type === Float64Array ? 'number' : 'index'}`);
+      throw badArgument(`${what}[${i}] is ${shown(value)}, which is no ${
+          Type === Float64Array ? 'number' : 'index'}`);
     }
   }
   return result;
@@ -369,21 +410,27 @@ export function notesOf(notes) {
   const result = [];
   const length = engine()._plumb_notes_count(notes) >>> 0;
   for (let i = 0; i < length; ++i) {
-    result.push({text: textAt(engine()._plumb_notes_text(notes, i)), isWarning: engine()._plumb_notes_is_warning(notes, i) !== 0});
+    result.push({
+      text: textAt(engine()._plumb_notes_text(notes, i)),
+      isWarning: engine()._plumb_notes_is_warning(notes, i) !== 0
+    });
   }
   return result;
 }
 
 /** A copy of bytes, which are released. */
 export function takeBytes(bytes) {
-  const result = copyOf(Uint8Array, engine()._plumb_bytes_data(bytes), engine()._plumb_bytes_size(bytes) >>> 0);
+  const result = copyOf(
+      Uint8Array, engine()._plumb_bytes_data(bytes), engine()._plumb_bytes_size(bytes) >>> 0);
   engine()._plumb_bytes_free(bytes);
   return result;
 }
 
 /** A copy of indices, which are released. */
 export function takeIndices(indices) {
-  const result = copyOf(Uint32Array, engine()._plumb_indices_data(indices), engine()._plumb_indices_count(indices) >>> 0);
+  const result = copyOf(
+      Uint32Array, engine()._plumb_indices_data(indices),
+      engine()._plumb_indices_count(indices) >>> 0);
   engine()._plumb_indices_free(indices);
   return result;
 }

@@ -1,14 +1,25 @@
-// What sets of space, of the plane and of the sphere have in common: defineSet() adds it to a class.
+// What sets of space, of the plane and of the sphere have in common: defineSet() adds it to a
+// class.
 //
-// A class states the prefix of its functions in C (`prefix`), how many numbers a point has (`width`), and what its cells are called
+// A class states the prefix of its functions in C (`prefix`), how many numbers a point has
+// (`width`), and what its cells are called
 // (`cells`). Every operation takes options last: {timeout, memoryLimit, onProgress, signal}.
 import {PlumbError} from './error.js';
 import {takeNumbers, vector, vectors, withNumbers} from './fraction.js';
 import {addressesOf, addressOf, Handle, wrap} from './handle.js';
 import {badArgument, copyOf, decode, engine, inFrame, shown, Struct, takeBytes} from './memory.js';
 
-export const operations = {union: 14, intersection: 8, difference: 2, symmetricDifference: 6};
-export const rules = {positive: 3, nonzero: 1, evenodd: 2};
+export const operations = {
+  union: 14,
+  intersection: 8,
+  difference: 2,
+  symmetricDifference: 6
+};
+export const rules = {
+  positive: 3,
+  nonzero: 1,
+  evenodd: 2
+};
 
 /** The winding numbers that are inside: undefined for those that are the default. */
 export function ruleOf(rule) {
@@ -25,108 +36,80 @@ export class PointSet extends Handle {
   static whole() {
     return inFrame(undefined, (frame) => wrap(this, frame.makeBriefly(`${this.prefix}_whole`)));
   }
-  static point(point) {
-    return this.points([point]);
-  }
+  static point(point) { return this.points([point]); }
   static points(points, options) {
-    return inFrame(options, (frame) => withNumbers(
-        frame, vectors(points, this.width, 'points'), 'points', (list) => wrap(this, frame.make(`${this.prefix}_points`, list))));
+    return inFrame(
+        options,
+        (frame) => withNumbers(
+            frame, vectors(points, this.width, 'points'), 'points',
+            (list) => wrap(this, frame.make(`${this.prefix}_points`, list))));
   }
-  static unionOf(sets, options) {
-    return ofMany(this, 'union_of', sets, options);
-  }
-  static intersectionOf(sets, options) {
-    return ofMany(this, 'intersection_of', sets, options);
-  }
+  static unionOf(sets, options) { return ofMany(this, 'union_of', sets, options); }
+  static intersectionOf(sets, options) { return ofMany(this, 'intersection_of', sets, options); }
 
   copy() {
-    return inFrame(undefined, (frame) => wrap(this.constructor, frame.makeBriefly(`${this.constructor.prefix}_copy`, self(this))));
+    return inFrame(
+        undefined,
+        (frame) => wrap(
+            this.constructor, frame.makeBriefly(`${this.constructor.prefix}_copy`, self(this))));
   }
 
-  union(other, options) {
-    return combined(this, other, 'union', options);
-  }
-  intersection(other, options) {
-    return combined(this, other, 'intersection', options);
-  }
-  difference(other, options) {
-    return combined(this, other, 'difference', options);
-  }
+  union(other, options) { return combined(this, other, 'union', options); }
+  intersection(other, options) { return combined(this, other, 'intersection', options); }
+  difference(other, options) { return combined(this, other, 'difference', options); }
   symmetricDifference(other, options) {
     return combined(this, other, 'symmetric_difference', options);
   }
 
-  complement(options) {
-    return derived(this, 'complement', options);
-  }
-  interior(options) {
-    return derived(this, 'interior', options);
-  }
-  closure(options) {
-    return derived(this, 'closure', options);
-  }
-  boundary(options) {
-    return derived(this, 'boundary', options);
-  }
-  exterior(options) {
-    return derived(this, 'exterior', options);
-  }
-  regularization(options) {
-    return derived(this, 'regularization', options);
-  }
+  complement(options) { return derived(this, 'complement', options); }
+  interior(options) { return derived(this, 'interior', options); }
+  closure(options) { return derived(this, 'closure', options); }
+  boundary(options) { return derived(this, 'boundary', options); }
+  exterior(options) { return derived(this, 'exterior', options); }
+  regularization(options) { return derived(this, 'regularization', options); }
 
-  isEmpty() {
-    return engine()[`_${this.constructor.prefix}_is_empty`](self(this)) !== 0;
-  }
-  isWhole() {
-    return engine()[`_${this.constructor.prefix}_is_whole`](self(this)) !== 0;
-  }
-  isClosed() {
-    return describe(this).is_closed;
-  }
-  isOpen() {
-    return describe(this).is_open;
-  }
-  memoryBytes() {
-    return describe(this).bytes;
-  }
+  isEmpty() { return engine()[`_${this.constructor.prefix}_is_empty`](self(this)) !== 0; }
+  isWhole() { return engine()[`_${this.constructor.prefix}_is_whole`](self(this)) !== 0; }
+  isClosed() { return describe(this).is_closed; }
+  isOpen() { return describe(this).is_open; }
+  memoryBytes() { return describe(this).bytes; }
 
   equals(other) {
     return inFrame(undefined, (frame) => {
       const out = frame.block(1);
-      frame.check(`${this.constructor.prefix}_equals`, self(this), addressOf(other, this.constructor, 'other'), out);
+      frame.check(
+          `${this.constructor.prefix}_equals`, self(this),
+          addressOf(other, this.constructor, 'other'), out);
       return frame.flag(out);
     });
   }
   isSubsetOf(other, options) {
     return inFrame(options, (frame) => {
       const out = frame.block(1);
-      frame.check(`${this.constructor.prefix}_is_subset`, self(this), addressOf(other, this.constructor, 'other'), out, frame.context());
+      frame.check(
+          `${this.constructor.prefix}_is_subset`, self(this),
+          addressOf(other, this.constructor, 'other'), out, frame.context());
       return frame.flag(out);
     });
   }
 
   /** The cell that contains a point. */
-  locate(point, options) {
-    return this.locateAll([point], options)[0];
-  }
+  locate(point, options) { return this.locateAll([point], options)[0]; }
   locateAll(points, options) {
     const {prefix, width} = this.constructor;
-    return inFrame(options, (frame) => withNumbers(frame, vectors(points, width, 'points'), 'points', (list) => {
-      const count = (engine()._plumb_numbers_count(list) >>> 0) / width;
-      const cells = frame.block(12 * count);
-      frame.check(`${prefix}_locate`, self(this), list, cells, count, frame.context());
-      return Array.from({length: count}, (_, i) => cellAt(this, cells + 12 * i));
-    }));
+    return inFrame(
+        options,
+        (frame) => withNumbers(frame, vectors(points, width, 'points'), 'points', (list) => {
+          const count = (engine()._plumb_numbers_count(list) >>> 0) / width;
+          const cells = frame.block(12 * count);
+          frame.check(`${prefix}_locate`, self(this), list, cells, count, frame.context());
+          return Array.from({length: count}, (_, i) => cellAt(this, cells + 12 * i));
+        }));
   }
-  contains(point, options) {
-    return this.locate(point, options).isInside;
-  }
+  contains(point, options) { return this.locate(point, options).isInside; }
 
   /** The first cell of the set on a ray; null if there is none. */
-  shoot(origin, direction, options) {
-    return shot(this, origin, direction, false, options);
-  }
+  shoot(origin, direction, options) { return shot(this, origin, direction, false, options); }
   shootToBoundary(origin, direction, options) {
     return shot(this, origin, direction, true, options);
   }
@@ -140,9 +123,7 @@ export class PointSet extends Handle {
   }
 }
 
-export function self(object) {
-  return addressOf(object, object.constructor, 'the object');
-}
+export function self(object) { return addressOf(object, object.constructor, 'the object'); }
 
 function ofMany(Class, name, sets, options) {
   return inFrame(options, (frame) => {
@@ -153,8 +134,11 @@ function ofMany(Class, name, sets, options) {
 
 function combined(set, other, name, options) {
   const Class = set.constructor;
-  return inFrame(options, (frame) =>
-    wrap(Class, frame.make(`${Class.prefix}_${name}`, self(set), addressOf(other, Class, 'other'))));
+  return inFrame(
+      options,
+      (frame) => wrap(
+          Class,
+          frame.make(`${Class.prefix}_${name}`, self(set), addressOf(other, Class, 'other'))));
 }
 
 /** A set that a function without further inputs makes of a set. */
@@ -187,28 +171,42 @@ export function containsPoints(set, coordinates, options) {
 /** The image under an affine map of rows; each row has the matrix and then the translation. */
 export function transformed(set, rows, options) {
   const Class = set.constructor, width = Class.width;
-  if (!Array.isArray(rows) || rows.length !== width) throw badArgument(`the matrix must have ${width} rows of ${width + 1} numbers`);
+  if (!Array.isArray(rows) || rows.length !== width)
+    throw badArgument(`the matrix must have ${width} rows of ${width + 1} numbers`);
   const entries = rows.flatMap((row, i) => vector(row, width + 1, `row ${i} of the matrix`));
-  return inFrame(options, (frame) =>
-    withNumbers(frame, entries, 'the matrix', (map) => wrap(Class, frame.make(`${Class.prefix}_transform`, self(set), map))));
+  return inFrame(
+      options,
+      (frame) => withNumbers(
+          frame, entries, 'the matrix',
+          (map) => wrap(Class, frame.make(`${Class.prefix}_transform`, self(set), map))));
 }
 
 export function translated(set, by, options) {
   const shift = vector(by, set.constructor.width, 'the vector');
-  return transformed(set, shift.map((step, i) => [...shift.map((_, j) => (i === j ? 1 : 0)), step]), options);
+  return transformed(
+      set, shift.map((step, i) => [...shift.map((_, j) => (i === j ? 1 : 0)), step]), options);
 }
 
 /** The exact measure of a function that gives one number, or none for an infinite one: null. */
 export function measure(set, name, options) {
-  return inFrame(options, (frame) => takeNumbers(frame.make(`${set.constructor.prefix}_${name}`, self(set)))[0] ?? null);
+  return inFrame(
+      options,
+      (frame) =>
+          takeNumbers(frame.make(`${set.constructor.prefix}_${name}`, self(set)))[0] ?? null);
 }
 
 /** The sets of a list, which is released. */
 export function takeSets(Class, list) {
   const length = engine()[`_${Class.prefix}_list_count`](list) >>> 0;
   try {
-    return Array.from({length}, (_, i) => inFrame(undefined, (frame) =>
-      wrap(Class, frame.makeBriefly(`${Class.prefix}_copy`, engine()[`_${Class.prefix}_list_at`](list, i)))));
+    return Array.from(
+        {length},
+        (_, i) => inFrame(
+            undefined,
+            (frame) => wrap(
+                Class,
+                frame.makeBriefly(
+                    `${Class.prefix}_copy`, engine()[`_${Class.prefix}_list_at`](list, i)))));
   } finally {
     engine()[`_${Class.prefix}_list_free`](list);
   }
@@ -216,17 +214,26 @@ export function takeSets(Class, list) {
 
 function cellAt(set, address) {
   const view = new DataView(engine().HEAPU8.buffer, address, 12);
-  return {kind: set.constructor.cells[view.getInt32(0, true)], index: view.getUint32(4, true), isInside: view.getUint8(8) !== 0};
+  return {
+    kind: set.constructor.cells[view.getInt32(0, true)],
+    index: view.getUint32(4, true),
+    isInside: view.getUint8(8) !== 0
+  };
 }
 
 function shot(set, origin, direction, toBoundary, options) {
   const {prefix, width} = set.constructor;
-  const ray = [...vector(origin, width, 'the origin'), ...vector(direction, width, 'the direction')];
-  return inFrame(options, (frame) => withNumbers(frame, ray, 'the ray', (list) => {
-    const hit = frame.block(1), cell = frame.block(12), point = frame.block(4);
-    frame.check(`${prefix}_shoot`, self(set), list, toBoundary, hit, cell, point, frame.context());
-    return frame.flag(hit) ? {cell: cellAt(set, cell), point: takeNumbers(frame.u32(point))} : null;
-  }));
+  const ray =
+      [...vector(origin, width, 'the origin'), ...vector(direction, width, 'the direction')];
+  return inFrame(
+      options,
+      (frame) => withNumbers(frame, ray, 'the ray', (list) => {
+        const hit = frame.block(1), cell = frame.block(12), point = frame.block(4);
+        frame.check(
+            `${prefix}_shoot`, self(set), list, toBoundary, hit, cell, point, frame.context());
+        return frame.flag(hit) ? {cell: cellAt(set, cell), point: takeNumbers(frame.u32(point))} :
+                                 null;
+      }));
 }
 
 // ---- files
@@ -263,7 +270,9 @@ export function written(frame, options, name, ...inputs) {
 
 let folders = 0;
 
-/** Runs a body with files in the module's memory, {name: bytes}, whose folder is gone afterwards. */
+/**
+ * Runs a body with files in the module's memory, {name: bytes}, whose folder is gone afterwards.
+ */
 export function withFiles(files, body) {
   const {FS} = engine();
   const folder = `/files${++folders}`;
@@ -289,6 +298,7 @@ export function withFiles(files, body) {
 function bytesOf(data, name) {
   if (typeof data === 'string') return new TextEncoder().encode(data);
   if (data instanceof ArrayBuffer) return new Uint8Array(data);
-  if (ArrayBuffer.isView(data)) return new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+  if (ArrayBuffer.isView(data))
+    return new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
   throw badArgument(`${name} must be a Uint8Array, an ArrayBuffer or a string, not ${shown(data)}`);
 }

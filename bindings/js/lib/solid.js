@@ -2,27 +2,78 @@
 import {takeNumbers, vector, vectors, withNumbers} from './fraction.js';
 import {addressesOf, addressOf, wrap} from './handle.js';
 import {
-  badArgument, constant, copyOf, count, engine, inFrame, real, shown, Struct, takeBytes, takeIndices,
+  badArgument,
+  constant,
+  copyOf,
+  count,
+  engine,
+  inFrame,
+  real,
+  shown,
+  Struct,
+  takeBytes,
+  takeIndices,
 } from './memory.js';
 import {PlaneSet} from './plane_set.js';
 import {
-  containsPoints, derived, describe, isRaw, measure, operations, PointSet, readOptions, ruleOf, self, takeSets, tell, transformed,
-  translated, withFiles, writeOptions, written,
+  containsPoints,
+  derived,
+  describe,
+  isRaw,
+  measure,
+  operations,
+  PointSet,
+  readOptions,
+  ruleOf,
+  self,
+  takeSets,
+  tell,
+  transformed,
+  translated,
+  withFiles,
+  writeOptions,
+  written,
 } from './sets.js';
 
-const solidLayout = new Struct({rule: 'i32', surface: 'bool', may_be_empty: 'bool', repair: 'pointer'});
-const repairLayout = new Struct({weld: 'f64', doubled: 'i32', reorient: 'bool', fill_holes: 'u32', fill_holes_below: 'f64'});
-const toMeshLayout = new Struct({polygons: 'bool', split_vertices: 'bool', floats: 'bool', exact: 'bool'});
+const solidLayout =
+    new Struct({rule: 'i32', surface: 'bool', may_be_empty: 'bool', repair: 'pointer'});
+const repairLayout = new Struct(
+    {weld: 'f64', doubled: 'i32', reorient: 'bool', fill_holes: 'u32', fill_holes_below: 'f64'});
+const toMeshLayout =
+    new Struct({polygons: 'bool', split_vertices: 'bool', floats: 'bool', exact: 'bool'});
 const reportLayout = new Struct({
-  rounded_vertices: 'u64', rounds: 'u32', coarse_rounds: 'u32', damaged_faces: 'u64', largest_move: 'f64', changes_topology: 'bool',
-  dropped: 'u64', filled: 'u64', closed: 'u64', non_manifold_edges: 'u64', non_manifold_vertices: 'u64',
+  rounded_vertices: 'u64',
+  rounds: 'u32',
+  coarse_rounds: 'u32',
+  damaged_faces: 'u64',
+  largest_move: 'f64',
+  changes_topology: 'bool',
+  dropped: 'u64',
+  filled: 'u64',
+  closed: 'u64',
+  non_manifold_edges: 'u64',
+  non_manifold_vertices: 'u64',
 });
 const repairReportLayout = new Struct({
-  equal: 'u64', welded: 'u64', farthest: 'f64', unused: 'u64', trimmed: 'u64', degenerate: 'u64', doubled: 'u64', flipped: 'u64',
-  turned: 'u64', filled: 'u64', added: 'u64', holes: 'u64', is_closed: 'bool',
+  equal: 'u64',
+  welded: 'u64',
+  farthest: 'f64',
+  unused: 'u64',
+  trimmed: 'u64',
+  degenerate: 'u64',
+  doubled: 'u64',
+  flipped: 'u64',
+  turned: 'u64',
+  filled: 'u64',
+  added: 'u64',
+  holes: 'u64',
+  is_closed: 'bool',
 });
 const doubledFaces = ['keep', 'if better', 'drop'];
-const meshLists = ['degenerate', 'trimmed', 'notPlanar', 'notSimple', 'doubled', 'crossings', 'flipped', 'oneSided', 'insideOut'];
+const meshLists = [
+  'degenerate', 'trimmed', 'notPlanar', 'notSimple', 'doubled', 'crossings', 'flipped', 'oneSided',
+  'insideOut'
+];
 
 /** snake_case names as camelCase names. */
 const camel = (facts) => Object.fromEntries(Object.entries(facts).map(
@@ -32,41 +83,59 @@ function repairOptions(frame, repair) {
   if (repair === undefined || repair === null) return 0;
   const {weld = 0, doubled = 'keep', reorient = false, fillHoles = 0, fillHolesBelow = 0} = repair;
   return frame.struct(repairLayout, {
-    weld: real(weld, 'weld'), doubled: constant(doubledFaces, doubled, 'doubled'), reorient, fill_holes: count(fillHoles, 'fillHoles'),
+    weld: real(weld, 'weld'),
+    doubled: constant(doubledFaces, doubled, 'doubled'),
+    reorient,
+    fill_holes: count(fillHoles, 'fillHoles'),
     fill_holes_below: real(fillHolesBelow, 'fillHolesBelow'),
   });
 }
 
 function solidOptions(frame, {rule, surface = false, mayBeEmpty = false, repair} = {}) {
-  return frame.struct(solidLayout, {rule: ruleOf(rule), surface, may_be_empty: mayBeEmpty, repair: repairOptions(frame, repair)});
+  return frame.struct(solidLayout, {
+    rule: ruleOf(rule),
+    surface,
+    may_be_empty: mayBeEmpty,
+    repair: repairOptions(frame, repair)
+  });
 }
 
 // ---- meshes
 
 /** The arrays of a mesh of the engine. */
 function arraysOf(mesh, isTriangles) {
-  const points = engine()._plumb_mesh_point_count(mesh) >>> 0, faces = engine()._plumb_mesh_face_count(mesh) >>> 0;
+  const points = engine()._plumb_mesh_point_count(mesh) >>> 0,
+        faces = engine()._plumb_mesh_face_count(mesh) >>> 0;
   const corners = engine()._plumb_mesh_corner_count(mesh) >>> 0;
   const vertices = copyOf(Float64Array, engine()._plumb_mesh_points(mesh), 3 * points);
   const cornerArray = copyOf(Uint32Array, engine()._plumb_mesh_corners(mesh), corners);
   const facetArray = engine()._plumb_mesh_facets(mesh);
   const facets = facetArray === 0 ? new Uint32Array(0) : copyOf(Uint32Array, facetArray, faces);
   if (isTriangles) return {vertices, triangles: cornerArray, facets};
-  return {vertices, faceBegin: copyOf(Uint32Array, engine()._plumb_mesh_face_begin(mesh), faces + 1), corners: cornerArray, facets};
+  return {
+    vertices,
+    faceBegin: copyOf(Uint32Array, engine()._plumb_mesh_face_begin(mesh), faces + 1),
+    corners: cornerArray,
+    facets
+  };
 }
 
 /** Runs a body with a mesh of the engine, and releases the mesh. */
 export function withMesh(frame, mesh, body) {
-  if (typeof mesh !== 'object' || mesh === null) throw badArgument(`a mesh must be an object of arrays, not ${shown(mesh)}`);
+  if (typeof mesh !== 'object' || mesh === null)
+    throw badArgument(`a mesh must be an object of arrays, not ${shown(mesh)}`);
   const {address, count: points} = frame.doubles(mesh.vertices, 3, 'vertices');
   let made;
   if (mesh.triangles !== undefined) {
     const triangles = frame.records(Uint32Array, mesh.triangles, 3, 'triangles');
-    made = frame.makeBriefly('plumb_mesh_from_triangles', address, points, triangles.address, triangles.count);
+    made = frame.makeBriefly(
+        'plumb_mesh_from_triangles', address, points, triangles.address, triangles.count);
   } else {
-    const begin = frame.numbers(Uint32Array, mesh.faceBegin, 'faceBegin'), corners = frame.numbers(Uint32Array, mesh.corners, 'corners');
-    made = frame.makeBriefly('plumb_mesh_from_polygons', address, points, begin.address, Math.max(begin.count, 1) - 1, corners.address,
-        corners.count);
+    const begin = frame.numbers(Uint32Array, mesh.faceBegin, 'faceBegin'),
+          corners = frame.numbers(Uint32Array, mesh.corners, 'corners');
+    made = frame.makeBriefly(
+        'plumb_mesh_from_polygons', address, points, begin.address, Math.max(begin.count, 1) - 1,
+        corners.address, corners.count);
   }
   try {
     return body(made);
@@ -77,7 +146,8 @@ export function withMesh(frame, mesh, body) {
 
 /** The arrays of a mesh of the engine, which is released; polygons only if the mesh has any. */
 export function takeMesh(mesh) {
-  const isTriangles = (engine()._plumb_mesh_corner_count(mesh) >>> 0) === 3 * (engine()._plumb_mesh_face_count(mesh) >>> 0);
+  const isTriangles = (engine()._plumb_mesh_corner_count(mesh) >>> 0) ===
+      3 * (engine()._plumb_mesh_face_count(mesh) >>> 0);
   const arrays = arraysOf(mesh, isTriangles);
   engine()._plumb_mesh_free(mesh);
   return arrays;
@@ -89,8 +159,10 @@ export function readMesh(data, options = {}) {
     const reading = readOptions(frame, options);
     const read = () => {
       if (options.files !== undefined) {
-        return withFiles({...options.files, [options.name]: data}, (folder) =>
-          frame.makeWithNotes('plumb_mesh_read_file', frame.text(`${folder}/${options.name}`, 'name'), reading));
+        return withFiles(
+            {...options.files, [options.name]: data},
+            (folder) => frame.makeWithNotes(
+                'plumb_mesh_read_file', frame.text(`${folder}/${options.name}`, 'name'), reading));
       }
       const bytes = frame.bytes(data, 'the file');
       return frame.makeWithNotes('plumb_mesh_read', bytes.address, bytes.count, reading);
@@ -103,51 +175,69 @@ export function readMesh(data, options = {}) {
 
 /** Writes a mesh as it is. */
 export function writeMesh(mesh, format) {
-  return inFrame(undefined, (frame) =>
-    withMesh(frame, mesh, (made) => takeBytes(frame.makeBriefly('plumb_mesh_write', made, frame.text(format, 'format')))));
+  return inFrame(
+      undefined,
+      (frame) => withMesh(
+          frame, mesh,
+          (made) => takeBytes(
+              frame.makeBriefly('plumb_mesh_write', made, frame.text(format, 'format')))));
 }
 
 /** What is wrong with a mesh: open borders, faces that cross, degenerate faces and the like. */
 export function checkMesh(mesh, options = {}) {
-  return inFrame(options, (frame) => withMesh(frame, mesh, (made) => {
-    const report = frame.make('plumb_mesh_check', made, BigInt(count(options.maxListed ?? 1000, 'maxListed')));
-    const length = frame.block(4);
-    const list = (which) => {
-      const address = engine()._plumb_mesh_report_list(report, which, length);
-      return copyOf(Uint32Array, address, frame.u32(length));
-    };
-    const chains = (which) => {
-      const vertices = list(which), begin = engine()._plumb_mesh_report_chains(report, which, length);
-      const offsets = copyOf(Uint32Array, begin, frame.u32(length) === 0 ? 0 : frame.u32(length) + 1);
-      return Array.from({length: Math.max(offsets.length, 1) - 1}, (_, i) => vertices.slice(offsets[i], offsets[i + 1]));
-    };
-    const result = {
-      isClosed: engine()._plumb_mesh_report_is_closed(report) !== 0,
-      crossingCount: Number(engine()._plumb_mesh_report_crossing_count(report)),
-      ...Object.fromEntries(meshLists.map((name, which) => [name, list(which)])),
-      borders: chains(9), holes: chains(10),
-    };
-    engine()._plumb_mesh_report_free(report);
-    return result;
-  }));
+  return inFrame(
+      options,
+      (frame) => withMesh(frame, mesh, (made) => {
+        const report = frame.make(
+            'plumb_mesh_check', made, BigInt(count(options.maxListed ?? 1000, 'maxListed')));
+        const length = frame.block(4);
+        const list = (which) => {
+          const address = engine()._plumb_mesh_report_list(report, which, length);
+          return copyOf(Uint32Array, address, frame.u32(length));
+        };
+        const chains = (which) => {
+          const vertices = list(which),
+                begin = engine()._plumb_mesh_report_chains(report, which, length);
+          const offsets =
+              copyOf(Uint32Array, begin, frame.u32(length) === 0 ? 0 : frame.u32(length) + 1);
+          return Array.from(
+              {length: Math.max(offsets.length, 1) - 1},
+              (_, i) => vertices.slice(offsets[i], offsets[i + 1]));
+        };
+        const result = {
+          isClosed: engine()._plumb_mesh_report_is_closed(report) !== 0,
+          crossingCount: Number(engine()._plumb_mesh_report_crossing_count(report)),
+          ...Object.fromEntries(meshLists.map((name, which) => [name, list(which)])),
+          borders: chains(9),
+          holes: chains(10),
+        };
+        engine()._plumb_mesh_report_free(report);
+        return result;
+      }));
 }
 
 /** Mends a mesh; 'automatic' finds out how, and gives null if nothing helps. */
 export function repairMesh(mesh, repair = 'automatic', options = {}) {
-  return inFrame(options, (frame) => withMesh(frame, mesh, (made) => {
-    let how;
-    if (repair === 'automatic') {
-      how = frame.struct(repairLayout);
-      const found = frame.block(1);
-      frame.check('plumb_mesh_find_repair', made, how, found, frame.context());
-      if (!frame.flag(found)) return null;
-    } else {
-      how = repairOptions(frame, repair);
-    }
-    const out = frame.block(4), report = frame.struct(repairReportLayout), notes = frame.block(4);
-    frame.check('plumb_mesh_repair', made, how, out, report, notes, frame.context());
-    return {mesh: takeMesh(frame.u32(out)), report: camel(repairReportLayout.read(report)), notes: frame.notes(notes)};
-  }));
+  return inFrame(
+      options, (frame) => withMesh(frame, mesh, (made) => {
+                 let how;
+                 if (repair === 'automatic') {
+                   how = frame.struct(repairLayout);
+                   const found = frame.block(1);
+                   frame.check('plumb_mesh_find_repair', made, how, found, frame.context());
+                   if (!frame.flag(found)) return null;
+                 } else {
+                   how = repairOptions(frame, repair);
+                 }
+                 const out = frame.block(4), report = frame.struct(repairReportLayout),
+                       notes = frame.block(4);
+                 frame.check('plumb_mesh_repair', made, how, out, report, notes, frame.context());
+                 return {
+                   mesh: takeMesh(frame.u32(out)),
+                   report: camel(repairReportLayout.read(report)),
+                   notes: frame.notes(notes)
+                 };
+               }));
 }
 
 /** The Delaunay triangulation of points of the plane: triangles of indices. */
@@ -160,35 +250,64 @@ export function delaunay(points, options) {
 
 // ---- solids
 
-/** A set of points of space that half-spaces can make: bounded or not, open or closed, with dangling parts or not. */
+/**
+ * A set of points of space that half-spaces can make: bounded or not, open or closed, with
+ * dangling parts or not.
+ */
 export class Solid extends PointSet {
   static prefix = 'plumb_solid';
   static free = 'plumb_solid_free';
   static width = 3;
   static cells = ['vertex', 'edge', 'facet', 'volume'];
   static info = new Struct({
-    vertices: 'u32', edges: 'u32', facets: 'u32', volumes: 'u32', marked_volumes: 'u32', bytes: 'u32', is_empty: 'bool', is_whole: 'bool',
-    is_bounded: 'bool', is_closed: 'bool', is_open: 'bool', is_simple: 'bool', is_convex: 'bool',
+    vertices: 'u32',
+    edges: 'u32',
+    facets: 'u32',
+    volumes: 'u32',
+    marked_volumes: 'u32',
+    bytes: 'u32',
+    is_empty: 'bool',
+    is_whole: 'bool',
+    is_bounded: 'bool',
+    is_closed: 'bool',
+    is_open: 'bool',
+    is_simple: 'bool',
+    is_convex: 'bool',
   });
 
   static fromMesh(vertices, triangles, options) {
     return inFrame(options, (frame) => {
-      const points = frame.doubles(vertices, 3, 'vertices'), faces = frame.records(Uint32Array, triangles, 3, 'triangles');
-      return wrap(Solid, frame.make(
-          'plumb_solid_from_triangles', points.address, points.count, faces.address, faces.count, solidOptions(frame, options)));
+      const points = frame.doubles(vertices, 3, 'vertices'),
+            faces = frame.records(Uint32Array, triangles, 3, 'triangles');
+      return wrap(
+          Solid,
+          frame.make(
+              'plumb_solid_from_triangles', points.address, points.count, faces.address,
+              faces.count, solidOptions(frame, options)));
     });
   }
   static fromPolygons(vertices, faceBegin, corners, options) {
-    return inFrame(options, (frame) => withMesh(frame, {vertices, faceBegin, corners}, (mesh) =>
-      wrap(Solid, frame.make('plumb_solid_from_mesh', mesh, solidOptions(frame, options)))));
+    return inFrame(
+        options,
+        (frame) => withMesh(
+            frame, {vertices, faceBegin, corners},
+            (mesh) => wrap(
+                Solid, frame.make('plumb_solid_from_mesh', mesh, solidOptions(frame, options)))));
   }
   static halfSpace(plane, {closed = true} = {}) {
-    return inFrame(undefined, (frame) => withNumbers(frame, vector(plane, 4, 'the plane'), 'the plane', (numbers) =>
-      wrap(Solid, frame.makeBriefly('plumb_solid_half_space', numbers, closed))));
+    return inFrame(
+        undefined,
+        (frame) => withNumbers(
+            frame, vector(plane, 4, 'the plane'), 'the plane',
+            (numbers) =>
+                wrap(Solid, frame.makeBriefly('plumb_solid_half_space', numbers, closed))));
   }
   static plane(plane) {
-    return inFrame(undefined, (frame) => withNumbers(frame, vector(plane, 4, 'the plane'), 'the plane', (numbers) =>
-      wrap(Solid, frame.makeBriefly('plumb_solid_plane', numbers))));
+    return inFrame(
+        undefined,
+        (frame) => withNumbers(
+            frame, vector(plane, 4, 'the plane'), 'the plane',
+            (numbers) => wrap(Solid, frame.makeBriefly('plumb_solid_plane', numbers))));
   }
   static halfSpaces(planes, options = {}) {
     return inFrame(options, (frame) => {
@@ -198,36 +317,50 @@ export class Solid extends PointSet {
       return wrap(Solid, frame.make('plumb_solid_from_half_spaces', address, closed, length));
     });
   }
-  static polyline(points, options) {
-    return ofPoints('polyline', points, options);
-  }
-  static facet(corners, options) {
-    return ofPoints('facet', corners, options);
-  }
+  static polyline(points, options) { return ofPoints('polyline', points, options); }
+  static facet(corners, options) { return ofPoints('facet', corners, options); }
 
   static box(low, high, options) {
     const from = vector(low, 3, 'the lower corner'), to = vector(high, 3, 'the upper corner');
-    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? to : from)[axis]));
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
+        (i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? to : from)[axis]));
     const box = Solid.hull(corners, options);
     return options?.closed === false ? box.interior(options) : box;
   }
   static ball(radius, rounds = 3) {
-    return inFrame(undefined, (frame) =>
-      wrap(Solid, frame.makeBriefly('plumb_solid_ball', real(radius, 'radius'), count(rounds, 'rounds'))));
+    return inFrame(
+        undefined,
+        (frame) => wrap(
+            Solid,
+            frame.makeBriefly(
+                'plumb_solid_ball', real(radius, 'radius'), count(rounds, 'rounds'))));
   }
   static sphere(radius, chords = 30, options) {
-    return inFrame(options, (frame) =>
-      wrap(Solid, frame.make('plumb_solid_sphere', real(radius, 'radius'), count(chords, 'chords'))));
+    return inFrame(
+        options,
+        (frame) => wrap(
+            Solid,
+            frame.make('plumb_solid_sphere', real(radius, 'radius'), count(chords, 'chords'))));
   }
-  static cylinder(height, bottomRadius, {topRadius = bottomRadius, chords = 30, centred = false, ...options} = {}) {
-    return inFrame(options, (frame) => wrap(Solid, frame.make(
-        'plumb_solid_cylinder', real(height, 'height'), real(bottomRadius, 'bottomRadius'), real(topRadius, 'topRadius'),
-        count(chords, 'chords'), centred)));
+  static cylinder(
+      height, bottomRadius,
+      {topRadius = bottomRadius, chords = 30, centred = false, ...options} = {}) {
+    return inFrame(
+        options,
+        (frame) => wrap(
+            Solid,
+            frame.make(
+                'plumb_solid_cylinder', real(height, 'height'), real(bottomRadius, 'bottomRadius'),
+                real(topRadius, 'topRadius'), count(chords, 'chords'), centred)));
   }
   static torus(radius, tubeRadius, {chords = 30, tubeChords = 16, ...options} = {}) {
-    return inFrame(options, (frame) => wrap(Solid, frame.make(
-        'plumb_solid_torus', real(radius, 'radius'), real(tubeRadius, 'tubeRadius'), count(chords, 'chords'),
-        count(tubeChords, 'tubeChords'))));
+    return inFrame(
+        options,
+        (frame) => wrap(
+            Solid,
+            frame.make(
+                'plumb_solid_torus', real(radius, 'radius'), real(tubeRadius, 'tubeRadius'),
+                count(chords, 'chords'), count(tubeChords, 'tubeChords'))));
   }
   static hull(points, options) {
     if (points instanceof Float64Array) {
@@ -246,11 +379,16 @@ export class Solid extends PointSet {
   }
 
   static evaluate(expression, solids, options) {
-    if (typeof solids !== 'object' || solids === null) throw badArgument(`solids must be an object {name: Solid}, not ${shown(solids)}`);
+    if (typeof solids !== 'object' || solids === null)
+      throw badArgument(`solids must be an object {name: Solid}, not ${shown(solids)}`);
     return inFrame(options, (frame) => {
       const names = frame.addresses(Object.keys(solids).map((name) => frame.text(name, 'name')));
       const {address, count: length} = addressesOf(frame, Object.values(solids), Solid, 'solids');
-      return wrap(Solid, frame.make('plumb_solid_evaluate', frame.text(expression, 'expression'), names.address, address, length));
+      return wrap(
+          Solid,
+          frame.make(
+              'plumb_solid_evaluate', frame.text(expression, 'expression'), names.address, address,
+              length));
     });
   }
 
@@ -259,8 +397,11 @@ export class Solid extends PointSet {
       const reading = readOptions(frame, options), making = solidOptions(frame, options);
       const read = () => {
         if (options.files !== undefined) {
-          return withFiles({...options.files, [options.name]: data}, (folder) =>
-            frame.makeWithNotes('plumb_solid_read_file', frame.text(`${folder}/${options.name}`, 'name'), reading, making));
+          return withFiles(
+              {...options.files, [options.name]: data},
+              (folder) => frame.makeWithNotes(
+                  'plumb_solid_read_file', frame.text(`${folder}/${options.name}`, 'name'), reading,
+                  making));
         }
         const bytes = frame.bytes(data, 'the file');
         return frame.makeWithNotes('plumb_solid_read', bytes.address, bytes.count, reading, making);
@@ -270,18 +411,26 @@ export class Solid extends PointSet {
       return wrap(Solid, address);
     });
   }
-  static fromBytes(data) {
-    return Solid.read(data, {name: 'data.nef'});
-  }
+  static fromBytes(data) { return Solid.read(data, {name: 'data.nef'}); }
   static readHalfSpaces(data, options = {}) {
     const name = options.name ?? 'halfspaces.txt';
-    return inFrame(options, (frame) => withFiles({[name]: data}, (folder) => wrap(Solid, frame.make(
-        'plumb_solid_read_half_spaces_file', frame.text(`${folder}/${name}`, 'name'), readOptions(frame, options)))));
+    return inFrame(
+        options,
+        (frame) => withFiles(
+            {[name]: data},
+            (folder) => wrap(
+                Solid,
+                frame.make(
+                    'plumb_solid_read_half_spaces_file', frame.text(`${folder}/${name}`, 'name'),
+                    readOptions(frame, options)))));
   }
 
   write(format, options = {}) {
-    return inFrame(options, (frame) => written(
-        frame, options, 'plumb_solid_write', self(this), frame.text(format, 'format'), writeOptions(frame, isRaw(options.rounding))));
+    return inFrame(
+        options,
+        (frame) => written(
+            frame, options, 'plumb_solid_write', self(this), frame.text(format, 'format'),
+            writeOptions(frame, isRaw(options.rounding))));
   }
   toBytes(options) {
     const canonical = this.canonical(options);
@@ -292,43 +441,42 @@ export class Solid extends PointSet {
     }
   }
   draw(format, options = {}) {
-    return inFrame(options, (frame) => takeBytes(frame.make(
-        'plumb_solid_draw', self(this), frame.text(format, 'format'), frame.text(options.title, 'title'))));
+    return inFrame(
+        options,
+        (frame) => takeBytes(frame.make(
+            'plumb_solid_draw', self(this), frame.text(format, 'format'),
+            frame.text(options.title, 'title'))));
   }
-  toHtml(options) {
-    return new TextDecoder().decode(this.draw('html', options));
-  }
+  toHtml(options) { return new TextDecoder().decode(this.draw('html', options)); }
   static drawMany(solids, format, options = {}) {
     return inFrame(options, (frame) => {
       const {address, count: length} = addressesOf(frame, solids, Solid, 'solids');
-      return takeBytes(frame.make('plumb_solid_draw_many', address, length, real(options.apart ?? 1, 'apart'),
+      return takeBytes(frame.make(
+          'plumb_solid_draw_many', address, length, real(options.apart ?? 1, 'apart'),
           frame.text(format, 'format'), frame.text(options.title, 'title')));
     });
   }
 
-  toMesh(options = {}) {
-    return meshOf(this, options, true);
-  }
-  toPolygons(options = {}) {
-    return meshOf(this, options, false);
-  }
+  toMesh(options = {}) { return meshOf(this, options, true); }
+  toPolygons(options = {}) { return meshOf(this, options, false); }
 
-  canonical(options) {
-    return derived(this, 'canonical', options);
-  }
+  canonical(options) { return derived(this, 'canonical', options); }
   section(plane, {kind = 'closed below', operation = 'intersection', ...options} = {}) {
     const kinds = ['closed below', 'open below', 'plane'];
     const names = Object.keys(operations);
     const which = operations[names[constant(names, operation, 'operation')]];
-    return inFrame(options, (frame) => withNumbers(frame, vector(plane, 4, 'the plane'), 'the plane', (numbers) =>
-      wrap(Solid, frame.make('plumb_solid_section', self(this), numbers, constant(kinds, kind, 'kind'), which))));
+    return inFrame(
+        options,
+        (frame) => withNumbers(
+            frame, vector(plane, 4, 'the plane'), 'the plane',
+            (numbers) => wrap(
+                Solid,
+                frame.make(
+                    'plumb_solid_section', self(this), numbers, constant(kinds, kind, 'kind'),
+                    which))));
   }
-  transformed(rows, options) {
-    return transformed(this, rows, options);
-  }
-  translated(by, options) {
-    return translated(this, by, options);
-  }
+  transformed(rows, options) { return transformed(this, rows, options); }
+  translated(by, options) { return translated(this, by, options); }
   rotated(axis, degrees, options) {
     return mapped(this, options, (frame) => {
       const {address} = frame.doubles(vector(axis, 3, 'the axis'), 3, 'the axis');
@@ -336,75 +484,81 @@ export class Solid extends PointSet {
     });
   }
   mirrored(normal, options) {
-    return mapped(this, options, (frame) => withNumbers(frame, vector(normal, 3, 'the normal'), 'the normal', (numbers) =>
-      frame.makeBriefly('plumb_numbers_reflection', numbers)));
+    return mapped(
+        this, options,
+        (frame) => withNumbers(
+            frame, vector(normal, 3, 'the normal'), 'the normal',
+            (numbers) => frame.makeBriefly('plumb_numbers_reflection', numbers)));
   }
   scaled(factors, options) {
     const three = Array.isArray(factors) ? factors : [factors, factors, factors];
-    return mapped(this, options, (frame) => withNumbers(frame, vector(three, 3, 'the factors'), 'the factors', (numbers) =>
-      frame.makeBriefly('plumb_numbers_scaling', numbers)));
+    return mapped(
+        this, options,
+        (frame) => withNumbers(
+            frame, vector(three, 3, 'the factors'), 'the factors',
+            (numbers) => frame.makeBriefly('plumb_numbers_scaling', numbers)));
   }
   resized(size, {automatic = [false, false, false], ...options} = {}) {
-    return mapped(this, options, (frame) => withNumbers(frame, vector(size, 3, 'the size'), 'the size', (numbers) => {
-      const flags = frame.block(3);
-      vector(automatic, 3, 'automatic').forEach((flag, i) => (engine().HEAPU8[flags + i] = flag ? 1 : 0));
-      return frame.makeBriefly('plumb_numbers_resizing', self(this), numbers, flags);
-    }));
+    return mapped(
+        this, options,
+        (frame) => withNumbers(frame, vector(size, 3, 'the size'), 'the size', (numbers) => {
+          const flags = frame.block(3);
+          vector(automatic, 3, 'automatic')
+              .forEach((flag, i) => (engine().HEAPU8[flags + i] = flag ? 1 : 0));
+          return frame.makeBriefly('plumb_numbers_resizing', self(this), numbers, flags);
+        }));
   }
 
-  minkowskiSum(other, options) {
-    return withOther(this, 'minkowski_sum', other, options);
-  }
-  minkowskiErosion(other, options) {
-    return withOther(this, 'minkowski_erosion', other, options);
-  }
+  minkowskiSum(other, options) { return withOther(this, 'minkowski_sum', other, options); }
+  minkowskiErosion(other, options) { return withOther(this, 'minkowski_erosion', other, options); }
   decompose({method = 'best', closed = false, ...options} = {}) {
-    return inFrame(options, (frame) => takeSets(Solid, frame.make(
-        'plumb_solid_decompose', self(this), constant(['best', 'cuts', 'walls'], method, 'method'), closed)));
+    return inFrame(
+        options,
+        (frame) => takeSets(
+            Solid,
+            frame.make(
+                'plumb_solid_decompose', self(this),
+                constant(['best', 'cuts', 'walls'], method, 'method'), closed)));
   }
   components(options) {
-    return inFrame(options, (frame) => takeSets(Solid, frame.make('plumb_solid_components', self(this))));
+    return inFrame(
+        options, (frame) => takeSets(Solid, frame.make('plumb_solid_components', self(this))));
   }
-  convexHull(options) {
-    return Solid.hullOf([this], options);
-  }
-  slice(height, options) {
-    return this.slices([height], options)[0];
-  }
+  convexHull(options) { return Solid.hullOf([this], options); }
+  slice(height, options) { return this.slices([height], options)[0]; }
   slices(heights, options) {
-    return inFrame(options, (frame) => withNumbers(frame, heights, 'heights', (numbers) =>
-      takeSets(PlaneSet, frame.make('plumb_solid_slices', self(this), numbers))));
+    return inFrame(
+        options,
+        (frame) => withNumbers(
+            frame, heights, 'heights',
+            (numbers) =>
+                takeSets(PlaneSet, frame.make('plumb_solid_slices', self(this), numbers))));
   }
   shadow(options) {
-    return inFrame(options, (frame) => wrap(PlaneSet, frame.make('plumb_solid_shadow', self(this))));
+    return inFrame(
+        options, (frame) => wrap(PlaneSet, frame.make('plumb_solid_shadow', self(this))));
   }
 
-  containsPoints(points, options) {
-    return containsPoints(this, points, options);
-  }
+  containsPoints(points, options) { return containsPoints(this, points, options); }
   counts() {
     const {vertices, edges, facets, volumes, marked_volumes: markedVolumes} = describe(this);
     return {vertices, edges, facets, volumes, markedVolumes};
   }
-  isBounded() {
-    return describe(this).is_bounded;
-  }
-  isSimple() {
-    return describe(this).is_simple;
-  }
-  isConvex() {
-    return describe(this).is_convex;
-  }
+  isBounded() { return describe(this).is_bounded; }
+  isSimple() { return describe(this).is_simple; }
+  isConvex() { return describe(this).is_convex; }
   convexity(options) {
     return inFrame(options, (frame) => {
       const convex = frame.block(1), edges = frame.block(8), failing = frame.block(4);
       frame.check('plumb_solid_convexity', self(this), convex, edges, failing, frame.context());
-      return {isConvex: frame.flag(convex), reflexEdges: frame.u64(edges), failing: takeIndices(frame.u32(failing))};
+      return {
+        isConvex: frame.flag(convex),
+        reflexEdges: frame.u64(edges),
+        failing: takeIndices(frame.u32(failing))
+      };
     });
   }
-  volume(options) {
-    return measure(this, 'volume', options);
-  }
+  volume(options) { return measure(this, 'volume', options); }
   centroid(options) {
     return inFrame(options, (frame) => {
       const numbers = takeNumbers(frame.make('plumb_solid_centroid', self(this)));
@@ -434,13 +588,18 @@ export class Solid extends PointSet {
 }
 
 function ofPoints(name, points, options) {
-  return inFrame(options, (frame) => withNumbers(frame, vectors(points, 3, 'points'), 'points', (list) =>
-    wrap(Solid, frame.make(`plumb_solid_${name}`, list))));
+  return inFrame(
+      options,
+      (frame) => withNumbers(
+          frame, vectors(points, 3, 'points'), 'points',
+          (list) => wrap(Solid, frame.make(`plumb_solid_${name}`, list))));
 }
 
 function withOther(solid, name, other, options) {
-  return inFrame(options, (frame) =>
-    wrap(Solid, frame.make(`plumb_solid_${name}`, self(solid), addressOf(other, Solid, 'other'))));
+  return inFrame(
+      options,
+      (frame) => wrap(
+          Solid, frame.make(`plumb_solid_${name}`, self(solid), addressOf(other, Solid, 'other'))));
 }
 
 /** The image under the map whose numbers `make` gives. */
@@ -459,7 +618,10 @@ function meshOf(solid, options, isTriangles) {
   const {rounding, floats = false, splitVertices = false} = options;
   return inFrame(options, (frame) => {
     const settings = frame.struct(toMeshLayout, {
-      polygons: !isTriangles, split_vertices: splitVertices, floats, exact: isRaw(rounding),
+      polygons: !isTriangles,
+      split_vertices: splitVertices,
+      floats,
+      exact: isRaw(rounding),
     });
     const out = frame.block(4), report = frame.struct(reportLayout);
     frame.check('plumb_solid_to_mesh', self(solid), settings, out, report, frame.context());

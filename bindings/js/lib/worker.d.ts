@@ -1,17 +1,22 @@
 import type * as plumb from './index.js';
 
 /** What crosses to the worker as it is, or as a proxy. */
-type Sent<T> = T extends plumb.Handle ? Remote<T> : T extends readonly (infer E)[] ? readonly Sent<E>[] : T;
-type Received<T> = T extends plumb.Handle ? Remote<T> :
-    T extends plumb.Fraction | ArrayBufferView ? T :
-    T extends (infer E)[] ? Received<E>[] :
-    T extends object ? {[Name in keyof T]: Received<T[Name]>} : T;
-type Call<T> = T extends (...inputs: infer I) => infer R ?
-    (...inputs: {[Name in keyof I]: Sent<I[Name]>}) => Promise<Received<R>> :
+type Sent<T> =
+    T extends plumb.Handle ? Remote<T>: T extends readonly(infer E)[] ? readonly Sent<E>[] : T;
+type Received<T> = T extends plumb.Handle ? Remote<T>: T extends plumb.Fraction|ArrayBufferView ?
+    T :
+    T extends(infer E)[] ? Received<E>[] :
+                           T extends object ? {[Name in keyof T]: Received<T[Name]>} : T;
+type Call<T> = T extends(...inputs: infer I) => infer R ?
+    (...inputs: {[Name in keyof I]: Sent<I[Name]>}) => Promise<Received<R>>:
     () => Promise<Received<T>>;
 /** An object in the worker: its functions and properties are asynchronous functions. */
-export type Remote<T> = {[Name in Exclude<keyof T, symbol>]: Call<T[Name]>};
-type RemoteClass<C> = {[Name in Exclude<keyof C, 'prototype'>]: Call<C[Name]>};
+export type Remote<T> = {
+  [Name in Exclude<keyof T, symbol>]: Call<T[Name]>
+};
+type RemoteClass<C> = {
+  [Name in Exclude<keyof C, 'prototype'>]: Call<C[Name]>
+};
 
 /** The package in a worker. */
 export interface RemotePlumb {
@@ -34,8 +39,10 @@ export interface RemotePlumb {
   [Symbol.dispose](): void;
 }
 
-/** Starts a worker, loads the engine there, and returns what it offers. `worker`: one that runs plumb/worker-entry. */
-export function connect(options?: {
-  wasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
-  worker?: Worker;
-}): Promise<RemotePlumb>;
+/**
+ * Starts a worker, loads the engine there, and returns what it offers. `worker`: one that runs
+ * plumb/worker-entry.
+ */
+export function connect(
+    options?: {wasm?: string|URL|ArrayBuffer|Uint8Array|WebAssembly.Module; worker?: Worker;}):
+    Promise<RemotePlumb>;

@@ -1,20 +1,27 @@
 // The engine in a worker, so that a page stays responsive: `const plumb = await connect()`.
 //
-// Classes and functions of the package are there under their names, and return promises. Objects of the engine stay in the worker;
-// a page has proxies of them, whose members are asynchronous functions, properties included. The worker does one call after the
-// other. If a signal is aborted, its promise is rejected at once. The operation stops, too, where memory can be shared (in Node, and
-// on pages that are cross-origin isolated); elsewhere it ends in the worker, and its result is released.
+// Classes and functions of the package are there under their names, and return promises. Objects of
+// the engine stay in the worker; a page has proxies of them, whose members are asynchronous
+// functions, properties included. The worker does one call after the other. If a signal is aborted,
+// its promise is rejected at once. The operation stops, too, where memory can be shared (in Node,
+// and on pages that are cross-origin isolated); elsewhere it ends in the worker, and its result is
+// released.
 import {PlumbError} from './error.js';
 import {buffersOf, decodeMessage, encode} from './messages.js';
 
 const classes = ['Solid', 'PlaneSet', 'SphereSet', 'Map', 'Layer', 'Scene'];
-const functions = ['checkMesh', 'delaunay', 'overlay', 'readCsg', 'readMesh', 'repairMesh', 'version', 'writeMesh'];
+const functions = [
+  'checkMesh', 'delaunay', 'overlay', 'readCsg', 'readMesh', 'repairMesh', 'version', 'writeMesh'
+];
 const numbers = new WeakMap();  // The number of each proxy, and the connection that it belongs to.
 
-/** Starts a worker, loads the engine there, and returns what it offers. `wasm` as in init(); `worker`: a worker of one's own. */
+/**
+ * Starts a worker, loads the engine there, and returns what it offers. `wasm` as in init();
+ * `worker`: a worker of one's own.
+ */
 export async function connect({wasm, worker} = {}) {
   const connection = new Connection(worker ?? await startWorker());
-  await connection.call(null, 'init', [{wasm}]);
+  await connection.call(null, 'init', [{wasm: wasm instanceof URL ? wasm.href : wasm}]);
   const offered = {terminate: () => connection.terminate()};
   for (const name of classes) offered[name] = membersOf(connection, name);
   for (const name of functions) offered[name] = (...inputs) => connection.call(null, name, inputs);
@@ -23,7 +30,8 @@ export async function connect({wasm, worker} = {}) {
 }
 
 async function startWorker() {
-  if (typeof Worker === 'function') return new Worker(new URL('./worker_entry.js', import.meta.url), {type: 'module'});
+  if (typeof Worker === 'function')
+    return new Worker(new URL('./worker_entry.js', import.meta.url), {type: 'module'});
   const threads = await import('node:worker_threads');
   return new threads.Worker(new URL('./worker_entry.js', import.meta.url));
 }
@@ -40,7 +48,8 @@ class Connection {
   constructor(worker) {
     this.#worker = worker;
     const receive = (message) => this.#receive(message);
-    const fail = (error) => this.#end(new PlumbError('INTERNAL', `the worker failed: ${error?.message ?? error}`));
+    const fail = (error) =>
+        this.#end(new PlumbError('INTERNAL', `the worker failed: ${error?.message ?? error}`));
     if (typeof worker.addEventListener === 'function') {
       worker.addEventListener('message', ({data}) => receive(data));
       worker.addEventListener('error', fail);
@@ -52,14 +61,19 @@ class Connection {
     }
   }
 
-  /** Calls a member of a class (by its name), of an object (by its number) or of the package (null). */
+  /**
+   * Calls a member of a class (by its name), of an object (by its number) or of the package
+   * (null).
+   */
   call(target, member, inputs) {
     if (this.#ended) return Promise.reject(new PlumbError('CANCELLED', 'the worker has ended'));
     return new Promise((resolve, reject) => {
       const {plain, callbacks} = withoutCallbacks(inputs);
       const {signal} = callbacks;
       if (signal?.aborted) return reject(signal.reason);
-      const stop = signal && typeof SharedArrayBuffer === 'function' ? new Int32Array(new SharedArrayBuffer(4)) : null;
+      const stop = signal && typeof SharedArrayBuffer === 'function' ?
+          new Int32Array(new SharedArrayBuffer(4)) :
+          null;
       const id = ++this.#last;
       const abort = () => {
         if (stop !== null) Atomics.store(stop, 0, 1);
@@ -74,8 +88,13 @@ class Connection {
       this.#hold();
       try {
         this.#post({
-          id, target, member, stop, inputs: encode(plain, (object) => this.#numberOf(object)),
-          reports: typeof callbacks.onProgress === 'function', notes: typeof callbacks.onNote === 'function',
+          id,
+          target,
+          member,
+          stop,
+          inputs: encode(plain, (object) => this.#numberOf(object)),
+          reports: typeof callbacks.onProgress === 'function',
+          notes: typeof callbacks.onNote === 'function',
         });
       } catch (error) {
         settle();
@@ -91,26 +110,29 @@ class Connection {
     this.#end(new PlumbError('CANCELLED', 'the worker has ended'));
   }
 
-  #post(message) {
-    this.#worker.postMessage(message);
-  }
+  #post(message) { this.#worker.postMessage(message); }
 
   // In Node, the worker keeps the process alive as long as there are calls.
   #hold() {
-    if (this.#pending.size > 0) this.#worker.ref?.();
-    else this.#worker.unref?.();
+    if (this.#pending.size > 0)
+      this.#worker.ref?.();
+    else
+      this.#worker.unref?.();
   }
 
   #receive({id, progress, note, value, error}) {
     const call = this.#pending.get(id);
     if (call === undefined) return;
-    if (progress !== undefined) return call.isAbandoned ? undefined : call.callbacks.onProgress(...progress);
+    if (progress !== undefined)
+      return call.isAbandoned ? undefined : call.callbacks.onProgress(...progress);
     if (note !== undefined) return call.isAbandoned ? undefined : call.callbacks.onNote(note);
     this.#pending.delete(id);
     this.#hold();
     call.settle();
     if (error !== undefined) return call.reject(errorOf(error));
-    call.resolve(decodeMessage(value, ({number}) => this.#proxy(number)));  // An abandoned result is released with its proxies.
+    call.resolve(decodeMessage(
+        value,
+        ({number}) => this.#proxy(number)));  // An abandoned result is released with its proxies.
   }
 
   #end(error) {
@@ -133,7 +155,8 @@ class Connection {
   #numberOf(object) {
     const known = numbers.get(object);
     if (known === undefined) return undefined;
-    if (known.connection !== this) throw new PlumbError('BAD_ARGUMENT', 'an object belongs to another worker');
+    if (known.connection !== this)
+      throw new PlumbError('BAD_ARGUMENT', 'an object belongs to another worker');
     return {number: known.number};
   }
 }
@@ -144,7 +167,9 @@ function membersOf(connection, target) {
     get(_, member) {
       // A promise that is resolved by an object asks for its `then`.
       if (typeof member === 'symbol' || member === 'then') {
-        return Symbol.dispose && member === Symbol.dispose ? () => void connection.call(target, 'dispose', []) : undefined;
+        return Symbol.dispose && member === Symbol.dispose ?
+            () => void connection.call(target, 'dispose', []) :
+            undefined;
       }
       return (...inputs) => connection.call(target, member, inputs);
     },
@@ -154,7 +179,8 @@ function membersOf(connection, target) {
 /** The inputs without the functions and the signal of their options, which cannot travel. */
 function withoutCallbacks(inputs) {
   const options = inputs.at(-1);
-  if (typeof options !== 'object' || options === null || numbers.has(options) || Array.isArray(options) || ArrayBuffer.isView(options)) {
+  if (typeof options !== 'object' || options === null || numbers.has(options) ||
+      Array.isArray(options) || ArrayBuffer.isView(options)) {
     return {plain: inputs, callbacks: {}};
   }
   const {signal, onProgress, onNote, ...rest} = options;
@@ -162,11 +188,15 @@ function withoutCallbacks(inputs) {
 }
 
 function errorOf({name, code, reason, message, file, line, column}) {
-  if (name === 'PlumbError') return new PlumbError(code, reason, {text: message, file, line, column});
+  if (name === 'PlumbError')
+    return new PlumbError(code, reason, {text: message, file, line, column});
   return Object.assign(new Error(message), {name});
 }
 
-/** Serves calls in a worker: worker_entry.js, or a worker of one's own, with the package and a function that posts messages. */
+/**
+ * Serves calls in a worker: worker_entry.js, or a worker of one's own, with the package and a
+ * function that posts messages.
+ */
 export function serve(plumb, post) {
   const objects = new globalThis.Map();
   let last = 0;
@@ -198,8 +228,10 @@ export function serve(plumb, post) {
       if (reports) options.onProgress = (...progress) => post({id, progress});
       if (notes) options.onNote = (note) => post({id, note});
       const owner = targetOf(target), found = owner[member];
-      if (found === undefined) throw new PlumbError('BAD_ARGUMENT', `there is no ${String(member)}`);
-      const value = encode(await (typeof found === 'function' ? found.apply(owner, plain) : found), numberOf);
+      if (found === undefined)
+        throw new PlumbError('BAD_ARGUMENT', `there is no ${String(member)}`);
+      const value =
+          encode(await (typeof found === 'function' ? found.apply(owner, plain) : found), numberOf);
       post({id, value}, [...buffersOf(value)]);
     } catch (error) {
       const {name, code, reason, message, file, line, column} = error;

@@ -1,12 +1,15 @@
-// The package in headless chromium, served over HTTP: node --test bindings/js/tests. Skipped where there is no chromium.
+// The package in headless chromium, served over HTTP: node --test bindings/js/tests. Skipped where
+// there is no chromium.
 import assert from 'node:assert/strict';
 import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {cases} from './core.mjs';
-import {dist, hasChromium, shownBy} from './chromium.mjs';
 
-// The last three are beyond every filter: collinear and subnormal, cocircular, and a hair beside a plane.
+import {dist, hasChromium, shownBy} from './chromium.mjs';
+import {cases} from './core.mjs';
+
+// The last three are beyond every filter: collinear and subnormal, cocircular, and a hair beside a
+// plane.
 const page = `<script type="module">
 import {orient2d, incircle, orient3d} from './predicates.js';
 const signs = [
@@ -16,12 +19,14 @@ const signs = [
 await fetch('/shown', {method: 'POST', body: signs.join(' ')});
 </script>`;
 
-test('chromium: signs that the exact stages decide', {skip: !hasChromium, timeout: 120000}, async () => {
-  const {orient3d} = await import(join(dist, 'predicates.js'));
-  const last = Math.sign(orient3d(1, 0, 0, 0, 1, 0, 0, 0, 1, 1 / 3, 1 / 3, 1 / 3));
-  const text = await shownBy(page);
-  assert.deepEqual(text.split(' ').map(Number), [-1, 1, 0, last]);
-});
+test(
+    'chromium: signs that the exact stages decide', {skip: !hasChromium, timeout: 120000},
+    async () => {
+      const {orient3d} = await import(join(dist, 'predicates.js'));
+      const last = Math.sign(orient3d(1, 0, 0, 0, 1, 0, 0, 0, 1, 1 / 3, 1 / 3, 1 / 3));
+      const text = await shownBy(page);
+      assert.deepEqual(text.split(' ').map(Number), [-1, 1, 0, last]);
+    });
 
 // Each case shows its name if it passes, and what failed otherwise; then there is the worker.
 const engine = `<script type="module">
@@ -43,8 +48,9 @@ lines.push('worker ' + String(await box.volume()));
 await fetch('/shown', {method: 'POST', body: lines.join('; ')});
 </script>`;
 
-test('chromium: the cases of core.mjs, and the worker', {skip: !hasChromium || !existsSync(join(dist, 'engine.wasm')), timeout: 300000},
-    async () => {
+test(
+    'chromium: the cases of core.mjs, and the worker',
+    {skip: !hasChromium || !existsSync(join(dist, 'engine.wasm')), timeout: 300000}, async () => {
       assert.ok(Object.keys(cases).length > 15);
       assert.equal(await shownBy(engine), 'worker 1/3');
     });

@@ -1,10 +1,13 @@
-// The package in Node: the cases of core.mjs, and what a browser cannot tell: memory, the worker, the types.
-// node --test bindings/js/tests; PLUMB_JS_DIST names the package. Skipped where the package has the predicates only.
+// The package in Node: the cases of core.mjs, and what a browser cannot tell: memory, the worker,
+// the types. node --test bindings/js/tests; PLUMB_JS_DIST names the package. Skipped where the
+// package has the predicates only.
 import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
 import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {test} from 'node:test';
-import {fileURLToPath} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+
 import {cases, failure} from './core.mjs';
 
 const dist = process.env.PLUMB_JS_DIST ?? join(dirname(fileURLToPath(import.meta.url)), '../dist');
@@ -30,7 +33,8 @@ test('objects that are disposed of leave no memory behind', {skip}, () => {
   const {Solid} = plumb;
   const cube = Solid.box([0, 0, 0], [1, 1, 1]), mesh = cube.toMesh();
   const round = () => {
-    const solid = Solid.fromMesh(mesh.vertices, mesh.triangles), moved = solid.translated([0.5, 0, '1/3']);
+    const solid = Solid.fromMesh(mesh.vertices, mesh.triangles),
+          moved = solid.translated([0.5, 0, '1/3']);
     const sum = solid.union(moved);
     assert.ok(sum.volume().numerator > 0n);
     failure(plumb, 'SYNTAX', () => Solid.read('OFF\nx', {name: 'x.off'}));
@@ -72,58 +76,107 @@ async function withWorker(body) {
   }
 }
 
-test('the worker gives the same answers', {skip, timeout: 120000}, () => withWorker(async (remote) => {
-  const a = await remote.Solid.box([0, 0, 0], [1, 1, new plumb.Fraction(1, 3)]);
-  const b = await a.translated(['1/2', 0, 0]);
-  const sum = await remote.Solid.unionOf([a, b]);
-  assert.equal(String(await sum.volume()), '1/2');
-  const here = plumb.Solid.fromBytes(await sum.toBytes());
-  assert.ok(here.equals(plumb.Solid.box([0, 0, 0], ['3/2', 1, '1/3'])));
-  const {vertices, triangles, report} = await sum.toMesh();
-  assert.ok(vertices instanceof Float64Array && triangles instanceof Uint32Array && report.roundedVertices >= 0);
-  const parts = await sum.decompose();
-  assert.equal((await parts[0].counts()).volumes, 2);
-  const map = await remote.Map.fromCycles([[0, 0], [1, 0], [0, 1]], [[0, 1, 2], [2, 1, 0]]);
-  assert.equal(await (await map.check()).isValid(), true);
-  assert.deepEqual(await remote.checkMesh({vertices, triangles}).then(({isClosed}) => isClosed), true);
-}));
+test(
+    'the worker gives the same answers', {skip, timeout: 120000},
+    () => withWorker(async (remote) => {
+      const a = await remote.Solid.box([0, 0, 0], [1, 1, new plumb.Fraction(1, 3)]);
+      const b = await a.translated(['1/2', 0, 0]);
+      const sum = await remote.Solid.unionOf([a, b]);
+      assert.equal(String(await sum.volume()), '1/2');
+      const here = plumb.Solid.fromBytes(await sum.toBytes());
+      assert.ok(here.equals(plumb.Solid.box([0, 0, 0], ['3/2', 1, '1/3'])));
+      const {vertices, triangles, report} = await sum.toMesh();
+      assert.ok(
+          vertices instanceof Float64Array && triangles instanceof Uint32Array &&
+          report.roundedVertices >= 0);
+      const parts = await sum.decompose();
+      assert.equal((await parts[0].counts()).volumes, 2);
+      const map = await remote.Map.fromCycles([[0, 0], [1, 0], [0, 1]], [[0, 1, 2], [2, 1, 0]]);
+      assert.equal(await (await map.check()).isValid(), true);
+      assert.deepEqual(
+          await remote.checkMesh({vertices, triangles}).then(({isClosed}) => isClosed), true);
+    }));
 
-test('the worker hands errors over', {skip, timeout: 120000}, () => withWorker(async (remote) => {
-  const {PlumbError} = await import(join(dist, 'index.js'));
-  await assert.rejects(remote.Solid.read('OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n', {name: 'bad.off'}),
-      (error) => error instanceof PlumbError && error.code === 'SYNTAX' && error.line === 5 && error.file === 'bad.off');
-  const box = await remote.Solid.box([0, 0, 0], [1, 1, 1]);
-  await box.dispose();
-  await assert.rejects(box.volume(), {code: 'BAD_ARGUMENT'});
-  await assert.rejects(remote.Solid.nothing(), {code: 'BAD_ARGUMENT'});
-  remote.terminate();
-  await assert.rejects(remote.Solid.empty(), {code: 'CANCELLED'});
-}));
+test(
+    'the worker hands errors over', {skip, timeout: 120000},
+    () => withWorker(async (remote) => {
+      const {PlumbError} = await import(join(dist, 'index.js'));
+      await assert.rejects(
+          remote.Solid.read('OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n', {name: 'bad.off'}),
+          (error) => error instanceof PlumbError && error.code === 'SYNTAX' && error.line === 5 &&
+              error.file === 'bad.off');
+      const box = await remote.Solid.box([0, 0, 0], [1, 1, 1]);
+      await box.dispose();
+      await assert.rejects(box.volume(), {code: 'BAD_ARGUMENT'});
+      await assert.rejects(remote.Solid.nothing(), {code: 'BAD_ARGUMENT'});
+      remote.terminate();
+      await assert.rejects(remote.Solid.empty(), {code: 'CANCELLED'});
+    }));
 
-test('the worker reports progress, and a signal stops it', {skip, timeout: 120000}, () => withWorker(async (remote) => {
-  const a = await remote.Solid.ball(1, 6), b = await a.translated([0.5, 0.25, 0.125]);
-  const phases = [];
-  await a.union(b, {onProgress: (phase) => phases.push(phase)});
-  assert.ok(phases.length > 0);
-  const controller = new AbortController(), reason = new RangeError('enough');
-  const call = a.minkowskiSum(b, {signal: controller.signal});
-  setTimeout(() => controller.abort(reason), 200);
-  const start = performance.now();
-  await assert.rejects(call, reason);
-  assert.ok((await b.counts()).volumes === 2, 'the next call has its turn');
-  assert.ok(performance.now() - start < 20000, 'the operation went on');
-  await assert.rejects(a.union(b, {signal: AbortSignal.abort(reason)}), reason);
-}));
+test(
+    'the worker reports progress, and a signal stops it', {skip, timeout: 120000},
+    () => withWorker(async (remote) => {
+      const a = await remote.Solid.ball(1, 6), b = await a.translated([0.5, 0.25, 0.125]);
+      const phases = [];
+      await a.union(b, {onProgress: (phase) => phases.push(phase)});
+      assert.ok(phases.length > 0);
+      const controller = new AbortController(), reason = new RangeError('enough');
+      const call = a.minkowskiSum(b, {signal: controller.signal});
+      setTimeout(() => controller.abort(reason), 200);
+      const start = performance.now();
+      await assert.rejects(call, reason);
+      assert.ok((await b.counts()).volumes === 2, 'the next call has its turn');
+      assert.ok(performance.now() - start < 20000, 'the operation went on');
+      await assert.rejects(a.union(b, {signal: AbortSignal.abort(reason)}), reason);
+    }));
+
+test('the worker loads the engine from where it is told', {skip, timeout: 120000}, async () => {
+  const {connect} = await import(join(dist, 'worker.js'));
+  const bytes = readFileSync(join(dist, 'engine.wasm'));
+  const places = [await WebAssembly.compile(bytes), bytes, pathToFileURL(join(dist, 'engine.wasm'))];
+  for (const wasm of places) {
+    const remote = await connect({wasm});
+    assert.match(await remote.version(), /^\d/);
+    remote.terminate();
+  }
+  await assert.rejects(connect({wasm: new URL('missing.wasm', import.meta.url)}));
+});
+
+test('after a trap, everything says that the engine has stopped', {skip}, () => {
+  const script = `
+    const {init, isReady, Solid} = await import('./index.js'), {engine} = await import('./memory.js');
+    await init();
+    const solid = Solid.ball(1), codes = [];
+    engine()._plumb_solid_volume = () => { throw new WebAssembly.RuntimeError('unreachable'); };
+    for (const use of [() => solid.volume(), () => solid.counts(), () => Solid.empty()]) {
+      try {
+        use();
+      } catch ({code, message}) {
+        codes.push(code + ' ' + message.includes('unreachable'));
+      }
+    }
+    solid.dispose();
+    console.log(codes.join(), isReady());`;
+  const {stdout, stderr} = spawnSync(
+      process.execPath, ['--input-type=module', '-e', script], {cwd: dist, encoding: 'utf8'});
+  assert.equal(stdout.trim(), 'INTERNAL true,INTERNAL true,INTERNAL true false', stderr);
+});
 
 // ---- types
 
 /** {class: names of members}, and under '' the names of functions, of the declarations. */
 function declared() {
-  const text = readFileSync(join(dist, 'index.d.ts'), 'utf8').replaceAll(/\/\*[^]*?\*\/|\/\/.*/g, '');
-  const names = {'': new Set([...text.matchAll(/^export function (\w+)/gm)].map(([, name]) => name))};
-  for (const [, name, body] of text.matchAll(/^export (?:abstract )?class (\w+)[^{]*\{\n([^]*?)^\}/gm)) {
-    names[name] = new Set([...body.matchAll(/^  (static |readonly |private )*(\w+)[(:?]/gm)]
-        .filter(([line]) => !line.includes('constructor')).map(([line, , member]) => (line.includes('static ') ? `static ${member}` : member)));
+  const text =
+      readFileSync(join(dist, 'index.d.ts'), 'utf8').replaceAll(/\/\*[^]*?\*\/|\/\/.*/g, '');
+  const names = {
+    '': new Set([...text.matchAll(/^export function (\w+)/gm)].map(([, name]) => name))
+  };
+  for (const [, name, body] of text.matchAll(
+           /^export (?:abstract )?class (\w+)[^{]*\{\n([^]*?)^\}/gm)) {
+    names[name] = new Set(
+        [...body.matchAll(/^  (static |readonly |private )*(\w+)[(:?]/gm)]
+            .filter(([line]) => !line.includes('constructor'))
+            .map(([line, , member]) => (line.includes('static ') ? `static ${member}` : member)));
   }
   return names;
 }
@@ -131,14 +184,18 @@ function declared() {
 /** The same of what the module exports. */
 function exported() {
   const names = {'': new Set()};
-  const isInternal = (name) => ['prototype', 'length', 'name', 'prefix', 'free', 'width', 'cells', 'info', 'constructor'].includes(name);
+  const isInternal = (name) => ['prototype', 'length', 'name', 'prefix', 'free', 'width', 'cells',
+                                'info', 'constructor']
+                                   .includes(name);
   for (const [name, thing] of Object.entries(plumb)) {
     if (!/^[A-Z]/.test(name)) {
       names[''].add(name);
       continue;
     }
     names[name] = new Set([
-      ...Object.getOwnPropertyNames(thing).filter((member) => !isInternal(member)).map((member) => `static ${member}`),
+      ...Object.getOwnPropertyNames(thing)
+          .filter((member) => !isInternal(member))
+          .map((member) => `static ${member}`),
       ...Object.getOwnPropertyNames(thing.prototype).filter((member) => !isInternal(member)),
     ]);
   }
@@ -148,10 +205,12 @@ function exported() {
 test('everything has a type, and every type is there', {skip}, () => {
   const types = declared(), things = exported();
   assert.deepEqual(Object.keys(types).sort(), Object.keys(things).sort());
-  const inherited = new Set(['empty', 'whole', 'point', 'points', 'unionOf', 'intersectionOf'].map((name) => `static ${name}`));
+  const inherited = new Set(['empty', 'whole', 'point', 'points', 'unionOf', 'intersectionOf'].map(
+      (name) => `static ${name}`));
   const fields = new Set(['code', 'reason', 'file', 'line', 'column', 'numerator', 'denominator']);
   for (const [name, members] of Object.entries(things)) {
-    const ofClass = new Set([...types[name]].filter((member) => !fields.has(member) && !inherited.has(member)));
+    const ofClass =
+        new Set([...types[name]].filter((member) => !fields.has(member) && !inherited.has(member)));
     const present = [...members].filter((member) => !inherited.has(member) && member !== 'without');
     assert.deepEqual([...ofClass].sort(), present.sort(), name);
   }

@@ -1,4 +1,5 @@
-// The layouts of structs in JavaScript are those of the header of C: same members, in the same order, of the same types. Needs no build.
+// The layouts of structs in JavaScript are those of the header of C: same members, in the same
+// order, of the same types. Needs no build.
 import assert from 'node:assert/strict';
 import {readdirSync, readFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
@@ -6,24 +7,38 @@ import {test} from 'node:test';
 import {fileURLToPath} from 'node:url';
 
 const js = join(dirname(fileURLToPath(import.meta.url)), '..');
-const header = readFileSync(join(js, '../c/include/plumb.h'), 'utf8').replaceAll(/\/\*[^]*?\*\//g, '');
+const header =
+    readFileSync(join(js, '../c/include/plumb.h'), 'utf8').replaceAll(/\/\*[^]*?\*\//g, '');
 
 const typeOf = (declaration) => {
   if (declaration.includes('*')) return 'pointer';
-  return {double: 'f64', bool: 'bool', int: 'i32', uint32_t: 'u32', size_t: 'u32', uint64_t: 'u64'}[declaration.split(' ')[0]];
+  return {
+    double: 'f64',
+    bool: 'bool',
+    int: 'i32',
+    uint32_t: 'u32',
+    size_t: 'u32',
+    uint64_t: 'u64'
+  }[declaration.split(' ')[0]];
 };
 
 /** {struct: 'name:type ...'} of the structs that begin with struct_size. */
 function structsOfHeader() {
   const structs = {};
   for (const [, body, name] of header.matchAll(/typedef struct \w+ \{([^}]*)\} plumb_(\w+);/g)) {
-    const members = body.split(';').map((line) => line.trim().replaceAll(/\s+/g, ' ')).filter((line) => line !== '');
+    const members = body.split(';')
+                        .map((line) => line.trim().replaceAll(/\s+/g, ' '))
+                        .filter((line) => line !== '');
     if (members.shift() !== 'size_t struct_size') continue;
-    structs[name] = members.flatMap((member) => {
-      const array = /(\w+)\[2\]$/.exec(member);
-      const label = array ? array[1] : /(\w+)$/.exec(member)[1];
-      return array ? [`${label}_x:${typeOf(member)}`, `${label}_y:${typeOf(member)}`] : [`${label}:${typeOf(member)}`];
-    }).join(' ');
+    structs[name] = members
+                        .flatMap((member) => {
+                          const array = /(\w+)\[2\]$/.exec(member);
+                          const label = array ? array[1] : /(\w+)$/.exec(member)[1];
+                          return array ?
+                              [`${label}_x:${typeOf(member)}`, `${label}_y:${typeOf(member)}`] :
+                              [`${label}:${typeOf(member)}`];
+                        })
+                        .join(' ');
   }
   return structs;
 }
@@ -34,7 +49,9 @@ function structsOfScripts() {
   for (const name of readdirSync(join(js, 'lib')).filter((file) => file.endsWith('.js'))) {
     const script = readFileSync(join(js, 'lib', name), 'utf8');
     for (const [, body] of script.matchAll(/new Struct\(\{([^}]*)\}\)/g)) {
-      found.push([...body.matchAll(/(\w+): '(\w+)'/g)].map(([, member, type]) => `${member}:${type}`).join(' '));
+      found.push([...body.matchAll(/(\w+): '(\w+)'/g)]
+                     .map(([, member, type]) => `${member}:${type}`)
+                     .join(' '));
     }
   }
   return found;
@@ -44,5 +61,6 @@ test('every layout is that of a struct of plumb.h', () => {
   const known = structsOfHeader(), used = structsOfScripts();
   assert.ok(used.length >= 15 && Object.keys(known).length >= 15, 'the layouts were not found');
   const lists = new Set(Object.values(known));
-  for (const members of used) assert.ok(lists.has(members), `no struct of plumb.h has the members ${members}`);
+  for (const members of used)
+    assert.ok(lists.has(members), `no struct of plumb.h has the members ${members}`);
 });

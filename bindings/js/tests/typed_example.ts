@@ -1,19 +1,38 @@
-// Compiled by TypeScript in types.test.mjs, never run: the types accept what the documentation shows, and refuse what it forbids.
-import {Fraction, init, Layer, Map, overlay, PlaneSet, PlumbError, readCsg, Scene, Solid, SphereSet, type ToMeshReport} from 'plumb';
+// Compiled by TypeScript in types.test.mjs, never run: the types accept what the documentation
+// shows, and refuse what it forbids.
+import {
+  Fraction,
+  init,
+  Layer,
+  Map,
+  overlay,
+  PlaneSet,
+  PlumbError,
+  readCsg,
+  Scene,
+  Solid,
+  SphereSet,
+  type ToMeshReport
+} from 'plumb';
 import {connect, type Remote} from 'plumb/worker';
 import {orient2d} from 'plumb/predicates';
 
 await init({wasm: new URL('https://example.org/engine.wasm')});
 const box: Solid = Solid.box([0, 0, 0], ['1/3', 1, 10n ** 30n], {closed: false});
-const volume: Fraction | null = box.union(box.complement(), {timeout: 1, signal: AbortSignal.timeout(5)}).volume();
+const volume: Fraction|null =
+    box.union(box.complement(), {timeout: 1, signal: AbortSignal.timeout(5)}).volume();
 const {vertices, triangles, report} = box.toMesh({rounding: 'nearest', floats: true});
 const moved: number = (report satisfies ToMeshReport).largestMove;
-const again = Solid.fromMesh(vertices, triangles, {rule: 'nonzero', repair: {weld: 0.1, doubled: 'drop'}});
+const again =
+    Solid.fromMesh(vertices, triangles, {rule: 'nonzero', repair: {weld: 0.1, doubled: 'drop'}});
 const outline: PlaneSet = again.slice('1/3').offset(1, {join: 'mitre'});
-const areas: Fraction[] = overlay(Map.read('').check(), Map.fromCycles([[0, 0]], [[0]]).check()).areas();
-const kind: 'vertex' | 'edge' | 'facet' | 'volume' = box.locate(new Float64Array(3)).kind;
-const owner: number | null = Layer.read({type: 'FeatureCollection'}).repaired({owner: 'first'}).report.regions[0].owner;
-const model: Solid | PlaneSet | null = readCsg('cube();', {name: 'a.csg', files: {'b.stl': new Uint8Array(2)}});
+const areas: Fraction[] =
+    overlay(Map.read('').check(), Map.fromCycles([[0, 0]], [[0]]).check()).areas();
+const kind: 'vertex'|'edge'|'facet'|'volume' = box.locate(new Float64Array(3)).kind;
+const owner: number|null =
+    Layer.read({type: 'FeatureCollection'}).repaired({owner: 'first'}).report.regions[0].owner;
+const model: Solid|PlaneSet|null =
+    readCsg('cube();', {name: 'a.csg', files: {'b.stl': new Uint8Array(2)}});
 const scene: number = Scene.fromMesh(vertices, triangles).addPoint(0, ['1/3', 0.5]);
 const sphere: boolean = SphereSet.halfSphere([0, 0, 1]).isSubsetOf(SphereSet.whole());
 if (box instanceof PlumbError) throw new Error('never');
@@ -21,8 +40,9 @@ using disposed = box.copy();
 
 const remote = await connect();
 const a: Remote<Solid> = await remote.Solid.ball(1, 3);
-const sum: Remote<Solid> = await a.union(await a.translated([1, 0, 0]), {onProgress: (phase: string, done: number) => {}});
-const exact: Fraction | null = await sum.volume();
+const sum: Remote<Solid> =
+    await a.union(await a.translated([1, 0, 0]), {onProgress: (phase: string, done: number) => {}});
+const exact: Fraction|null = await sum.volume();
 const pieces: Remote<Solid>[] = await sum.decompose({closed: true});
 const valid: boolean = await (await (await remote.Map.read('')).check()).isValid();
 const points: Float64Array = (await sum.toMesh()).vertices;
@@ -39,4 +59,21 @@ box.contains([0, 0]);
 // @ts-expect-error: results of a worker are promises
 const direct: boolean = a.isEmpty();
 
-export {again, areas, direct, disposed, exact, kind, model, moved, orient2d, owner, pieces, points, scene, sphere, valid, volume};
+export {
+  again,
+  areas,
+  direct,
+  disposed,
+  exact,
+  kind,
+  model,
+  moved,
+  orient2d,
+  owner,
+  pieces,
+  points,
+  scene,
+  sphere,
+  valid,
+  volume
+};
