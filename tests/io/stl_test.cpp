@@ -79,14 +79,14 @@ TEST(StlReader, refuses_hostile_binary_files) {
   constexpr std::size_t kFirstCoordinate = 84 + 12;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
-  for (const std::size_t size : {1U, 83U, 84U, 100U, 283U}) {
+  for (const std::size_t size : {1U, 83U, 84U, 100U, 281U}) {
     EXPECT_THROW(read(good.substr(0, size)), Error) << size;
   }
   expect_refused(good.substr(0, 83), ErrorCode::UnknownFormat, "too short");
   expect_refused(good.substr(0, 84), ErrorCode::CountMismatch,
                  "at byte 84: the file, which is binary, ends where triangle 1 is expected; it "
                  "announces 4 triangles");
-  expect_refused(good.substr(0, 283), ErrorCode::CountMismatch,
+  expect_refused(good.substr(0, 281), ErrorCode::CountMismatch,
                  "at byte 234: the file, which is binary, ends within triangle 4; it announces 4");
   for (const std::uint32_t count : {0U, 5U, ~0U}) {
     expect_refused(with_number(good, 80, count).substr(0, 283), ErrorCode::CountMismatch,
@@ -96,6 +96,21 @@ TEST(StlReader, refuses_hostile_binary_files) {
                  "at byte 96: a coordinate that is not finite");
   expect_refused(with_number(good, kFirstCoordinate + 54, -infinity), ErrorCode::NumberOutOfRange,
                  "at byte 150: ");
+}
+
+/// The last two bytes of a triangle mean nothing, so the last triangle may lack them.
+TEST(StlReader, the_last_attribute_may_be_cut_off) {
+  const std::string good = binary_of(testing::tetrahedron());
+  for (const std::size_t size : {282U, 283U}) {
+    EXPECT_TRUE(is_same(read(good.substr(0, size)).mesh, read(good).mesh)) << size;
+  }
+}
+
+TEST(StlReader, the_other_order_of_bytes_is_refused) {
+  std::string reversed = binary_of(testing::tetrahedron());
+  std::reverse(reversed.begin() + 80, reversed.begin() + 84);
+  expect_refused(reversed, ErrorCode::UnknownFormat,
+                 "at byte 80: the file has its numbers in big-endian order");
 }
 
 TEST(StlReader, accepts_what_the_format_allows) {

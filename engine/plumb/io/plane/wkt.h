@@ -1,7 +1,8 @@
 // Reads and writes well-known text (docs/formats.md, "WKT"): POINT, LINESTRING, POLYGON,
 // MULTIPOINT, MULTILINESTRING, MULTIPOLYGON, GEOMETRYCOLLECTION, and LINEARRING, TRIANGLE, TIN,
-// POLYHEDRALSURFACE, MULTICURVE and MULTISURFACE of straight edges, in any case, with EMPTY
-// anywhere; any number of geometries one after the other, with semicolons between them or without.
+// POLYHEDRALSURFACE, MULTICURVE, MULTISURFACE and CURVEPOLYGON of straight edges, in any case, with
+// EMPTY anywhere; any number of geometries one after the other, with semicolons between them or
+// without.
 //
 // Dialects: SRID=NUMBER; or <URI> before a geometry, Z, M and ZM as words of their own or at the
 // end of another, and one or two numbers after x and y without such a word are read and dropped; a
