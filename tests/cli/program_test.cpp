@@ -535,11 +535,11 @@ TEST(Json, has_errors_as_one_object_on_standard_error) {
     const nlohmann::json error = nlohmann::json::parse(result.err).at("error");
     EXPECT_EQ(error.at("code"), c.code) << error;
     EXPECT_FALSE(error.at("message").get<std::string>().empty());
-    if (c.file.empty()) EXPECT_TRUE(error.at("file").is_null()) << error;
-    if (c.file.size() > 1) EXPECT_EQ(error.at("file"), c.file);
+    const bool is_any_file = c.file == "-";
+    const nlohmann::json file = c.file.empty() ? nlohmann::json() : nlohmann::json(c.file);
+    EXPECT_TRUE(is_any_file || error.at("file") == file) << error;
     for (const auto& [name, value] : {std::pair("line", c.line), std::pair("column", c.column)}) {
-      if (value == 0) EXPECT_TRUE(error.at(name).is_null()) << error;
-      if (value != 0) EXPECT_EQ(error.at(name), value) << error;
+      EXPECT_EQ(error.at(name), value == 0 ? nlohmann::json() : nlohmann::json(value)) << error;
     }
   }
 }
@@ -582,7 +582,7 @@ TEST(Limits, hold_for_numbers_of_thousands_of_digits) {
         run({"solid", "info", bomb, "--digits", "4096", "--limit-seconds", std::to_string(limit)});
     EXPECT_EQ(result.code, 3);
     EXPECT_TRUE(contains(result.err, "raise --limit-seconds")) << result.err;
-    if (kMeasures) EXPECT_LT(result.user_seconds, limit + 0.15);
+    EXPECT_TRUE(!kMeasures || result.user_seconds < limit + 0.15) << result.user_seconds;
   }
 }
 
@@ -597,10 +597,12 @@ TEST(Limits, bound_the_memory_of_the_whole_command) {
     arguments.insert(arguments.end(), {"--limit-memory", std::to_string(limit)});
     const RunResult result = run(arguments);
     EXPECT_TRUE(result.code == 0 || result.code == 3) << result.code << result.err;
-    if (result.code == 3) EXPECT_EQ(scratch.files(), Words{});
+    EXPECT_EQ(scratch.files().size(), result.code == 0 ? 1U : 0U);
+    fs::remove(out);
     // The libraries that a command needs are a part of its base.
     constexpr double kLibraries = 8;
-    if (kMeasures) EXPECT_LT(result.megabytes, base + kLibraries + 1.1 * limit) << limit;
+    EXPECT_TRUE(!kMeasures || result.megabytes < base + kLibraries + 1.1 * limit)
+        << limit << " MB: " << result.megabytes;
   }
 }
 

@@ -83,7 +83,8 @@ std::vector<OptionText> options_of(const CLI::App& app) {
     text.is_argument = option->get_positional();
     text.name = option->get_name(text.is_argument, !text.is_argument);
     text.text = option->get_description();
-    text.is_common = option->get_group() == kCommonGroup;
+    const std::string& group = option->get_group();
+    text.is_common = group == kCommonGroup || group == kHiddenGroup;
     const bool takes_value = !text.is_argument && option->get_expected_max() > 0;
     if (takes_value) text.value = option->get_type_name();
     if (text.value.find('|') != std::string::npos) {

@@ -197,10 +197,11 @@ void CommonOptions::declare(CLI::App& app) {
       ->group(kCommonGroup);
   app.add_flag("--exact-decimals", exact_decimals, "Read 0.1 as 1/10, not as the nearest double")
       ->group(kCommonGroup);
+  // The help of a command has no line left for it; the overview and the manual name it.
   app.add_option("--digits", digits, "Digits of the longest number to read (default 1100)")
       ->check(CLI::Range(16U, 1'000'000U).description(""))
       ->type_name("N")
-      ->group(kCommonGroup);
+      ->group(kHiddenGroup);
   app.add_option("--threads", threads, "Threads to use (default 1)")
       ->check(CLI::Range(1U, 1024U).description(""))
       ->type_name("N")

@@ -86,6 +86,9 @@ void limit_memory(std::uint64_t bytes, unsigned threads);
 /// The group of the options that every command has, in its help.
 inline constexpr const char* kCommonGroup = "Options of every command";
 
+/// The group of options that every command has and no help of a command lists.
+inline constexpr const char* kHiddenGroup = "";
+
 /// The options that every command has.
 struct CommonOptions {
   bool json = false;
