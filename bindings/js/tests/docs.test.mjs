@@ -11,6 +11,7 @@ const dist = process.env.PLUMB_JS_DIST ?? join(tests, '../dist');
 const skip = !existsSync(join(dist, 'engine.wasm'));
 
 const pages = {
+  'README.md': join(tests, '../../../README.md'),
   'docs/javascript.md': join(docs, 'javascript.md'),
   'README.md of the package': join(tests, '../README.md')
 };
@@ -25,7 +26,8 @@ for (const [page, path] of Object.entries(pages)) {
         await plumb.init();
         const body = code.replaceAll(/^import .*$/gm, '');
         const AsyncFunction = (async () => {}).constructor;
-        const scope = {...plumb, connect, assert};
+        const writeFileSync = (path, bytes) => assert.ok(bytes.length > 0, path);
+        const scope = {...plumb, connect, assert, writeFileSync};
         await new AsyncFunction(...Object.keys(scope), body)(...Object.values(scope));
       }));
   test(`${page} has examples`, () => assert.ok(examples.length > 0));
