@@ -25,17 +25,16 @@ Rational long_fraction(std::size_t digits) {
 /// Adds up fractions until something is thrown, at most `most` times; returns how often. There are no
 /// checkpoints.
 std::size_t sums_until_stopped(std::size_t digits, std::size_t most) {
-  const Rational step = long_fraction(digits);
-  Rational sum = 0;
-  for (std::size_t i = 0; i < most; ++i) {
-    try {
+  std::size_t done = 0;
+  try {
+    const Rational step = long_fraction(digits);
+    for (Rational sum = 0; done < most; ++done) {
       sum = sum / step + step;
-    } catch (const Error&) {
-      return i;
+      if (mpz_size(mpq_numref(sum.mpq())) > 4 * digits) sum = step;
     }
-    if (mpz_size(mpq_numref(sum.mpq())) > 4 * digits) sum = step;
+  } catch (const Error&) {
   }
-  return most;
+  return done;
 }
 
 TEST(ArithmeticWatch, stops_long_numbers_after_a_bounded_work) {

@@ -257,7 +257,7 @@ TEST(MapOverlayProgram, refuses_what_it_cannot_overlay) {
     const RunResult result = run(arguments);
     EXPECT_EQ(result.code, 2) << message;
     EXPECT_EQ(result.out, "");
-    EXPECT_TRUE(result.err.starts_with(message)) << result.err;
+    EXPECT_TRUE(told_by(result).starts_with(message)) << result.err;
     EXPECT_EQ(scratch.files(), Words{});
   }
 }

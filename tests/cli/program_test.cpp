@@ -510,9 +510,9 @@ TEST(Json, has_errors_as_one_object_on_standard_error) {
       {{"map", "check", kDefective, "--json", "--limit-memory", "1"},
        3,
        "resource-limit",
-       "-",
-       0,
-       0},
+       kDefective,
+       1,
+       11},
       {{"map", "check", kDefective, "--json", "--limit-seconds", "1e-6"},
        3,
        "resource-limit",
@@ -535,9 +535,8 @@ TEST(Json, has_errors_as_one_object_on_standard_error) {
     const nlohmann::json error = nlohmann::json::parse(result.err).at("error");
     EXPECT_EQ(error.at("code"), c.code) << error;
     EXPECT_FALSE(error.at("message").get<std::string>().empty());
-    const bool is_any_file = c.file == "-";
     const nlohmann::json file = c.file.empty() ? nlohmann::json() : nlohmann::json(c.file);
-    EXPECT_TRUE(is_any_file || error.at("file") == file) << error;
+    EXPECT_EQ(error.at("file"), file) << error;
     for (const auto& [name, value] : {std::pair("line", c.line), std::pair("column", c.column)}) {
       EXPECT_EQ(error.at(name), value == 0 ? nlohmann::json() : nlohmann::json(value)) << error;
     }

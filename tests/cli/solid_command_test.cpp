@@ -80,7 +80,7 @@ TEST_F(SolidProgram, examples_of_the_help_work) {
     EXPECT_EQ(std::system(command.c_str()), 0) << example;
     ++count;
   }
-  EXPECT_EQ(count, kBinary.size() + kUnary.size() + 16);
+  EXPECT_EQ(count, kBinary.size() + kUnary.size() + 18);
 }
 
 /// What is written is what is read, in every format; .nef says all, meshes the closure.
@@ -255,7 +255,8 @@ TEST_F(SolidProgram, nef_files_are_told_by_name_or_by_their_beginning) {
       expect_refusal(run(words), bad + ":1:1: ", "plumb-nef3");
     }
   }
-  expect_refusal(run({"solid", "info", holding(text, "a.off")}), file("a.off") + ":1:1: ", "OFF");
+  expect_refusal(run({"solid", "info", holding(text, "a.off")}), file("a.off") + ": ",
+                 "give the file the extension .nef");
 }
 
 /// Each kind of item of an octant, told alike in words and in JSON.

@@ -113,8 +113,8 @@ TEST(GeoJsonReader, reads_numbers_by_the_rules_of_all_formats) {
     return read(text, exact_decimals).points.exact(0).x;
   };
   EXPECT_EQ(x("0.1", true), Rational(1, 10));
-  EXPECT_EQ(x("1e4000", true), Rational("1" + std::string(4000, '0')));
-  EXPECT_EQ(x(std::string(4000, '9'), false), Rational(std::string(4000, '9')));
+  EXPECT_EQ(x("1e1000", true), Rational("1" + std::string(1000, '0')));
+  EXPECT_EQ(x(std::string(1000, '9'), false), Rational(std::string(1000, '9')));
 }
 
 TEST(GeoJsonReader, names_what_it_drops_once) {

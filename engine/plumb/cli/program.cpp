@@ -161,8 +161,8 @@ std::string overview(std::string_view group = {}) {
   if (!group.empty()) text += "\nExample:\n  " + std::string(example_of(group)) + '\n';
   text +=
       "\nOptions of every command:\n"
-      "  --json  -o OUT  --format NAME  --exact-decimals  --threads N  --progress  -q\n"
-      "  --limit-memory MB  --limit-seconds S  --digits N  --help; FILE, OUT: - is stdin, stdout\n"
+      "  --json  -o OUT  --format NAME  --exact-decimals  --digits N  --threads N  -q\n"
+      "  --progress  --limit-memory MB  --limit-seconds S  --help; - is stdin, stdout\n"
       "plumb COMMAND --help says more; plumb --version prints the version.\n"
       "Exit: 0 yes, 1 no, 2 bad input, 3 limit, 4 cancelled, 70 bug in plumb.\n";
   return text;

@@ -9,6 +9,7 @@
 #include "plumb/cli/session/progress.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -284,6 +285,14 @@ void ProgressBar::name_phase(std::string_view phase) {
   if (!terminal_) std::fprintf(stderr, "%s\n", phase_.c_str());
 }
 
+namespace {
+
+/// Whether the line of a bar is on the terminal. For signal handlers.
+std::atomic<bool> is_bar_drawn = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+}  // namespace
+
 void ProgressBar::draw_until(const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kBetween(100);
   std::unique_lock lock(mutex_);
@@ -300,6 +309,7 @@ void ProgressBar::draw() {
                static_cast<int>(kEmpty.size()) - filled, kEmpty.data(), std::floor(part * 100));
   draw_time(now, left);
   on_line_ = true;
+  is_bar_drawn = true;
 }
 
 void ProgressBar::draw_time(double now, std::optional<double> left) {
@@ -323,6 +333,9 @@ void ProgressBar::clear() {
 void ProgressBar::wipe() {
   if (on_line_) std::fputs("\r\x1b[K", stderr);
   on_line_ = false;
+  is_bar_drawn = false;
 }
+
+std::string_view wiping_text() { return is_bar_drawn ? "\r\x1b[K" : ""; }
 
 }  // namespace plumb::cli

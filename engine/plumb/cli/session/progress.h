@@ -187,4 +187,8 @@ class ProgressBar {
   std::jthread drawer_;  ///< Only on a terminal.
 };
 
+/// Returns what wipes the line of a bar, for signal handlers that end the process; empty if no bar
+/// is on the terminal. Async-signal-safe.
+std::string_view wiping_text();
+
 }  // namespace plumb::cli

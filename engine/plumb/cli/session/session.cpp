@@ -63,6 +63,7 @@ void write_to_stderr(std::string_view text) {
 
 /// Reports an error and ends the process. Calls only what a signal handler may call.
 [[noreturn]] void leave_with(std::string_view code, std::string_view message, ExitCode exit_code) {
+  write_to_stderr(wiping_text());
   write_to_stderr(is_json ? "{\"error\":{\"code\":\"" : "plumb: ");
   if (is_json) {
     write_to_stderr(code);
@@ -187,6 +188,12 @@ void require_no_stop() {
 }  // namespace
 
 void CommonOptions::declare(CLI::App& app) {
+  // The help of a command has no line left for it; the overview and the manual name it. It comes
+  // first, because CLI11 writes an empty line between the last two groups even if one is hidden.
+  app.add_option("--digits", digits, "Digits of the longest number to read (default 1100)")
+      ->check(CLI::Range(16U, 1'000'000U).description(""))
+      ->type_name("N")
+      ->group(kHiddenGroup);
   app.add_flag("--json", json, "One JSON object on standard output")->group(kCommonGroup);
   app.add_option("-o,--output", out, "File to write; - is standard output (--format)")
       ->check(require_name)
@@ -197,11 +204,6 @@ void CommonOptions::declare(CLI::App& app) {
       ->group(kCommonGroup);
   app.add_flag("--exact-decimals", exact_decimals, "Read 0.1 as 1/10, not as the nearest double")
       ->group(kCommonGroup);
-  // The help of a command has no line left for it; the overview and the manual name it.
-  app.add_option("--digits", digits, "Digits of the longest number to read (default 1100)")
-      ->check(CLI::Range(16U, 1'000'000U).description(""))
-      ->type_name("N")
-      ->group(kHiddenGroup);
   app.add_option("--threads", threads, "Threads to use (default 1)")
       ->check(CLI::Range(1U, 1024U).description(""))
       ->type_name("N")
