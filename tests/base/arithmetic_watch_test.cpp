@@ -1,5 +1,5 @@
-// Arithmetic on long numbers stops within the limits of a watched Context, on every thread, and only
-// there.
+// Arithmetic on long numbers stops within the limits of a watched Context, on every thread, and
+// only there.
 #include "plumb/base/arithmetic_watch.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +22,8 @@ Rational long_fraction(std::size_t digits) {
   return Rational(std::string(digits, '7') + "/" + std::string(digits - 1, '1') + "3");
 }
 
-/// Adds up fractions until something is thrown, at most `most` times; returns how often. There are no
-/// checkpoints.
+/// Adds up fractions until something is thrown, at most `most` times; returns how often. There are
+/// no checkpoints.
 std::size_t sums_until_stopped(std::size_t digits, std::size_t most) {
   std::size_t done = 0;
   try {

@@ -1,6 +1,7 @@
 // Convex pieces rounded together: at doubles, disjoint, near, and unchanged if nothing must move.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -146,6 +147,18 @@ TEST(RoundedPieces, without_area_or_bound_stay_in_their_places) {
   EXPECT_TRUE(rounded.pieces[2] == pieces[2]);
   EXPECT_TRUE(rounded.pieces[3].is_empty());
   EXPECT_TRUE(round_to_doubles(std::vector<Nef2>{}).pieces.empty());
+}
+
+TEST(RoundedPieces, tell_what_changed_in_pieces_without_area) {
+  const Rational tiny = exact_rational(0x1p-80);
+  PointTable2 ends;
+  ends.push_back(1, 1);
+  ends.push_back(1 + tiny, 1);
+  const std::array<std::uint32_t, 2> corners{0, 1}, begin{0, 2};
+  const std::vector<Nef2> pieces{Nef2::polylines(ends, corners, begin)};
+  ASSERT_FALSE(pieces[0].is_empty());
+  EXPECT_EQ(round_to_doubles(pieces).rounding, round_to_doubles(pieces[0]).report);
+  EXPECT_TRUE(round_to_doubles(pieces).rounding.is_changed());
 }
 
 TEST(RoundedPieces, beyond_the_largest_double_are_refused) {

@@ -302,8 +302,8 @@ TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
             Rational(5));
 }
 
-// The areas are those of OpenSCAD 2021.01, which rounds coordinates to multiples of 2^-16. Arcs of a
-// quarter turn would have 1.25, 2.5, 1.5, 2.5 and 1.25 chords.
+// The areas are those of OpenSCAD 2021.01, which rounds coordinates to multiples of 2^-16. Arcs of
+// a quarter turn would have 1.25, 2.5, 1.5, 2.5 and 1.25 chords.
 TEST(CsgReader, OffsetsHaveTheChordsOfOpenScad) {
   const std::string square = "square(size = [10, 10], center = false);";
   const std::string angle =

@@ -150,5 +150,21 @@ TEST(foreign_files, own_kinds_keep_their_messages) {
   }
 }
 
+/// Words of a kind may occur as names in another one: what comes first tells the kind.
+TEST(foreign_files, the_first_word_tells_the_kind) {
+  EXPECT_EQ(foreign_kind(R"({"type": "FeatureCollection", "properties": {"asset": 1})", "GeoJSON"),
+            std::nullopt);
+  EXPECT_EQ(foreign_kind(R"({"asset": {"version": "2.0"}, "extras": {"rings": 1})", "glTF"),
+            std::nullopt);
+  EXPECT_EQ(foreign_kind("mtllib \"POLYGON\".mtl\nv 0 0 0\n", "OBJ"), std::nullopt);
+}
+
+/// A program whose command reads solids gives advice for solids, whatever it took the file for.
+TEST(foreign_files, advice_is_for_the_readers_given) {
+  EXPECT_EQ(foreign_kind("OFF\n", "WKT"), "this is OFF; plumb solid reads it");
+  EXPECT_EQ(foreign_kind("OFF\n", "WKT", FileReaders::Solids),
+            "this is OFF; give the file the extension .off");
+}
+
 }  // namespace
 }  // namespace plumb

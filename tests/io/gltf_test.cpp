@@ -715,17 +715,13 @@ TEST(GltfChannels, ColoursAreFloatsOrFractionsAndOtherPrimitivesAreWhite) {
   EXPECT_TRUE(read(glb(d)).attributes.empty());
 }
 
-TEST(GltfChannels, DamagedOnesAreRefusedAndNumbersThatAreNotFiniteAreZero) {
-  const auto expect_refused_channel = [](const Document& d, const std::string& message) {
-    SCOPED_TRACE(message);
-    EXPECT_EQ(read(glb(d)).mesh.face_count(), 4U);  // Without attributes it is read.
-    try {
-      read_channels(d);
-      ADD_FAILURE() << "was read";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.place().file, "some.file");
-      EXPECT_NE(error.message().find(message), std::string::npos) << error.what();
-    }
+TEST(GltfChannels, DamagedOnesAreNamedAndNumbersThatAreNotFiniteAreZero) {
+  const auto expect_left_out = [](const Document& d) {
+    const MeshFile file = read_channels(d);
+    EXPECT_EQ(file.mesh.face_count(), 4U);
+    EXPECT_TRUE(file.attributes.channels.empty());
+    ASSERT_EQ(file.notes.size(), 1U);
+    EXPECT_NE(file.notes[0].find("that cannot be read"), std::string::npos) << file.notes[0];
   };
   const auto with = [](const std::string& member, const char* type, std::size_t parts,
                        std::size_t count, int component = 5126) {
@@ -736,17 +732,17 @@ TEST(GltfChannels, DamagedOnesAreRefusedAndNumbersThatAreNotFiniteAreZero) {
     return d;
   };
   EXPECT_EQ(read_channels(with("TEXCOORD_0", "VEC2", 2, 4)).attributes.channels.size(), 1U);
-  expect_refused_channel(with("TEXCOORD_0", "VEC2", 2, 3), "TEXCOORD_0 has 3 elements");
-  expect_refused_channel(with("COLOR_0", "VEC3", 3, 5), "COLOR_0 has 5 elements");
-  expect_refused_channel(with("NORMAL", "VEC2", 2, 4), "type is not VEC3");
-  expect_refused_channel(with("COLOR_0", "SCALAR", 1, 4), "type is not VEC3");
-  expect_refused_channel(with("NORMAL", "VEC3", 3, 4, 5125), "componentType 5125");
+  expect_left_out(with("TEXCOORD_0", "VEC2", 2, 3));
+  expect_left_out(with("COLOR_0", "VEC3", 3, 5));
+  expect_left_out(with("NORMAL", "VEC2", 2, 4));
+  expect_left_out(with("COLOR_0", "SCALAR", 1, 4));
+  expect_left_out(with("NORMAL", "VEC3", 3, 4, 5125));
   Document d = with("COLOR_0", "VEC3", 3, 4);
   d.json["accessors"].back()["count"] = 1 << 30;
-  expect_refused_channel(d, "are not in its bufferView");
+  expect_left_out(d);
   d = with("COLOR_0", "VEC3", 3, 4);
   d.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 99;
-  expect_refused_channel(d, "accessors");
+  expect_left_out(d);
   d = tetrahedron_document();
   std::vector<float> odd(12, 0.25F);
   odd[5] = std::numeric_limits<float>::quiet_NaN();

@@ -130,6 +130,17 @@ TEST(Nef3, holds_vertices_that_no_double_is) {
   EXPECT_EQ(written(copy), text);
 }
 
+// The plane through three doubles of very different sizes has longer coefficients than any double,
+// and what plumb writes it reads.
+TEST(Nef3, holds_planes_longer_than_any_double) {
+  PolygonMesh mesh = testing::tetrahedron();
+  mesh.points = {
+      {1e-300, 2e300, 3e-10}, {5e299, 1e-299, 7e-305}, {3e-298, 9e-303, 1e300}, {0.1, 0.2, 0.3}};
+  const SpaceComplex complex = complex_of(mesh);
+  const std::string text = written(complex);
+  EXPECT_EQ(written(read(text)), text);
+}
+
 TEST(Nef3, holds_lone_items_and_the_frame) {
   const SpaceComplex complex = read(kLoners);
   EXPECT_EQ(written(complex), kLoners);

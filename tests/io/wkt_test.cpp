@@ -67,6 +67,7 @@ TEST(WktReader, accepts_what_the_format_allows) {
       {"POLYGON ((0 0, 3 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1))\n",
        {"POLYGON((0 0,3 0,0 3,0 0),(1 1,2 1,1 2,1 1))",
         "CURVEPOLYGON((0 0,3 0,0 3,0 0),(1 1,2 1,1 2,1 1))",
+        "CURVEPOLYGON(LINESTRING(0 0,3 0,0 3,0 0),(1 1,2 1,1 2,1 1))",
         "# caf\xE9\rPOLYGON((0 0,3 0,0 3,0 0),\r(1 1,2 1,1 2,1 1))\r",
         "MULTISURFACE (CURVEPOLYGON Z ((0 0 1, 3 0 1, 0 3 1, 0 0 1), (1 1 1, 2 1 1, 1 2 1, 1 1 "
         "1)))",

@@ -295,6 +295,16 @@ TEST(Distance, OfExtremeCoordinates) {
                   tiny * tiny);
 }
 
+// Squares of distances are subnormal here, so doubles bound nothing.
+TEST(Distance, OfCoordinatesWhoseSquaresUnderflow) {
+  Nef2 points;
+  for (const double x : {-2.6895380868769437e-162, -2.667310499382093e-162, 4e-151}) {
+    points = points + Nef2::point(RationalPoint2{exact_rational(x), 0});
+  }
+  const Rational nearest = exact_rational(-2.667310499382093e-162);
+  expect_distance(points, Nef2::point(RationalPoint2{0, 0}), nearest * nearest);
+}
+
 TEST(Distance, OfHalfSpaces) {
   const Nef3 cube = box(1, 1, 1);
   const Nef3 below = Nef3::half_space({1, 1, 1, 100}, Boundary::Open);

@@ -169,8 +169,8 @@ bool has_vertex_near(const Nef2& set, Point2 p) {
   return false;
 }
 
-// An arc of a quarter turn and steps of 2 pi / 5, 2 pi / 8 and 2 pi / 10: 1.25, 2 and 2.5 steps. The
-// chords begin at the edge that comes first when the set is on the left.
+// An arc of a quarter turn and steps of 2 pi / 5, 2 pi / 8 and 2 pi / 10: 1.25, 2 and 2.5 steps.
+// The chords begin at the edge that comes first when the set is on the left.
 TEST(PlaneOffset, HasChordsOfAnAngle) {
   const Nef2 square = box(0, 0, 10, 10);
   const auto stepped = [](const Nef2& set, double by, int steps) {

@@ -785,8 +785,8 @@ TEST(MeshWithAttributes, PolygonsThatAreNotPlanarHaveASource) {
   }
 }
 
-/// Returns a block with a hole from top to bottom. Its top and its bottom are polygons with a bridge
-/// to the hole, whose ends are corners twice.
+/// Returns a block with a hole from top to bottom. Its top and its bottom are polygons with a
+/// bridge to the hole, whose ends are corners twice.
 PolygonMesh block_with_bridges() {
   PolygonMesh mesh;
   for (const double z : {0.0, 1.0}) {

@@ -1634,7 +1634,8 @@ enum plumb_layer_region_kind {
 typedef struct plumb_layer_report plumb_layer_report;
 /** Makes the layer without overlaps and gaps. `owner` is a constant of plumb_owner. An enclosed
  * region that no feature covers is a gap if it is narrower than `gaps_below`; a negative number
- * stands for 1/10000 of the diagonal of the layer. `report` may be null. */
+ * stands for 1/10000 of the diagonal of the layer, and leaves small lakes out. `report` may be
+ * null. */
 PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                           plumb_layer** out, plumb_layer_report** report,
                                           const plumb_context* context, plumb_error** error);

@@ -1,5 +1,6 @@
-// What the JavaScript of the package needs beside the C interface: progress callbacks of C that call JavaScript. The function in
-// JavaScript (lib/memory.js) never throws; if an operation shall stop, it calls plumb_context_cancel().
+// What the JavaScript of the package needs beside the C interface: progress callbacks of C that
+// call JavaScript. The function in JavaScript (lib/memory.js) never throws; if an operation shall
+// stop, it calls plumb_context_cancel().
 #include <emscripten.h>
 #include <plumb.h>
 

@@ -3,13 +3,16 @@
 // An object of JavaScript owns one object of the engine. dispose() releases it; if nobody calls
 // dispose(), a registry releases it some time after the last reference is gone. The address is
 // private to this module, which hands it to the other ones by functions.
-import {badArgument, engine, isReady, shown} from './memory.js';
+import {badArgument, engine, isReady, shown, whenIdle} from './memory.js';
 
 const registry = new FinalizationRegistry(({free, address}) => release(free, address));
 
-// Nothing is left to do where the engine has stopped.
+// Nothing is left to do where the engine has stopped. A callback may release an object that the
+// running operation reads.
 function release(free, address) {
-  if (isReady()) engine()[`_${free}`](address);
+  whenIdle(() => {
+    if (isReady()) engine()[`_${free}`](address);
+  });
 }
 const wrapped = Symbol('wrapped');
 

@@ -485,7 +485,7 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   static fromBytes(data: FileData): PlaneSet;
 
   /** `grid`: coordinates become its multiples. */
-  write(format: 'wkt'|'geojson'|'dxf'|'nef2', options?: RoundingOptions&{grid?: Exact}): Uint8Array;
+  write(format: 'wkt'|'wkb'|'geojson'|'dxf'|'nef2', options?: RoundingOptions&{grid?: Exact}): Uint8Array;
   /** The .nef2 file, which holds the set exactly. */
   toBytes(options?: Options): Uint8Array;
   toWkt(options?: RoundingOptions&{grid?: Exact}): string;

@@ -31,17 +31,21 @@ export function init({wasm} = {}) {
 
 async function load(wasm) {
   const settings = {onProgress};
+  let failed = null;  // A promise that a failure rejects.
   if (wasm instanceof WebAssembly.Module) {
-    settings.instantiateWasm = (imports, done) => {
-      WebAssembly.instantiate(wasm, imports).then((instance) => done(instance, wasm));
-      return {};
-    };
+    failed = new Promise((_, reject) => {
+      settings.instantiateWasm = (imports, done) => {
+        WebAssembly.instantiate(wasm, imports).then((made) => done(made, wasm)).catch(reject);
+        return {};
+      };
+    });
   } else if (wasm instanceof ArrayBuffer || ArrayBuffer.isView(wasm)) {
     settings.wasmBinary = wasm;
   } else {
     settings.wasmBinary = await bytesAt(wasm ?? new URL('engine.wasm', import.meta.url));
   }
-  setModule(await createEngine(settings));
+  const loaded = createEngine(settings);
+  setModule(await (failed === null ? loaded : Promise.race([failed, loaded])));
 }
 
 async function bytesAt(address) {

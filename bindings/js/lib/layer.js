@@ -67,7 +67,9 @@ export class Layer extends Handle {
   }
   toGeoJson(options) { return JSON.parse(decode(this.write('geojson', options))); }
 
-  /** `gapsBelow`: by default a ten thousandth of the diagonal of the layer. */
+  /**
+   * `gapsBelow`: by default a ten thousandth of the diagonal of the layer, and no small lakes.
+   */
   check({gapsBelow = -1, ...options} = {}) {
     return inFrame(
         options,

@@ -58,7 +58,7 @@ export class Map extends Handle {
       throw badArgument(`cycles must be an array of cycles, not ${shown(cycles)}`);
     const begin = [0], corners = [];
     for (const cycle of cycles) {
-      corners.push(...cycle);
+      for (const corner of cycle) corners.push(corner);
       begin.push(corners.length);
     }
     return Map.fromArrays(points, begin, corners, options);

@@ -57,7 +57,7 @@ function flattened(chains, what) {
     throw badArgument(`${what} must be an array of chains of points, not ${shown(chains)}`);
   const xy = [], begin = [0];
   chains.forEach((chain, i) => {
-    xy.push(...vectors(chain, 2, `${what}[${i}]`));
+    for (const number of vectors(chain, 2, `${what}[${i}]`)) xy.push(number);
     begin.push(xy.length / 2);
   });
   return {xy, begin, corners: Uint32Array.from({length: xy.length / 2}, (_, i) => i)};

@@ -21,7 +21,12 @@ const numbers = new WeakMap();  // The number of each proxy, and the connection 
  */
 export async function connect({wasm, worker} = {}) {
   const connection = new Connection(worker ?? await startWorker());
-  await connection.call(null, 'init', [{wasm: wasm instanceof URL ? wasm.href : wasm}]);
+  try {
+    await connection.call(null, 'init', [{wasm: wasm instanceof URL ? wasm.href : wasm}]);
+  } catch (error) {
+    if (worker === undefined) connection.terminate();
+    throw error;
+  }
   const offered = {terminate: () => connection.terminate()};
   for (const name of classes) offered[name] = membersOf(connection, name);
   for (const name of functions) offered[name] = (...inputs) => connection.call(null, name, inputs);
@@ -71,20 +76,22 @@ class Connection {
       const {plain, callbacks} = withoutCallbacks(inputs);
       const {signal} = callbacks;
       if (signal?.aborted) return reject(signal.reason);
-      const stop = signal && typeof SharedArrayBuffer === 'function' ?
+      const canStop = signal || callbacks.onProgress || callbacks.onNote;
+      const stop = canStop && typeof SharedArrayBuffer === 'function' ?
           new Int32Array(new SharedArrayBuffer(4)) :
           null;
       const id = ++this.#last;
-      const abort = () => {
+      // The worker ends the call before its number is forgotten.
+      const fail = (error) => {
         if (stop !== null) Atomics.store(stop, 0, 1);
-        const {settle} = this.#pending.get(id);
         settle();
         this.#pending.set(id, {...this.#pending.get(id), isAbandoned: true});
-        reject(signal.reason);
+        reject(error);
       };
+      const abort = () => fail(signal.reason);
       const settle = () => signal?.removeEventListener('abort', abort);
       signal?.addEventListener('abort', abort, {once: true});
-      this.#pending.set(id, {resolve, reject, settle, callbacks, isAbandoned: false});
+      this.#pending.set(id, {resolve, reject, settle, fail, callbacks, isAbandoned: false});
       this.#hold();
       try {
         this.#post({
@@ -123,9 +130,16 @@ class Connection {
   #receive({id, progress, note, value, error}) {
     const call = this.#pending.get(id);
     if (call === undefined) return;
-    if (progress !== undefined)
-      return call.isAbandoned ? undefined : call.callbacks.onProgress(...progress);
-    if (note !== undefined) return call.isAbandoned ? undefined : call.callbacks.onNote(note);
+    if (progress !== undefined || note !== undefined) {
+      if (call.isAbandoned) return;
+      try {
+        if (progress !== undefined) call.callbacks.onProgress(...progress);
+        if (note !== undefined) call.callbacks.onNote(note);
+      } catch (error) {
+        call.fail(error);
+      }
+      return;
+    }
     this.#pending.delete(id);
     this.#hold();
     call.settle();
@@ -176,15 +190,27 @@ function membersOf(connection, target) {
   });
 }
 
-/** The inputs without the functions and the signal of their options, which cannot travel. */
+/**
+ * The inputs without the functions and the signal of their options, which cannot travel. The last
+ * input may be another plain object, such as the operands of an expression, whose names are free; a
+ * proxy answers every name with a function.
+ */
 function withoutCallbacks(inputs) {
   const options = inputs.at(-1);
   if (typeof options !== 'object' || options === null || numbers.has(options) ||
-      Array.isArray(options) || ArrayBuffer.isView(options)) {
+      Object.getPrototypeOf(options) !== Object.prototype) {
     return {plain: inputs, callbacks: {}};
   }
-  const {signal, onProgress, onNote, ...rest} = options;
-  return {plain: [...inputs.slice(0, -1), rest], callbacks: {signal, onProgress, onNote}};
+  const rest = {...options}, callbacks = {};
+  const take = (name, isCallback) => {
+    if (numbers.has(rest[name]) || !isCallback(rest[name])) return;
+    callbacks[name] = rest[name];
+    delete rest[name];
+  };
+  take('signal', (value) => typeof value?.addEventListener === 'function');
+  take('onProgress', (value) => typeof value === 'function');
+  take('onNote', (value) => typeof value === 'function');
+  return {plain: [...inputs.slice(0, -1), rest], callbacks};
 }
 
 function errorOf({name, code, reason, message, file, line, column}) {

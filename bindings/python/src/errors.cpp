@@ -47,8 +47,8 @@ void translate(const std::exception_ptr& thrown, void*) {
 
 std::string python_words(std::string message) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords{{
-      {"--limit-seconds", "timeout"},
-      {"--limit-memory", "memory_limit"},
+      {"the time limit was reached", "the time limit was reached (raise timeout)"},
+      {"than the memory limit leaves", "than the memory limit leaves (raise memory_limit)"},
       {"--merge-vertices", "merge_vertices=True"},
       {"--surface", "surface=True"},
   }};

@@ -20,8 +20,8 @@ namespace plumb {
 struct Limits {
   std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
   double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
-  /// Largest number of digits of one integer that is read. A fraction may have this number of digits
-  /// above and this number below together. Every double, written out exactly, has fewer.
+  /// Largest number of digits of one integer that is read. A fraction may have this number of
+  /// digits above and this number below together. Every double, written out exactly, has fewer.
   std::uint32_t max_number_digits = 1100;
   /// The largest absolute value of an exponent for which a number is read exactly.
   std::uint32_t max_decimal_exponent = 1100;

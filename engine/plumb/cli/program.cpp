@@ -489,6 +489,8 @@ ExitCode report_current_exception() {
     return report_refused_memory();
   } catch (const std::exception& error) {
     return report(error);
+  } catch (...) {
+    return report(std::runtime_error("an exception of an unknown type"));
   }
 }
 

@@ -1,8 +1,9 @@
 // Layers in GeoJSON and TopoJSON, and reports of repairs.
 //
-// A file has one value of JSON or a sequence of them, such as a feature on each line. GeoJSON states the positions of each ring. TopoJSON states arcs, which rings share; a ring is a
-// list of arcs, and ~i is arc i from its end to its start. The points of an arc are made once, so
-// features that share an arc share its points. Both kinds of geometries are found by one walk over
+// A file has one value of JSON or a sequence of them, such as a feature on each line. GeoJSON
+// states the positions of each ring. TopoJSON states arcs, which rings share; a ring is a list of
+// arcs, and ~i is arc i from its end to its start. The points of an arc are made once, so features
+// that share an arc share its points. Both kinds of geometries are found by one walk over
 // geometries, which keeps a stack of its own because collections may be nested.
 //
 // A layer is written with the numbers of features from 1 and their ids, if they have any.

@@ -43,11 +43,11 @@ struct LayerFile {
 
 /// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. In WKT and WKB, each
 /// polygon is one feature, without id and properties. A FeatureCollection has a feature
-/// for each of its features; a geometry is one feature. A sequence of GeoJSON texts is one layer. In TopoJSON each geometry of the object is
-/// one feature. Points and lines are left out; a feature that has nothing else stays, without
-/// polygons. Rings with fewer than three different positions are left out. The memory of the layer
-/// stays charged to `context`. Throws Error{BadArgument} if a TopoJSON text lacks the object, and
-/// the errors that the head of this file states.
+/// for each of its features; a geometry is one feature. A sequence of GeoJSON texts is one layer.
+/// In TopoJSON each geometry of the object is one feature. Points and lines are left out; a feature
+/// that has nothing else stays, without polygons. Rings with fewer than three different positions
+/// are left out. The memory of the layer stays charged to `context`. Throws Error{BadArgument} if a
+/// TopoJSON text lacks the object, and the errors that the head of this file states.
 LayerFile read_layer(std::string_view text, const LayerReadOptions& options = {},
                      Context& context = unlimited_context());
 

@@ -16,8 +16,8 @@
 // hold.
 //
 // Writing: .nef2 represents every set exactly. WKT, GeoJSON and WKB represent only polygons, lines
-// and points, whose coordinates are doubles. DXF represents only polygons. The set is rounded so that
-// these shapes are valid (plane_rounding.h): rings meet only in common corners, and nothing is
+// and points, whose coordinates are doubles. DXF represents only polygons. The set is rounded so
+// that these shapes are valid (plane_rounding.h): rings meet only in common corners, and nothing is
 // degenerate. If a set has properties that such a file cannot represent, or rounding changes its
 // shape, these losses are reported (PlaneLosses).
 #pragma once

@@ -6,8 +6,8 @@
 // uses) are left out with a note. What is not drawn (display, visibility) is left out; style sheets
 // are not applied, and a note says so if one could hide elements or set their fill rules. The root
 // fixes the frame: the middle of the drawing becomes the origin, the y axis is turned upwards, and
-// the default tolerance is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics (SVG) 1.1; docs/formats.md, section Drawings.
-// Tested by tests/io/svg_reader_test.cpp.
+// the default tolerance is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics
+// (SVG) 1.1; docs/formats.md, section Drawings. Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg_reader.h"
 
 #include <algorithm>

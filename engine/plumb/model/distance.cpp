@@ -384,7 +384,7 @@ typename DistanceOf<Set>::Type distance_of(const Set& a, const Set& b, Context& 
   const PreparedSet<Set> bounded(b_is_bounded ? b : a, context, memory);
   if (!a_is_bounded) return distance_to_bounded(a, bounded, context);
   if (!b_is_bounded) return swapped(distance_to_bounded(b, bounded, context));
-  return PreparedSet<Set>(a, context, memory).to(PreparedSet<Set>(b, context, memory), context);
+  return PreparedSet<Set>(a, context, memory).to(bounded, context);
 }
 
 }  // namespace

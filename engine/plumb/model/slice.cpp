@@ -5,9 +5,9 @@
 // nowhere, so each edge of the arrangement is one edge of the flat set, and takes its mark; the
 // face on a side takes the mark of the facet on this side, if there is one.
 //
-// Unbounded edges: an edge of the flat set that ends on the frame is a ray or a line. Its end on the
-// frame is f + R i, where R is larger than every number (docs/design/frame.md). As this point stays
-// on the line of the edge for every R, f is a point of the line, and i its direction.
+// Unbounded edges: an edge of the flat set that ends on the frame is a ray or a line. Its end on
+// the frame is f + R i, where R is larger than every number (docs/design/frame.md). As this point
+// stays on the line of the edge for every R, f is a point of the line, and i its direction.
 //
 // Tested by tests/model/slice_test.cpp.
 #include "plumb/model/slice.h"

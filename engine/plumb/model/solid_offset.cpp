@@ -30,9 +30,9 @@ Nef3 complement_near(const Nef3& closed, const Rational& margin, Context& contex
 }
 
 // A point p of the set is lost if p + b lies outside for some b of the ball. Then p lies in the sum
-// of the complement and the mirrored ball. The points p + b are within the radius of the set, so the
-// complement near the set is enough. It is open, and the sum of an open set and a body is as fast as
-// the sum of closed sets (minkowski.h).
+// of the complement and the mirrored ball. The points p + b are within the radius of the set, so
+// the complement near the set is enough. It is open, and the sum of an open set and a body is as
+// fast as the sum of closed sets (minkowski.h).
 Nef3 eroded(const Nef3& closed, double radius, unsigned rounds, Context& context) {
   const Nef3 ball = polyhedral_ball(radius, rounds, context);
   const Nef3 mirrored = ball.transformed(scaling({-1, -1, -1}), context);

@@ -16,6 +16,7 @@
 #include "plumb/picture/space_scene.h"
 #include "plumb/picture/space_svg.h"
 #include "plumb/picture/svg/sheet.h"
+#include "plumb/predicates/error.h"
 #include "plumb/surface/triangulation.h"
 
 namespace plumb {
@@ -29,6 +30,11 @@ std::string written(const Write& write) {
   return std::move(out).str();
 }
 
+std::string encoded(const PictureOptions& options, const Image& image) {
+  if (!options.encode_png) throw Error(ErrorCode::BadArgument, "no encoder of PNG is given");
+  return options.encode_png(image);
+}
+
 /// Returns a picture of something flat: a page with text is drawn as SVG; triangles and images come
 /// from the scene.
 template <class Flat, class Draw>
@@ -36,7 +42,7 @@ std::string flat_picture(const Flat& flat, const PictureOptions& options, Contex
                          const Draw& draw_svg) {
   switch (options.format) {
     case PictureFormat::Png:
-      return options.encode_png(rendered(scene_of(flat, context)));
+      return encoded(options, rendered(scene_of(flat, context)));
     case PictureFormat::Svg:
       return written(draw_svg);
     case PictureFormat::Html: {
@@ -57,7 +63,7 @@ std::string scene_picture(const Scene& scene, const PictureOptions& options,
                           const WriteSvg& write_svg, const Text& text) {
   switch (options.format) {
     case PictureFormat::Png:
-      return options.encode_png(rendered(scene));
+      return encoded(options, rendered(scene));
     case PictureFormat::Svg:
       return written(write_svg);
     case PictureFormat::Html:
@@ -72,7 +78,7 @@ std::string scene_picture(const Scene& scene, const SceneText& text,
                           const PictureOptions& options) {
   const auto write_svg = [&](std::ostream& out) {
     const Rendering rendering = rendered_without_text(scene, kPageImage);
-    const std::string png = options.encode_png(rendering.image);
+    const std::string png = encoded(options, rendering.image);
     write_scene_svg(out, scene, {text, png, rendering.texts, ""});
   };
   return scene_picture(scene, options, write_svg, [&] { return text; });
@@ -83,7 +89,7 @@ std::string scene_picture(const Scene& scene, const SceneText& text,
 std::string picture_of(const Nef3& set, const PictureOptions& options, Context& context) {
   const Scene scene = scene_of(set, context);
   const auto write_svg = [&](std::ostream& out) {
-    const std::string png = options.encode_png(rendered(scene, kPageImage));
+    const std::string png = encoded(options, rendered(scene, kPageImage));
     write_space_svg(out, set, scene, png, options.title, context);
   };
   const auto text = [&] { return SceneText{options.title, kind_of(set), facts_of(set, context)}; };

@@ -40,7 +40,8 @@ struct PictureOptions {
   PictureFormat format = PictureFormat::Html;  ///< The format.
   std::string title = {};                      ///< The title. May be any bytes.
   /// Returns an image as the bytes of a PNG file. The libraries do not depend on a PNG encoder, so
-  /// the caller names one. It is called for Png, and for Svg of sets of space and of surfaces.
+  /// the caller names one. It is called for Png, and for Svg of sets of space and of surfaces;
+  /// without one, these throw Error{BadArgument}.
   std::function<std::string(const Image&)> encode_png = {};
 };
 

@@ -102,8 +102,8 @@ struct LayerRepairOptions {
   /// Otherwise it is a hole, such as a lake, and stays as it is. If there is no value, the bound is
   /// 1/10000 of the diagonal of the bounding box of the layer, and a region that is narrower than
   /// this bound is nevertheless a hole if it looks like a small lake: at most two features are
-  /// along its boundary, it is less than 100 times as long as it is wide (4 A / p^2 >= 1/100 for its
-  /// area A and its perimeter p), and its width is at least 1e-9 of the diagonal, which is more
+  /// along its boundary, it is less than 100 times as long as it is wide (4 A / p^2 >= 1/100 for
+  /// its area A and its perimeter p), and its width is at least 1e-9 of the diagonal, which is more
   /// than what rounding of coordinates leaves.
   std::optional<double> gaps_below = {};
 };

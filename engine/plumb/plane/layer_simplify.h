@@ -30,8 +30,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Options of simplify_layer() and simplify_borders(). A corner is removed only if all options allow
-/// this.
+/// Options of simplify_layer() and simplify_borders(). A corner is removed only if all options
+/// allow this.
 struct LayerSimplifyOptions {
   /// Corners are removed while their triangle has at most this area, in square units of the layer.
   /// Infinity sets no bound.

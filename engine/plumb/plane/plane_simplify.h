@@ -10,8 +10,9 @@
 //  4. Nef2::from_complex    makes the set of the labels
 //
 // A corner is removed only if its closed triangle contains no other vertex, so no edges cross or
-// touch afterwards that did not before. Faces, holes, lines and isolated points stay, and every ring
-// keeps at least three corners. Vertices at which not exactly two edges meet stay where they are.
+// touch afterwards that did not before. Faces, holes, lines and isolated points stay, and every
+// ring keeps at least three corners. Vertices at which not exactly two edges meet stay where they
+// are.
 //
 // Cost: O(n log n) for n corners if triangles contain few corners, and O(n) memory.
 #pragma once

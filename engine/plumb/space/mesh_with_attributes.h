@@ -66,8 +66,8 @@ enum class PieceJoin : std::uint8_t {
 struct AttributeOptions {
   PieceJoin join = PieceJoin::SameAttributes;    ///< How facets are divided into pieces.
   CoordinateType type = CoordinateType::Double;  ///< The numbers to which points are rounded.
-  /// How pieces become faces. A piece stays a polygon under the conditions that MeshFaces states for
-  /// facets; others are cut into triangles. Meshes of floats consist of triangles.
+  /// How pieces become faces. A piece stays a polygon under the conditions that MeshFaces states
+  /// for facets; others are cut into triangles. Meshes of floats consist of triangles.
   MeshFaces faces = MeshFaces::Triangles;
 };
 

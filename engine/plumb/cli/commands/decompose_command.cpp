@@ -323,8 +323,8 @@ class Decomposition : public CommandBody {
     if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
     return answer;
   }
-  /// Writes the files of pieces. What is written as doubles is rounded together, so that pieces that
-  /// share a border still share it.
+  /// Writes the files of pieces. What is written as doubles is rounded together, so that pieces
+  /// that share a border still share it.
   static void write_pieces(const std::vector<Nef2>& pieces, PieceFiles& files, Session& session) {
     Context& context = session.context();
     const std::string& asked = session.options().format;

@@ -38,7 +38,7 @@ class MapRepair : public CommandBody {
     app.add_option(
            "--gaps-below", options_.gaps_below,
            "Fill enclosed gaps whose width (twice the area by the perimeter) is less than W "
-           "(default: 1/10000 of the diagonal of the layer)")
+           "(default: 1/10000 of the diagonal of the layer, and no small lakes)")
         ->check(CLI::Range(0.0, 1e300).description(""))
         ->type_name("W");
     app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")

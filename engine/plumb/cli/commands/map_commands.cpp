@@ -142,7 +142,7 @@ void MapCheck::declare(CLI::App& app) {
                "Check the edges of a layer, as those of a map; --outer implies this");
   app.add_option("--gaps-below", layer_options_.gaps_below,
                  "Layers: gaps of at least the width W are holes and no defects (default: 1/10000 "
-                 "of the diagonal)")
+                 "of the diagonal; small lakes are holes, too)")
       ->check(CLI::Range(0.0, 1e300).description(""))
       ->type_name("W");
   app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")

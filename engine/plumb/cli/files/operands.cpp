@@ -126,6 +126,9 @@ Rational read_argument(const std::string& text, const std::string& name, bool ex
     NumberReader numbers(session.context().limits(), exact_decimals, text.size());
     numbers.read(cursor, token, number);
   } catch (const Error& error) {
+    const bool is_stop =
+        error.code() == ErrorCode::ResourceLimit || error.code() == ErrorCode::Cancelled;
+    if (is_stop) throw;
     throw Error(ErrorCode::Usage, name + ": " + error.message());
   }
   return number.exact();
@@ -268,7 +271,7 @@ void require_solid(const std::string& file, const std::string& bytes) {
   if (kind == FileKind::Solid) return;
   // XML and other text may be taken for a drawing or for WKT.
   constexpr std::string_view kPlaneKinds = "SVG GeoJSON TopoJSON WKT WKB DXF nef2";
-  if (const auto foreign = foreign_kind(bytes, kPlaneKinds)) {
+  if (const auto foreign = foreign_kind(bytes, kPlaneKinds, FileReaders::Solids)) {
     throw Error(ErrorCode::UnknownFormat, *foreign, {.file = input_name(file)});
   }
   const std::string what = kind == FileKind::Map ? "a map" : "a set of the plane";

@@ -51,10 +51,18 @@ class Formatter : public CLI::Formatter {
     return text;
   }
 
+  /// An empty line follows each group but the last, also one that is not listed.
+  std::string make_groups(const CLI::App* app, CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_groups(app, mode);
+    if (const auto at = text.find("\n\n\n"); at != text.npos) text.erase(at, 1);
+    return text;
+  }
+
   /// make_groups() ends all groups but the last with an empty line; here they begin with one.
   std::string make_group(std::string group, bool is_positional,
                          std::vector<const CLI::Option*> options) const override {
     const bool is_last = group == kCommonGroup;
+    if (group == kUnlistedGroup) return {};
     return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options))
         .substr(is_last ? 1 : 0);
   }
@@ -84,7 +92,7 @@ std::vector<OptionText> options_of(const CLI::App& app) {
     text.name = option->get_name(text.is_argument, !text.is_argument);
     text.text = option->get_description();
     const std::string& group = option->get_group();
-    text.is_common = group == kCommonGroup || group == kHiddenGroup;
+    text.is_common = group == kCommonGroup || group == kUnlistedGroup;
     const bool takes_value = !text.is_argument && option->get_expected_max() > 0;
     if (takes_value) text.value = option->get_type_name();
     if (text.value.find('|') != std::string::npos) {

@@ -22,9 +22,9 @@ void handle_alarm(void (*handler)(int));
 void alarm_after(double seconds);
 
 /// Makes allocations fail once the memory of the process has grown by `bytes`, unless a lower limit
-/// holds. The memory of the stacks of `threads` threads that start later is added. On Linux, private
-/// writable memory counts; on Windows, memory promised to the process. Elsewhere the function does
-/// nothing.
+/// holds. The memory of the stacks of `threads` threads that start later is added. On Linux,
+/// private writable memory counts; on Windows, memory promised to the process. Elsewhere the
+/// function does nothing.
 void limit_growth(std::uint64_t bytes, unsigned threads);
 
 /// Makes standard input and output carry bytes as they are. Windows would change ends of lines.

@@ -115,6 +115,11 @@ std::size_t printable_bytes(std::span<const char> text) {
   for (std::size_t i = 1; i < size; ++i) {
     if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
   }
+  const bool is_overlong =
+      (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xf0 && byte(1) < 0x90);
+  const bool is_no_character =
+      (byte(0) == 0xed && byte(1) > 0x9f) || (byte(0) == 0xf4 && byte(1) > 0x8f);
+  if (is_overlong || is_no_character) return 0;
   const bool is_control =
       size == 1 ? byte(0) < 0x20 || byte(0) == 0x7f : byte(0) == 0xc2 && byte(1) < 0xa0;
   return is_control ? 0 : size;
@@ -189,11 +194,11 @@ void require_no_stop() {
 
 void CommonOptions::declare(CLI::App& app) {
   // The help of a command has no line left for it; the overview and the manual name it. It comes
-  // first, because CLI11 writes an empty line between the last two groups even if one is hidden.
+  // first, because CLI11 writes an empty line behind each group but the last.
   app.add_option("--digits", digits, "Digits of the longest number to read (default 1100)")
       ->check(CLI::Range(16U, 1'000'000U).description(""))
       ->type_name("N")
-      ->group(kHiddenGroup);
+      ->group(kUnlistedGroup);
   app.add_flag("--json", json, "One JSON object on standard output")->group(kCommonGroup);
   app.add_option("-o,--output", out, "File to write; - is standard output (--format)")
       ->check(require_name)
@@ -231,11 +236,13 @@ void Outputs::add(const std::string& path, Writer writer) {
   to_stdout_ = std::move(writer);
 }
 
-/// While it exists, the process is not ended by an alarm.
+/// While it exists, the process is not ended by an alarm, and neither after it has succeeded.
 class Delivery {
  public:
   Delivery() { is_delivering = true; }
-  ~Delivery() { is_delivering = false; }
+  ~Delivery() {
+    if (std::uncaught_exceptions() > 0) is_delivering = false;
+  }
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
 };

@@ -58,8 +58,8 @@ inline constexpr std::array kExitMeanings{
 ///   SIGPIPE, SIGXFSZ  Ignored: a failed write reports the reason (closed pipe, file too large)
 ///   SIGABRT           A broken invariant that has been reported: temporary files are removed, exit
 ///                     70
-///   SIGALRM           No checkpoint was reached within a tenth of a second after a stop or after the
-///                     time limit: the process reports it and ends with 4 or 3 at once, with
+///   SIGALRM           No checkpoint was reached within a tenth of a second after a stop or after
+///                     the time limit: the process reports it and ends with 4 or 3 at once, with
 ///                     temporary files removed
 ///   malloc            Keeps what is freed
 ///   GMP               When memory runs out, the process reports it and ends with 3 at once, with
@@ -86,8 +86,9 @@ void limit_memory(std::uint64_t bytes, unsigned threads);
 /// The group of the options that every command has, in its help.
 inline constexpr const char* kCommonGroup = "Options of every command";
 
-/// The group of options that every command has and no help of a command lists.
-inline constexpr const char* kHiddenGroup = "";
+/// The group of options that every command has and no help of a command lists. (CLI11 hides the
+/// names of options without a group, in messages, too.)
+inline constexpr const char* kUnlistedGroup = "Unlisted";
 
 /// The options that every command has.
 struct CommonOptions {

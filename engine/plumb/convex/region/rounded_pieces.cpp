@@ -68,6 +68,17 @@ Nef2 set_of_feature(const Layer& layer, std::size_t feature, Context& context) {
                         context);
 }
 
+/// Adds what was changed in another part of the plane.
+void add_to(PlaneRoundingReport& sum, const PlaneRoundingReport& report) {
+  sum.vertices_moved += report.vertices_moved;
+  sum.vertices_merged += report.vertices_merged;
+  sum.edges_bent += report.edges_bent;
+  sum.edges_folded += report.edges_folded;
+  sum.collapsed += report.collapsed;
+  sum.largest_move = std::max(sum.largest_move, report.largest_move);
+  sum.largest_ulp = std::max(sum.largest_ulp, report.largest_ulp);
+}
+
 }  // namespace
 
 RoundedPieces round_to_doubles(std::span<const Nef2> pieces, Context& context) {
@@ -82,12 +93,14 @@ RoundedPieces round_to_doubles(std::span<const Nef2> pieces, Context& context) {
       append_feature(layer, pieces[i]);
       of_feature.push_back(i);
     } else {
-      result.pieces.back() = round_to_doubles(pieces[i], context).set;
+      RoundedSet alone = round_to_doubles(pieces[i], context);
+      result.pieces.back() = std::move(alone.set);
+      add_to(result.rounding, alone.report);
     }
   }
   const RepairedLayer rounded =
       repair_layer(layer, {OwnerRule::First, /*gaps_below=*/0.0}, context);
-  result.rounding = rounded.report.rounding;
+  add_to(result.rounding, rounded.report.rounding);
   for (std::size_t f = 0; f < of_feature.size(); ++f) {
     Nef2& piece = result.pieces[of_feature[f]];
     piece = set_of_feature(rounded.layer, f, context);

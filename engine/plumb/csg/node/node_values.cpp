@@ -332,10 +332,10 @@ Nef2 resized(const Nef2& set, const CsgTree& tree, const CsgTree::Node& node, st
 
 namespace {
 
-/// Returns the angle of the chords of an arc, given the chords of a full circle. OpenSCAD passes the
-/// error of such a chord to the library Clipper, which takes at most a quarter of the radius, and
-/// computes the chords of a full circle back from it. The same arithmetic gives the same number of
-/// chords where an arc has a half of one too many.
+/// Returns the angle of the chords of an arc, given the chords of a full circle. OpenSCAD passes
+/// the error of such a chord to the library Clipper, which takes at most a quarter of the radius,
+/// and computes the chords of a full circle back from it. The same arithmetic gives the same number
+/// of chords where an arc has a half of one too many.
 double step_of_arcs(double radius, std::uint32_t chords) {
   const double error = radius * (1 - cosine_of_degrees(180.0 / chords));
   const double share = std::min(error, radius / 4) / radius;

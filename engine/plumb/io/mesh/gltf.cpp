@@ -359,14 +359,28 @@ class GltfReader {
     }
   }
 
+  /// Reads a channel. As in other formats, what cannot be read of the looks of a mesh is named and
+  /// does not refuse the file.
   void add_channel(Id attributes, const std::string& member, const std::string& name,
                    const std::string& where, GltfPrimitive& p) {
     if (!in_.has(attributes, member)) return;
-    const std::size_t accessor = in_.count(attributes, member.c_str(), {}, where);
     if (p.is_compressed) {
       triangles_.pass_over("compressed colours, normals and texture coordinates");
       return;
     }
+    try {
+      read_channel(attributes, member, name, where, p);
+    } catch (const Error& error) {
+      const bool is_stop =
+          error.code() == ErrorCode::ResourceLimit || error.code() == ErrorCode::Cancelled;
+      if (is_stop) throw;
+      triangles_.pass_over("colours, normals or texture coordinates that cannot be read");
+    }
+  }
+
+  void read_channel(Id attributes, const std::string& member, const std::string& name,
+                    const std::string& where, GltfPrimitive& p) {
+    const std::size_t accessor = in_.count(attributes, member.c_str(), {}, where);
     std::string type = name == "normal" ? "VEC3" : "VEC2";
     if (name == "color") type = accessors_.type_of(accessor) == "VEC4" ? "VEC4" : "VEC3";
     GltfChannel channel{name, static_cast<std::uint32_t>(type.back() - '0'),

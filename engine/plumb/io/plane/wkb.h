@@ -1,7 +1,7 @@
-// Reads and writes well-known binary (docs/formats.md, "WKB"): the geometries of WKT as bytes, with the codes
-// of ISO and of EWKB (PostGIS) for Z, M and SRID, in either byte order. A file has any number of
-// geometries one after the other, as bytes, or as text of two hexadecimal digits per byte with
-// blanks or line breaks between geometries.
+// Reads and writes well-known binary (docs/formats.md, "WKB"): the geometries of WKT as bytes, with
+// the codes of ISO and of EWKB (PostGIS) for Z, M and SRID, in either byte order. A file has any
+// number of geometries one after the other, as bytes, or as text of two hexadecimal digits per byte
+// with blanks or line breaks between geometries.
 //
 // Numbers after x and y and SRIDs are dropped; a note names them. Counts are compared with the
 // bytes that follow before anything is read for them.

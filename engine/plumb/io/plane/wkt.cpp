@@ -137,6 +137,7 @@ class WktReader {
   void read_line();
   void read_ring_as_polygon();
   void read_polygon();
+  void read_curve_polygon();
   void read_ring();
   void read_points();
   void read_lines();
@@ -173,7 +174,7 @@ const std::array<WktReader::Kind, 14> WktReader::kKinds{{
     {"LINESTRING", &WktReader::read_line},
     {"LINEARRING", &WktReader::read_ring_as_polygon},
     {"POLYGON", &WktReader::read_polygon},
-    {"CURVEPOLYGON", &WktReader::read_polygon},  // Its rings may all be straight.
+    {"CURVEPOLYGON", &WktReader::read_curve_polygon},
     {"TRIANGLE", &WktReader::read_polygon},
     {"MULTIPOINT", &WktReader::read_points},
     {"MULTILINESTRING", &WktReader::read_lines},
@@ -424,7 +425,15 @@ void WktReader::read_ring() {
 }
 
 void WktReader::read_polygon() {
+  read_list([this] { read_ring(); });
+  shapes_.end_polygon();
+}
+
+/// Reads a polygon of rings of any kind, if all are straight: then they may have their kind before
+/// them.
+void WktReader::read_curve_polygon() {
   read_list([this] {
+    take_if("LINESTRING");
     if (find_token() && is_curve(next_)) fail_kind(next_);
     read_ring();
   });

@@ -1,5 +1,5 @@
-// A double from text, by std::from_chars() where the standard library has it for doubles: libc++ does
-// from version 20 on.
+// A double from text, by std::from_chars() where the standard library has it for doubles: libc++
+// does from version 20 on.
 #pragma once
 
 #include <array>

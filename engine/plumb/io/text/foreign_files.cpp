@@ -1,10 +1,10 @@
 // Kinds of files by their first bytes.
 //
-// Three tables are searched in order: signatures, which begin a file; names of root elements of XML;
-// and words that texts of a kind have near their beginning. A signature of text must be followed by
-// the end of a word, so a table whose first column is called "OFFICE" is no OFF. Only files that a
-// reader has refused are looked at, so a wrong guess costs a message and not an answer.
-// Tested by tests/io/foreign_files_test.cpp.
+// Three tables are searched in order: signatures, which begin a file; names of root elements of
+// XML; and words that texts of a kind have near their beginning. A signature of text must be
+// followed by the end of a word, so a table whose first column is called "OFFICE" is no OFF. Only
+// files that a reader has refused are looked at, so a wrong guess costs a message and not an
+// answer. Tested by tests/io/foreign_files_test.cpp.
 #include "plumb/io/text/foreign_files.h"
 
 #include <algorithm>
@@ -97,7 +97,7 @@ constexpr std::array kRoots{
     ForeignKind{"html", "a web page (HTML)", "perhaps a download failed: fetch the file again"},
 };
 
-/// Words near the beginning of JSON, the first that is found.
+/// Words near the beginning of JSON. The one that comes first in the file tells the kind.
 constexpr std::array kJsonWords{
     ForeignKind{"\"Topology\"", "TopoJSON", "plumb map reads it; 'map dissolve' writes GeoJSON",
                 "TopoJSON"},
@@ -126,9 +126,8 @@ constexpr std::string_view kPlaneSets = "WKT WKB GeoJSON SVG DXF nef2";
 
 /// Returns what to do. A file that would have to be renamed, but that another family of commands
 /// reads, is one for that family.
-std::string_view advice_for(const ForeignKind& kind, std::string_view own) {
+std::string_view advice_for(const ForeignKind& kind, bool reads_solids) {
   const bool is_known = !kind.reader.empty() && kind.advice.starts_with("give");
-  const bool reads_solids = kSolids.find(own) != kSolids.npos;
   if (is_known && !reads_solids && kSolids.find(kind.reader) != kSolids.npos) {
     return "plumb solid reads it";
   }
@@ -218,8 +217,8 @@ const ForeignKind* kind_of_text(std::string_view text) {
     return equals(word.substr(0, begin.size()), begin);
   });
   if (is_wkt) return &kWkt;
-  if (has_quoted_geometry(text)) return &kTable;
-  return has_vertex_line(text) ? &kObj : nullptr;
+  if (has_vertex_line(text)) return &kObj;
+  return has_quoted_geometry(text) ? &kTable : nullptr;
 }
 
 const ForeignKind* kind_of(std::string_view bytes) {
@@ -235,18 +234,22 @@ const ForeignKind* kind_of(std::string_view bytes) {
     return find_kind(kRoots, [&](const auto& kind) { return equals(root, kind.sign); });
   }
   if (bytes.starts_with('{') || bytes.starts_with('[')) {
-    return find_kind(kJsonWords,
-                     [&](const auto& kind) { return bytes.find(kind.sign) != bytes.npos; });
+    const auto* const first = std::ranges::min_element(
+        kJsonWords, {}, [&](const auto& kind) { return bytes.find(kind.sign); });
+    return bytes.find(first->sign) == bytes.npos ? nullptr : first;
   }
   return kind_of_text(bytes);
 }
 
 }  // namespace
 
-std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view own) {
+std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view own,
+                                        std::optional<FileReaders> readers) {
   const ForeignKind* const kind = kind_of(bytes.substr(0, kMostSearched));
   if (kind == nullptr || is_own(*kind, own)) return {};
-  return "this is " + std::string(kind->what) + "; " + std::string(advice_for(*kind, own));
+  const bool reads_solids =
+      readers ? *readers == FileReaders::Solids : kSolids.find(own) != kSolids.npos;
+  return "this is " + std::string(kind->what) + "; " + std::string(advice_for(*kind, reads_solids));
 }
 
 }  // namespace plumb

@@ -6,6 +6,7 @@
 // a file that a reader accepts may begin with anything.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,11 +15,16 @@
 
 namespace plumb {
 
+/// Which commands read the file that was refused.
+enum class FileReaders : std::uint8_t { Solids, PlaneSets };
+
 /// Returns what the file is and what to do, such as "this is a file packed by gzip; unpack it
 /// first". `own` are the kinds that the reader reads, in words between blanks, such as " OFF ";
 /// these are not named. Returns no value if the first bytes are those of no other known kind. Cost:
 /// at most the first 4096 bytes are searched.
-std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view own);
+/// The advice is for the readers given; without them, for those of the own kinds.
+std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view own,
+                                        std::optional<FileReaders> readers = std::nullopt);
 
 /// Whether an error may be due to a file of another kind.
 constexpr bool is_of_format(ErrorCode code) {

@@ -284,12 +284,17 @@ namespace {
 
 constexpr std::size_t kLinesPerCheckpoint = 4096;
 
+Limits with_digits(Limits limits, std::uint32_t least) {
+  limits.max_number_digits = std::max(limits.max_number_digits, least);
+  return limits;
+}
+
 }  // namespace
 
 RecordReader::RecordReader(std::string_view text, const ReadOptions& options, Context& context,
-                           std::string_view contents)
+                           std::string_view contents, std::uint32_t least_digits)
     : cursor_(text, options.name),
-      numbers_(context.limits(), options.exact_decimals, text.size()),
+      numbers_(with_digits(context.limits(), least_digits), options.exact_decimals, text.size()),
       context_(context),
       total_bytes_(text.size()),
       contents_(contents) {}

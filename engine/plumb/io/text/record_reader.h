@@ -105,10 +105,15 @@ class RecordReader {
  public:
   static constexpr std::uint32_t kMostIds = std::numeric_limits<std::uint32_t>::max() - 1;
 
-  /// `contents` names what the memory is charged for, such as "the map". All arguments must outlive
+  /// `contents` names what the memory is charged for, such as "the map". Numbers have at most as
+  /// many digits as the limits of the context and `least_digits` allow. All arguments must outlive
   /// the reader.
   RecordReader(std::string_view text, const ReadOptions& options, Context& context,
-               std::string_view contents);
+               std::string_view contents, std::uint32_t least_digits = 0);
+
+  /// For the formats that plumb writes itself: the numbers of results have more digits than those
+  /// of any double, as the planes through three points do.
+  static constexpr std::uint32_t kDigitsOfResults = 16'384;
 
   TextCursor& cursor() { return cursor_; }
   const TextCursor& cursor() const { return cursor_; }

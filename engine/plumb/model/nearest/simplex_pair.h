@@ -1,15 +1,15 @@
 // The nearest points of two simplices of space: points, segments and triangles. One function
 // computes bounds in doubles, the other one exact points.
 //
-// The exact nearest points are found by faces. For a pair of faces, the points of their affine hulls
-// that are nearest to each other solve a linear system. A solution is the answer if its points lie
-// in the faces, and if no corner lies beyond the planes through both points that are orthogonal to
-// the segment between them. Why some pair of faces gives the answer: the pairs of nearest points
-// form a convex polytope. Let (p, q) be a corner of it, F the face with p in its relative interior,
-// and G the face with q in its relative interior. If the system of F and G had several solutions, p
-// and q could move both ways along them and stay nearest, and (p, q) would not be a corner. So the
-// system has one solution, and (p, q) is this solution. A triangle and a triangle have no such
-// system, because the six directions of two planes are never independent.
+// The exact nearest points are found by faces. For a pair of faces, the points of their affine
+// hulls that are nearest to each other solve a linear system. A solution is the answer if its
+// points lie in the faces, and if no corner lies beyond the planes through both points that are
+// orthogonal to the segment between them. Why some pair of faces gives the answer: the pairs of
+// nearest points form a convex polytope. Let (p, q) be a corner of it, F the face with p in its
+// relative interior, and G the face with q in its relative interior. If the system of F and G had
+// several solutions, p and q could move both ways along them and stay nearest, and (p, q) would not
+// be a corner. So the system has one solution, and (p, q) is this solution. A triangle and a
+// triangle have no such system, because the six directions of two planes are never independent.
 #pragma once
 
 #include <array>
@@ -49,9 +49,9 @@ DistanceBounds distance_bounds(const RoundedSimplex& a, const RoundedSimplex& b,
 
 /// Returns a bound for the errors of distances in doubles. `magnitude` is at least the absolute
 /// value of every coordinate, and at most 2^500; `error` is at least the difference of any
-/// coordinate and its exact value. A point of a simplex moves by at most 2 * error with the corners,
-/// and so do both ends of a gap; the roundings of a computation sum up to less than magnitude *
-/// 2^-46.
+/// coordinate and its exact value. A point of a simplex moves by at most 2 * error with the
+/// corners, and so do both ends of a gap; the roundings of a computation sum up to less than
+/// magnitude * 2^-46.
 constexpr double slack_of(double magnitude, double error) {
   return magnitude * 0x1p-44 + 8 * error;
 }

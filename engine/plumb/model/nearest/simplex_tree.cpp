@@ -39,7 +39,7 @@ class NearestSearch {
         memory_(context),
         magnitude_(std::max(a.magnitude_, b.magnitude_)),
         slack_(slack_of(magnitude_, std::max(a.error, b.error))),
-        are_doubles_of_use_(magnitude_ >= 0x1p-500 && magnitude_ <= 0x1p500) {}
+        are_doubles_of_use_(magnitude_ >= 0x1p-400 && magnitude_ <= 0x1p500) {}
 
   SimplexTree::Nearest run() {
     descend(0, 0);

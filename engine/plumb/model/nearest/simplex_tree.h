@@ -12,7 +12,7 @@
 //
 // Cost: building takes O(n log n). A search usually takes O(log n), and the exact part takes about
 // 10 us for each pair that doubles cannot tell from the nearest pair. If a magnitude is not
-// between 2^-500 and 2^500, doubles tell nothing, and all pairs are candidates.
+// between 2^-400 and 2^500, doubles tell nothing, and all pairs are candidates.
 #pragma once
 
 #include <array>

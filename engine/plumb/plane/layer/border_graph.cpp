@@ -1,8 +1,8 @@
-// Corners in a triangle are found by a k-d tree whose nodes count the corners that are left. The tree
-// compares doubles, and corners are doubles, so nothing is missed.
+// Corners in a triangle are found by a k-d tree whose nodes count the corners that are left. The
+// tree compares doubles, and corners are doubles, so nothing is missed.
 //
-// An edge has a bound for its distance from the borders that it stands for (drift). Removing a corner
-// adds the distance of this corner from the new edge, so the sum bounds the distance in both
+// An edge has a bound for its distance from the borders that it stands for (drift). Removing a
+// corner adds the distance of this corner from the new edge, so the sum bounds the distance in both
 // directions, by the triangle inequality.
 //
 // The last arrangement would find edges that break the invariant of the graph.

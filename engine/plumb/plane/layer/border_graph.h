@@ -1,8 +1,8 @@
 // Borders as a graph from which corners are removed (layer_simplify.h, plane_simplify.h).
 //
-// The graph has corners with their two edges, and edges with the labels at both sides. When a corner
-// is removed, one of its edges is prolonged to the far end of the other one, so labels stay where
-// they are. Corners that wait are in a heap by the areas of their triangles. A corner that is
+// The graph has corners with their two edges, and edges with the labels at both sides. When a
+// corner is removed, one of its edges is prolonged to the far end of the other one, so labels stay
+// where they are. Corners that wait are in a heap by the areas of their triangles. A corner that is
 // blocked by another corner waits for the removal of that one, so the result does not depend on the
 // order in which borders are visited.
 //

@@ -332,7 +332,7 @@ class DoubtSearch {
   }
   bool look_at_pairs_in(const PackedBoxTree& tree) {
     const auto may_go_on = [&] {
-      if (--steps_left_ % 4096 == 0) checkpoint(0);
+      if (steps_left_ > 0 && --steps_left_ % 4096 == 0) checkpoint(0);
       return pairs_left_ > 0 && steps_left_ > 0;
     };
     const auto look = [&](std::uint32_t i, std::uint32_t j) {

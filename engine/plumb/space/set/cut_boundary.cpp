@@ -714,9 +714,9 @@ bool add_untouched(CutState& state, const FacetSide& side,
   if (state.sources.is_plane(first) || !are_of_one_face(state.sources, triangles)) return false;
   const std::vector<UseId> uses = uses_at_corners(state, side.facet, first);
   if (uses.empty()) return false;
-  const bool stays_polygon =
-      state.options.faces != MeshFaces::Triangles && state.options.join != PieceJoin::None;
-  if (has_channels(state, first) && !stays_polygon) {
+  const bool is_joined = state.options.join != PieceJoin::None;
+  const bool stays_polygon = state.options.faces != MeshFaces::Triangles && is_joined;
+  if ((has_channels(state, first) || !is_joined) && !stays_polygon) {
     add_triangles_of_face(state, side, uses, triangles);
     return true;
   }

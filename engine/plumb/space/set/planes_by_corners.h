@@ -10,8 +10,8 @@
 
 namespace plumb {
 
-/// An index of the planes that three input points define. It tells a triangle of a mesh its plane by
-/// one look-up, without arithmetic, if the plane is defined by the corners of this triangle.
+/// An index of the planes that three input points define. It tells a triangle of a mesh its plane
+/// by one look-up, without arithmetic, if the plane is defined by the corners of this triangle.
 class PlanesByCorners {
  public:
   /// A corner of a triangle.
@@ -25,9 +25,9 @@ class PlanesByCorners {
 
   /// Returns the hash of the coordinates of a point.
   static std::uint32_t hash_of(const Point3& p);
-  /// Returns the plane that these three points define in the table. Seen from its positive side, the
-  /// corners appear counter-clockwise. The result is not valid if the table has no plane of this
-  /// definition; it may have the plane with another definition. Expected cost: O(1).
+  /// Returns the plane that these three points define in the table. Seen from its positive side,
+  /// the corners appear counter-clockwise. The result is not valid if the table has no plane of
+  /// this definition; it may have the plane with another definition. Expected cost: O(1).
   OrientedPlane find(const std::array<Corner, 3>& corners) const;
 
  private:

@@ -1,7 +1,7 @@
 // Places the triangles of sources, and compares the functions that their channels are.
 //
-// Most planes of a set are defined by the three corners of a source triangle, so they are found by a
-// hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
+// Most planes of a set are defined by the three corners of a source triangle, so they are found by
+// a hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
 // interned from three input points, many at a time. Moved points are exact; the plane of a moved
 // triangle is interned from its exact coefficients. In all cases the table gives equal planes the
 // same id, which is what everything else rests on.

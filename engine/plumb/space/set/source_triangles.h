@@ -25,8 +25,8 @@ struct SourceTriangle {
   bool is_opposite;
 };
 
-/// The triangles of all sources that have an area. Points of a source get a place in the tables when
-/// they are asked for, because most of them never are.
+/// The triangles of all sources that have an area. Points of a source get a place in the tables
+/// when they are asked for, because most of them never are.
 class SourceTriangles {
  public:
   /// Finds the planes of the triangles of all sources, and adds to `tables` those that it does not
