@@ -340,25 +340,25 @@ export class Frame {
   }
 }
 
-let running = 0;  // The calls that run: a callback may call again.
+let depth = 0;  // The calls that run: a callback may call again.
 const waiting = [];
 
 /** Calls the action when no call runs. */
 export function whenIdle(action) {
-  if (running === 0) return action();
+  if (depth === 0) return action();
   waiting.push(action);
 }
 
 /** Calls a function. After a trap, where GMP ends without memory, nothing can be called again. */
 function statusOf(name, inputs, error) {
-  ++running;
+  ++depth;
   try {
     return engine()[`_${name}`](...inputs, error);
   } catch (trap) {
     failure = new PlumbError('INTERNAL', `the engine has stopped: ${trap?.message ?? trap}`);
     throw failure;
   } finally {
-    if (--running === 0) for (const action of waiting.splice(0)) action();
+    if (--depth === 0) for (const action of waiting.splice(0)) action();
   }
 }
 

@@ -52,8 +52,9 @@ class Formatter : public CLI::Formatter {
   }
 
   /// An empty line follows each group but the last, also one that is not listed.
-  std::string make_groups(const CLI::App* app, CLI::AppFormatMode mode) const override {
-    std::string text = CLI::Formatter::make_groups(app, mode);
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
     if (const auto at = text.find("\n\n\n"); at != text.npos) text.erase(at, 1);
     return text;
   }
