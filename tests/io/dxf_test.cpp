@@ -203,6 +203,18 @@ TEST(DxfReader, lines_of_inserted_blocks_join) {
   EXPECT_NEAR(area_of(result.set), 2, 1e-12);
 }
 
+TEST(DxfReader, a_block_can_stand_anywhere_in_the_text) {
+  const std::string filler(9999, ' ');
+  const std::string far = entity("LWPOLYLINE", "90 3 70 1 10 11 20 2 10 13 20 2 10 11 20 3");
+  const std::string blocks = block("b", kTriangle) + pair(999, filler) + block("a", far);
+  const Nef2 both = wkt("MULTIPOLYGON (((0 0, 2 0, 0 1, 0 0)), ((10 0, 12 0, 10 1, 10 0)))");
+  const std::string a = entity("INSERT", "2 a 10 0 20 0"), b = entity("INSERT", "2 b 10 0 20 0");
+  EXPECT_EQ(read(with_blocks(blocks, a + b)).set, both);
+  EXPECT_EQ(read(with_blocks(blocks, b + a)).set, both);
+  const PlaneRead with_square = read(with_blocks(blocks, a + pair(999, filler) + kSquare));
+  EXPECT_EQ(area_of(with_square.set), 17);
+}
+
 TEST(DxfReader, layer_0_of_a_block_is_the_layer_of_the_insert) {
   const std::string on_red =
       entity("LWPOLYLINE", "8 red 90 3 70 1 10 11 20 2 10 13 20 2 10 11 20 3");

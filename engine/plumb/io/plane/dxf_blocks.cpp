@@ -3,6 +3,7 @@
 #include "plumb/io/plane/dxf_blocks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plumb/predicates/error.h"
 
@@ -22,6 +23,9 @@ class BlockPlacer {
   std::vector<DxfCurve> place() {
     place_curves(content_.drawing, {}, "0");
     place_inserts(content_.drawing, {}, "0");
+    std::stable_sort(
+        placed_.begin(), placed_.end(),
+        [](const DxfCurve& one, const DxfCurve& other) { return one.where < other.where; });
     return std::move(placed_);
   }
 
