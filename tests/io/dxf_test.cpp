@@ -161,6 +161,123 @@ TEST(DxfReader, a_drawing_seen_from_below_is_mirrored) {
   EXPECT_EQ(read(drawing(below)).set, wkt("POLYGON ((0 0, -4 0, 0 4, 0 0))"));
 }
 
+/// A block with the base point (1, 2) and the corners (1, 2), (3, 2), (1, 3).
+const std::string kTriangle = entity("LWPOLYLINE", "90 3 70 1 10 1 20 2 10 3 20 2 10 1 20 3");
+
+std::string block(const std::string& name, const std::string& entities) {
+  return entity("BLOCK", "8 0 2 " + name + " 10 1 20 2") + entities + pair(0, "ENDBLK");
+}
+
+std::string with_blocks(const std::string& blocks, const std::string& entities) {
+  return pair(0, "SECTION") + pair(2, "BLOCKS") + blocks + pair(0, "ENDSEC") + drawing(entities);
+}
+
+TEST(DxfReader, inserts_place_blocks) {
+  const auto placed = [](const std::string& values) {
+    return read(with_blocks(block("a", kTriangle), entity("INSERT", "2 a " + values))).set;
+  };
+  EXPECT_EQ(placed("10 0 20 0"), wkt("POLYGON ((0 0, 2 0, 0 1, 0 0))"));
+  EXPECT_EQ(placed("10 5 20 7"), wkt("POLYGON ((5 7, 7 7, 5 8, 5 7))"));
+  EXPECT_EQ(placed("10 0 20 0 41 3 42 -2"), wkt("POLYGON ((0 0, 6 0, 0 -2, 0 0))"));
+  EXPECT_EQ(placed("10 5 20 0 41 3 50 90"), wkt("POLYGON ((5 0, 5 6, 4 0, 5 0))"));
+  EXPECT_EQ(placed("10 5 20 0 230 -1"), wkt("POLYGON ((-5 0, -7 0, -5 1, -5 0))"));
+  // The steps of the array turn with the block, and are not scaled.
+  EXPECT_EQ(placed("10 0 20 0 41 2 50 90 70 2 71 2 44 10 45 20"),
+            wkt("MULTIPOLYGON (((0 0, 0 4, -1 0, 0 0)), ((0 10, 0 14, -1 10, 0 10)), "
+                "((-20 0, -20 4, -21 0, -20 0)), ((-20 10, -20 14, -21 10, -20 10)))"));
+}
+
+TEST(DxfReader, blocks_in_blocks_are_placed_by_both_inserts) {
+  const std::string blocks =
+      block("outer", entity("INSERT", "2 inner 10 2 20 2 41 2")) + block("inner", kTriangle);
+  EXPECT_EQ(read(with_blocks(blocks, entity("INSERT", "2 outer 10 0 20 0 50 90"))).set,
+            wkt("POLYGON ((0 1, 0 5, -1 1, 0 1))"));
+}
+
+TEST(DxfReader, lines_of_inserted_blocks_join) {
+  const std::string two_sides = line("1", "2", "3", "2") + line("3", "2", "3", "4");
+  const std::string half = entity("INSERT", "2 half 10 0.1 20 0.7 50 33");
+  const std::string rest = line("1", "2", "3", "4");
+  const PlaneRead result = read(with_blocks(block("half", two_sides) + block("rest", rest),
+                                            half + entity("INSERT", "2 rest 10 0.1 20 0.7 50 33")));
+  EXPECT_NEAR(area_of(result.set), 2, 1e-12);
+}
+
+TEST(DxfReader, a_block_can_stand_anywhere_in_the_text) {
+  const std::string filler(9999, ' ');
+  const std::string far = entity("LWPOLYLINE", "90 3 70 1 10 11 20 2 10 13 20 2 10 11 20 3");
+  const std::string blocks = block("b", kTriangle) + pair(999, filler) + block("a", far);
+  const Nef2 both = wkt("MULTIPOLYGON (((0 0, 2 0, 0 1, 0 0)), ((10 0, 12 0, 10 1, 10 0)))");
+  const std::string a = entity("INSERT", "2 a 10 0 20 0"), b = entity("INSERT", "2 b 10 0 20 0");
+  EXPECT_EQ(read(with_blocks(blocks, a + b)).set, both);
+  EXPECT_EQ(read(with_blocks(blocks, b + a)).set, both);
+  const PlaneRead with_square = read(with_blocks(blocks, a + pair(999, filler) + kSquare));
+  EXPECT_EQ(area_of(with_square.set), 17);
+}
+
+TEST(DxfReader, layer_0_of_a_block_is_the_layer_of_the_insert) {
+  const std::string on_red =
+      entity("LWPOLYLINE", "8 red 90 3 70 1 10 11 20 2 10 13 20 2 10 11 20 3");
+  const std::string text =
+      with_blocks(block("a", kTriangle + on_red), entity("INSERT", "8 blue 2 a 10 0 20 0"));
+  const auto layer = [&](const char* name) {
+    Context context;
+    return read_dxf_set(text, name, ReadOptions{"some.file"}, context).set;
+  };
+  EXPECT_EQ(layer("blue"), wkt("POLYGON ((0 0, 2 0, 0 1, 0 0))"));
+  EXPECT_EQ(layer("red"), wkt("POLYGON ((10 0, 12 0, 10 1, 10 0))"));
+  EXPECT_EQ(area_of(layer("0")), 0);
+}
+
+TEST(DxfReader, blocks_without_inserts_are_not_read) {
+  const std::string wrong = block("a", entity("CIRCLE", "40 -1")) + block("b", kTriangle);
+  EXPECT_EQ(read(with_blocks(wrong, kSquare)).set, read(drawing(kSquare)).set);
+  const PlaneRead result = read(with_blocks("", kSquare + entity("INSERT", "2 a 10 0 20 0")));
+  EXPECT_TRUE(has_note(result, "inserts of blocks that are missing (1)"));
+}
+
+TEST(DxfReader, refuses_blocks_in_themselves_and_too_many_inserts) {
+  const auto code_of = [](const std::string& text) {
+    try {
+      read(text);
+    } catch (const Error& error) {
+      EXPECT_GT(error.place().line, 1U);
+      return error.code();
+    }
+    ADD_FAILURE() << "was read";
+    return ErrorCode::Syntax;
+  };
+  const std::string first = entity("INSERT", "2 b0 10 0 20 0");
+  const std::string cycle = block("b0", entity("INSERT", "2 b1 10 0 20 0")) + block("b1", first);
+  EXPECT_EQ(code_of(with_blocks(cycle, first)), ErrorCode::BadShape);
+  for (const char* times : {"70 1", "70 2"}) {
+    std::string nested;
+    for (int i = 0; i < 99; ++i) {
+      nested += block("b" + std::to_string(i),
+                      entity("INSERT", "2 b" + std::to_string(i + 1) + " 10 0 20 0 " + times));
+    }
+    EXPECT_EQ(code_of(with_blocks(nested + block("b99", ""), first)), ErrorCode::ResourceLimit);
+  }
+  std::string bomb;  // Without a curve at the bottom, only the steps are bounded.
+  for (int i = 0; i < 40; ++i) {
+    bomb += block("b" + std::to_string(i),
+                  entity("INSERT", "2 b" + std::to_string(i + 1) + " 10 0 20 0 70 2"));
+  }
+  EXPECT_EQ(code_of(with_blocks(bomb + block("b40", ""), first)), ErrorCode::ResourceLimit);
+}
+
+TEST(DxfReader, joins_ends_of_lines_that_only_rounding_separates) {
+  const auto triangle = [](const std::string& end) {
+    return drawing(line("0", "0", "4", "0") + line("4", "0", "4", "4") + line("4", "4", "0", end));
+  };
+  const PlaneRead result = read(triangle("2e-13"));
+  EXPECT_EQ(result.set, wkt("POLYGON ((0 0, 4 0, 4 4, 0 0))"));
+  EXPECT_TRUE(has_note(result, "apart by rounding only were joined (1)"));
+  EXPECT_FALSE(has_note(read(triangle("0")), "rounding"));
+  EXPECT_NO_THROW(read(triangle("3.6e-12")));  // The reach is 4 / 2^40, which is 3.64e-12.
+  EXPECT_THROW(read(triangle("3.7e-12")), Error);
+}
+
 TEST(DxfReader, names_what_it_does_not_read) {
   const PlaneRead result =
       read(drawing(kSquare + entity("TEXT", "10 0 20 0 40 2") + entity("TEXT", "10 0") +

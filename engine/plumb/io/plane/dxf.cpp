@@ -15,11 +15,14 @@
 #include <cmath>
 #include <map>
 #include <ostream>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "plumb/base/internal/degrees.h"
+#include "plumb/io/plane/dxf_blocks.h"
 #include "plumb/io/plane/dxf_curves.h"
 #include "plumb/io/plane/shape_text.h"
 #include "plumb/io/text/input_cursors.h"
@@ -37,6 +40,9 @@ std::string_view trimmed(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(kDxfBlanks), line.size()));
   return line.substr(0, line.find_last_not_of(kDxfBlanks) + 1);
 }
+
+/// The map of a plane that is seen from below.
+constexpr SvgTransform kFromBelow{-1, 0, 0, 1, 0, 0};
 
 /// The units that $INSUNITS numbers.
 constexpr std::array<const char*, 7> kDxfUnits{"",           "inch",       "foot", "mile",
@@ -60,8 +66,14 @@ class DxfReader {
     }
     while (next_pair()) take_pair();
     if (!has_end_) fail(ErrorCode::CountMismatch, "the drawing ends without EOF");
+    content_.drawing.end_curve = static_cast<std::uint32_t>(content_.curves.curves.size());
+    content_.drawing.end_insert = static_cast<std::uint32_t>(content_.inserts.size());
+    read_blocks();
+    content_.curves.curves = placed_curves(content_, only_layer_, options_.name, charge_, context_);
+    for (const DxfCurve& curve : content_.curves.curves) layers_.insert(std::string(curve.layer));
     ShapeCollector shapes(context_, text_.size());
-    add_dxf_rings(drawing_, text_, options_, options_.rings == RingRule::Odd, shapes, context_);
+    add_dxf_rings(content_.curves, text_, options_, options_.rings == RingRule::Odd, shapes,
+                  context_);
     add_notes(shapes);
     return shapes.take();
   }
@@ -122,6 +134,11 @@ class DxfReader {
       return;
     }
     if (section_ == "HEADER") return take_variable();
+    if (section_ == "BLOCKS" && entity_ == "BLOCK" && code_ == 2) {
+      constexpr std::uint64_t kBlockBytes = 256;  // The nodes of two maps.
+      with_line([&] { charge_.add(kBlockBytes, "the drawing"); });
+      block_places_.insert({value_, {block_rest_, block_line_}});
+    }
     if (section_ == "ENTITIES") take_value();
   }
 
@@ -134,6 +151,7 @@ class DxfReader {
   void take_value() {
     constexpr std::uint64_t kStep = 4096;
     if (code_ == 8) layer_ = value_;
+    if (code_ == 2) name_ = value_;
     const bool is_number = (code_ >= 10 && code_ < 80) || (code_ >= 210 && code_ < 240);
     if (!is_read_ || !is_number) return;
     if (values_.size() == charged_values_) {
@@ -146,13 +164,15 @@ class DxfReader {
   // ---------------------------------------------------------------- entities
 
   void begin_entity() {
-    if (section_ == "ENTITIES") end_entity();
-    if (is_in_polyline_ && value_ != "VERTEX" && value_ != "SEQEND") {
-      fail(ErrorCode::CountMismatch, "a POLYLINE ends without SEQEND");
+    close_entity();
+    if (value_ == "BLOCK") {
+      block_rest_ = rest_;
+      block_line_ = line_;
     }
     entity_ = value_;
     values_.clear();
     layer_ = "0";
+    name_ = {};
     entity_where_ = where_;
     entity_line_ = line_ - 1;
     if (entity_ == "ENDSEC" || entity_ == "SECTION") section_ = {};
@@ -161,9 +181,17 @@ class DxfReader {
     if (section_ == "ENTITIES" && !is_read_) skipped_.insert({entity_, 0}).first->second += 1;
   }
 
+  /// Ends the entity before the one that the current pair begins.
+  void close_entity() {
+    if (section_ == "ENTITIES") end_entity();
+    if (is_in_polyline_ && value_ != "VERTEX" && value_ != "SEQEND") {
+      fail(ErrorCode::CountMismatch, "a POLYLINE ends without SEQEND");
+    }
+  }
+
   using Maker = void (DxfReader::*)();
   static Maker maker_of(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, Maker>, 9> kMakers{{
+    constexpr std::array<std::pair<std::string_view, Maker>, 11> kMakers{{
         {"LINE", &DxfReader::make_line},
         {"LWPOLYLINE", &DxfReader::make_polyline},
         {"POLYLINE", &DxfReader::begin_polyline},
@@ -173,6 +201,8 @@ class DxfReader {
         {"CIRCLE", &DxfReader::make_arc},
         {"ELLIPSE", &DxfReader::make_ellipse},
         {"SPLINE", &DxfReader::make_spline},
+        {"INSERT", &DxfReader::make_insert},
+        {"BLOCK", &DxfReader::set_base},
     }};
     const auto* const found = std::find_if(kMakers.begin(), kMakers.end(),
                                            [&](const auto& each) { return each.first == name; });
@@ -184,7 +214,9 @@ class DxfReader {
     is_read_ = false;
     // The vertices of a POLYLINE are on its layer, whatever layer they state.
     const bool is_part = entity_ == "VERTEX" || entity_ == "SEQEND";
-    if (!only_layer_.empty() && layer_ != only_layer_ && !is_part) return;
+    // What is in a block, or inserted, can be on a layer that only the inserts decide.
+    const bool is_placed_later = block_ != nullptr || entity_ == "INSERT";
+    if (!only_layer_.empty() && layer_ != only_layer_ && !is_part && !is_placed_later) return;
     if (value(67, 0) == 1) {
       skipped_.insert({"entities of paper space", 0}).first->second += 1;
       return;
@@ -219,7 +251,9 @@ class DxfReader {
     DxfCurve curve;
     curve.kind = kind;
     curve.where = entity_where_;
-    curve.first_vertex = curve.end_vertex = static_cast<std::uint32_t>(drawing_.vertices.size());
+    curve.layer = layer_;
+    curve.first_vertex = curve.end_vertex =
+        static_cast<std::uint32_t>(content_.curves.vertices.size());
     return curve;
   }
 
@@ -234,14 +268,13 @@ class DxfReader {
 
   void push_curve(DxfCurve curve) {
     with_line([&] { charge_.add(2 * sizeof(DxfCurve), "the drawing"); });
-    curve.end_vertex = static_cast<std::uint32_t>(drawing_.vertices.size());
-    drawing_.curves.push_back(curve);
-    layers_.insert({std::string(layer_), 0}).first->second += 1;
+    curve.end_vertex = static_cast<std::uint32_t>(content_.curves.vertices.size());
+    content_.curves.curves.push_back(curve);
   }
 
   void push_vertex(Point2 p, double bulge) {
     with_line([&] { charge_.add(2 * sizeof(DxfVertex), "the drawing"); });
-    drawing_.vertices.push_back({p, bulge});
+    content_.curves.vertices.push_back({p, bulge});
   }
 
   void make_line() {
@@ -257,20 +290,20 @@ class DxfReader {
   void make_polyline() {
     DxfCurve curve = new_curve(DxfKind::Polyline);
     curve.is_closed = has_flag(1);
-    curve.is_mirrored = is_seen_from_below();
+    if (is_seen_from_below()) curve.transform = kFromBelow;
     for (const Value& each : values_) {
       if (each.code == 10) push_vertex({each.number, 0}, 0);
-      if (drawing_.vertices.size() == curve.first_vertex) continue;
-      if (each.code == 20) drawing_.vertices.back().p.y = each.number;
-      if (each.code == 42) drawing_.vertices.back().bulge = each.number;
+      if (content_.curves.vertices.size() == curve.first_vertex) continue;
+      if (each.code == 20) content_.curves.vertices.back().p.y = each.number;
+      if (each.code == 42) content_.curves.vertices.back().bulge = each.number;
     }
     finish_polyline(curve);
   }
 
   void finish_polyline(const DxfCurve& curve) {
-    const std::size_t corners = drawing_.vertices.size() - curve.first_vertex;
+    const std::size_t corners = content_.curves.vertices.size() - curve.first_vertex;
     if (corners >= 2) return push_curve(curve);
-    drawing_.vertices.resize(curve.first_vertex);
+    content_.curves.vertices.resize(curve.first_vertex);
     skipped_.insert({"polylines of fewer than two corners", 0}).first->second += 1;
   }
 
@@ -282,7 +315,7 @@ class DxfReader {
     }
     polyline_ = new_curve(DxfKind::Polyline);
     polyline_.is_closed = has_flag(1);
-    polyline_.is_mirrored = is_seen_from_below();
+    if (is_seen_from_below()) polyline_.transform = kFromBelow;
     is_in_polyline_ = true;
   }
 
@@ -301,7 +334,7 @@ class DxfReader {
     DxfCurve curve = new_curve(DxfKind::Arc);
     const double radius = required(40);
     if (!(radius >= 0)) fail_entity(ErrorCode::BadShape, "has a negative radius");
-    curve.is_mirrored = is_seen_from_below();
+    if (is_seen_from_below()) curve.transform = kFromBelow;
     curve.is_closed = entity_ == "CIRCLE";
     curve.centre = required_point(10);
     curve.u = {radius, 0};
@@ -347,16 +380,16 @@ class DxfReader {
     }
     curve.degree = static_cast<std::uint32_t>(degree);
     curve.is_closed = has_flag(1);
-    curve.first_knot = static_cast<std::uint32_t>(drawing_.knots.size());
+    curve.first_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
     for (const Value& each : values_) {
       if (each.code == 10) push_vertex({each.number, 0}, 0);
-      if (each.code == 20 && drawing_.vertices.size() > curve.first_vertex) {
-        drawing_.vertices.back().p.y = each.number;
+      if (each.code == 20 && content_.curves.vertices.size() > curve.first_vertex) {
+        content_.curves.vertices.back().p.y = each.number;
       }
       if (each.code == 40) push_knot(each.number, curve.first_knot);
     }
-    curve.end_knot = static_cast<std::uint32_t>(drawing_.knots.size());
-    const std::size_t points = drawing_.vertices.size() - curve.first_vertex;
+    curve.end_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
+    const std::size_t points = content_.curves.vertices.size() - curve.first_vertex;
     if (points <= curve.degree || curve.end_knot - curve.first_knot != points + curve.degree + 1) {
       fail_entity(ErrorCode::CountMismatch,
                   "has " + std::to_string(points) + " control points and " +
@@ -367,11 +400,80 @@ class DxfReader {
   }
 
   void push_knot(double knot, std::uint32_t first) {
-    if (drawing_.knots.size() > first && knot < drawing_.knots.back()) {
+    if (content_.curves.knots.size() > first && knot < content_.curves.knots.back()) {
       fail_entity(ErrorCode::BadShape, "has knots that descend");
     }
     with_line([&] { charge_.add(2 * sizeof(double), "the drawing"); });
-    drawing_.knots.push_back(knot);
+    content_.curves.knots.push_back(knot);
+  }
+
+  // ---------------------------------------------------------------- blocks
+
+  /// Reads the blocks that are inserted, each once. A block that no insert names is not read, so
+  /// nothing in it can be refused.
+  void read_blocks() {
+    for (std::size_t i = 0; i < content_.inserts.size(); ++i) {
+      const std::string_view name = content_.inserts[i].block;
+      const auto place = block_places_.find(name);
+      if (place == block_places_.end()) {
+        skipped_.insert({"inserts of blocks that are missing", 0}).first->second += 1;
+      } else if (content_.blocks.find(name) == content_.blocks.end()) {
+        read_block(content_.blocks[name], place->second.first, place->second.second);
+      }
+    }
+  }
+
+  void read_block(DxfBlock& block, std::string_view rest, std::size_t line) {
+    block_ = &block;
+    block.first_curve = static_cast<std::uint32_t>(content_.curves.curves.size());
+    block.first_insert = static_cast<std::uint32_t>(content_.inserts.size());
+    rest_ = rest;
+    line_ = line;
+    has_end_ = false;
+    section_ = "ENTITIES";
+    entity_ = "BLOCK";
+    is_read_ = true;
+    values_.clear();
+    const auto ends_block = [&] {
+      return code_ == 0 && (value_ == "ENDBLK" || value_ == "ENDSEC" || value_ == "EOF");
+    };
+    while (next_pair() && !ends_block()) take_pair();
+    close_entity();
+    block.end_curve = static_cast<std::uint32_t>(content_.curves.curves.size());
+    block.end_insert = static_cast<std::uint32_t>(content_.inserts.size());
+  }
+
+  void set_base() {
+    if (block_ != nullptr) block_->base = {value(10, 0), value(20, 0)};
+  }
+
+  /// Keeps an insert. The array turns with the block; the scales do not change its steps.
+  void make_insert() {
+    DxfInsert insert;
+    insert.block = name_;
+    insert.layer = layer_;
+    insert.line = entity_line_;
+    insert.scale = {value(41, 1), value(42, 1)};
+    insert.spacing = {value(44, 0), value(45, 0)};
+    insert.columns = number_in_array(70);
+    insert.rows = number_in_array(71);
+    const Point2 at = required_point(10), turn = unit_vector(value(50, 0));
+    insert.placing = {turn.x, turn.y, -turn.y, turn.x, at.x, at.y};
+    if (is_seen_from_below()) insert.placing = product(kFromBelow, insert.placing);
+    if (insert.scale.x == 0 || insert.scale.y == 0) {
+      fail_entity(ErrorCode::BadShape, "has the scale 0");
+    }
+    with_line([&] { charge_.add(2 * sizeof(DxfInsert), "the drawing"); });
+    content_.inserts.push_back(insert);
+  }
+
+  std::uint32_t number_in_array(int code) const {
+    constexpr double kMost = 32767;
+    const double count = value(code, 1);
+    if (!(count >= 0 && count <= kMost)) {
+      fail_entity(ErrorCode::NumberOutOfRange, "has an array with a side below 0 or above 32767");
+    }
+    return std::max(static_cast<std::uint32_t>(count), std::uint32_t{1});
   }
 
   // ---------------------------------------------------------------- notes and errors
@@ -390,7 +492,7 @@ class DxfReader {
     if (has_heights_) shapes.pass_over(kHeights);
     if (layers_.size() > 1) {
       std::string names;
-      for (const auto& [name, count] : layers_) {
+      for (const std::string& name : layers_) {
         if (names.size() > 200) {
           names += ", ...";
           break;
@@ -443,6 +545,7 @@ class DxfReader {
   // The current entity.
   std::string_view entity_;
   std::string_view layer_ = "0";
+  std::string_view name_;
   const char* entity_where_ = nullptr;
   std::size_t entity_line_ = 0;
   bool is_read_ = false;
@@ -450,11 +553,16 @@ class DxfReader {
   std::uint64_t charged_values_ = 0;
   bool is_in_polyline_ = false;
   DxfCurve polyline_;
+  // Blocks: where the text of each begins, and the one that is read.
+  std::map<std::string_view, std::pair<std::string_view, std::size_t>> block_places_;
+  std::string_view block_rest_;
+  std::size_t block_line_ = 0;
+  DxfBlock* block_ = nullptr;
   // All entities.
-  DxfCurves drawing_;
+  DxfContent content_;
   bool has_heights_ = false;
   std::map<std::string_view, std::size_t> skipped_;
-  std::map<std::string, std::size_t> layers_;
+  std::set<std::string> layers_;
 };
 
 }  // namespace

@@ -6,22 +6,24 @@
 // so a ring in a ring is a hole.
 //
 // Main flow of read_dxf():
-//  1. records  reads pairs of a code and a value, and collects the curves of section ENTITIES
+//  1. records  reads pairs of a code and a value, and collects the curves of section ENTITIES,
+//              and of the blocks that they insert (dxf_blocks.h)
 //  2. flatten  replaces arcs, ellipses and splines by chords, which are at most the tolerance away
 //              (svg_outline.h)
-//  3. join     joins open curves at their ends. Ends that the file states join only if they are
-//              equal. The end of an arc, an ellipse or a spline is computed, and joins the nearest
-//              other end within the tolerance
+//  3. join     joins open curves at their ends. Ends that the file states join if they are equal,
+//              or apart by at most 2^-40 of the largest coordinate. The end of an arc, an ellipse
+//              or a spline is computed, and joins the nearest other end within the tolerance
 //
 // Curves: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE of degree 1 to 3, no weights.
-// Other entities are left out, and a note names them and the layers. Coordinates are read as the
-// nearest doubles, and are not scaled: a note names the unit. Heights are dropped with a note.
+// INSERT places blocks of them. Other entities are left out, and a note names them and the layers.
+// Coordinates are read as the nearest doubles, and are not scaled: a note names the unit. Heights
+// are dropped with a note.
 //
 // Cost: O(n log n) for n points, and O(1) for each pair of ends that are nearer than the tolerance.
 // Errors have the place FILE:LINE: Syntax; NumberOutOfRange; CountMismatch for incomplete entities;
-// BadShape for a chain that is not closed, and for curves in a drawing without extent if no
-// tolerance is given; UnknownFormat for binary DXF, for splines of other kinds and for curves in
-// other planes; ResourceLimit; Cancelled.
+// BadShape for a chain that is not closed, for a block that contains itself, and for curves in a
+// drawing without extent if no tolerance is given; UnknownFormat for binary DXF, for splines of
+// other kinds, and for curves and inserts in other planes; ResourceLimit; Cancelled.
 #pragma once
 
 #include <iosfwd>

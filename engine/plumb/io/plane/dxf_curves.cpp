@@ -45,7 +45,7 @@ class CurveFlattener {
 
   /// Adds one ring, unless the curve is a single point.
   void add(const DxfCurve& curve, const TextCursor& at) {
-    outline_.set_transform(curve.is_mirrored ? SvgTransform{-1, 0, 0, 1, 0, 0} : SvgTransform{});
+    outline_.set_transform(curve.transform);
     switch (curve.kind) {
       case DxfKind::Arc:
         add_arc(curve, at);
@@ -156,6 +156,7 @@ struct OpenChain {
   std::uint32_t ring;
   const char* where;
   bool is_computed;  ///< Whether its ends are computed, not stated.
+  double reach;      ///< How far away an end joins another one.
   std::array<std::uint32_t, 2> nodes{};
   bool is_used = false;
 };
@@ -163,11 +164,13 @@ struct OpenChain {
 /// Joins open chains to rings.
 class ChainJoiner {
  public:
-  ChainJoiner(SvgDrawing& drawing, std::string_view text, const std::string& name, double tolerance,
-              Context& context)
-      : drawing_(drawing), text_(text), name_(name), tolerance_(tolerance), context_(context) {}
+  ChainJoiner(SvgDrawing& drawing, std::string_view text, const std::string& name, Context& context)
+      : drawing_(drawing), text_(text), name_(name), context_(context) {}
 
   void add(const OpenChain& chain) { chains_.push_back(chain); }
+
+  /// Returns how many ends of lines were moved to others by join().
+  std::size_t moved() const { return moved_; }
 
   /// Calls `take` with the points of each ring.
   template <class Take>
@@ -197,7 +200,9 @@ class ChainJoiner {
     for (std::size_t end = 0; end < 2; ++end) {
       Point2& p = end_of(chain, end);
       const Point2 other = end_of(chain, 1 - end);
-      const Key key = chain.is_computed ? nearest_node(p, other) : Key{p.x + 0.0, p.y + 0.0};
+      const bool can_close = !chain.is_computed && drawing_.ring(chain.ring).size() > 3;
+      const Key key = nearest_node(p, chain.reach, can_close ? nullptr : &other);
+      if (!chain.is_computed && key != Key{p.x, p.y}) ++moved_;
       p = {key.first, key.second};
       const auto next = static_cast<std::uint32_t>(ends_.size());
       const auto [node, is_new] = nodes_.try_emplace(key, next);
@@ -207,18 +212,18 @@ class ChainJoiner {
     }
   }
 
-  /// Returns the nearest node within the tolerance; the point itself if there is none. The other
-  /// end of a short curve is no node for it.
-  Key nearest_node(Point2 p, Point2 other) {
+  /// Returns the nearest node within `reach`; the point itself if there is none. The other end of
+  /// a short curve is no node for it.
+  Key nearest_node(Point2 p, double reach, const Point2* other) {
     Key best{p.x + 0.0, p.y + 0.0};
-    double least = tolerance_;
+    double least = reach;
     constexpr double kLowest = -std::numeric_limits<double>::infinity();
-    for (auto node = nodes_.lower_bound({p.x - tolerance_, kLowest});
-         node != nodes_.end() && node->first.first <= p.x + tolerance_; ++node) {
+    for (auto node = nodes_.lower_bound({p.x - reach, kLowest});
+         node != nodes_.end() && node->first.first <= p.x + reach; ++node) {
       watch();
-      if (node->first == Key{other.x, other.y}) continue;
+      if (other != nullptr && node->first == Key{other->x, other->y}) continue;
       const double distance = std::hypot(node->first.first - p.x, node->first.second - p.y);
-      if (distance > least || (distance == least && least < tolerance_)) continue;
+      if (distance > least || (distance == least && least < reach)) continue;
       least = distance;
       best = node->first;
     }
@@ -301,12 +306,12 @@ class ChainJoiner {
   SvgDrawing& drawing_;
   std::string_view text_;
   const std::string& name_;
-  double tolerance_;
   Context& context_;
   std::vector<OpenChain> chains_;
   std::map<Key, std::uint32_t> nodes_;
   std::vector<std::vector<std::uint32_t>> ends_;  // Per node: chains and their ends.
   std::size_t steps_ = 0;
+  std::size_t moved_ = 0;
 };
 
 /// Adds rings to a collector.
@@ -354,22 +359,34 @@ bool is_ring(const DxfCurves& drawing, const DxfCurve& curve) {
   return drawing.vertices[curve.first_vertex].p == drawing.vertices[curve.end_vertex - 1].p;
 }
 
+/// Returns how far ends of lines may be apart that rounding separates.
+double reach_of_rounding(const SvgDrawing& drawing) {
+  constexpr double kShare = 0x1p-40;
+  double largest = 0;
+  for (const Point2& p : drawing.points) {
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+  }
+  return largest * kShare;
+}
+
 }  // namespace
 
 double extent_of(const DxfCurves& drawing) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Point2 low{kFar, kFar}, high{-kFar, -kFar};
-  const auto take = [&](double sign, Point2 p, double reach) {
-    low = {std::min(low.x, sign * p.x - reach), std::min(low.y, p.y - reach)};
-    high = {std::max(high.x, sign * p.x + reach), std::max(high.y, p.y + reach)};
+  const auto take = [&](Point2 p, Point2 reach) {
+    low = {std::min(low.x, p.x - reach.x), std::min(low.y, p.y - reach.y)};
+    high = {std::max(high.x, p.x + reach.x), std::max(high.y, p.y + reach.y)};
   };
   for (const DxfCurve& curve : drawing.curves) {
-    const double sign = curve.is_mirrored ? -1 : 1;
+    const SvgTransform& t = curve.transform;
     if (curve.kind == DxfKind::Arc) {
-      take(sign, curve.centre, std::hypot(curve.u.x, curve.u.y));
+      const Point2 u = applied({t.a, t.b, t.c, t.d, 0, 0}, curve.u);
+      const Point2 v = applied({t.a, t.b, t.c, t.d, 0, 0}, curve.v);
+      take(applied(t, curve.centre), {std::hypot(u.x, v.x), std::hypot(u.y, v.y)});
     }
     for (std::uint32_t i = curve.first_vertex; i < curve.end_vertex; ++i) {
-      take(sign, drawing.vertices[i].p, 0);
+      take(applied(t, drawing.vertices[i].p), {0, 0});
     }
   }
   return low.x > high.x ? 0 : std::max(high.x - low.x, high.y - low.y);
@@ -391,7 +408,8 @@ void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOp
     while (curve_of_ring.size() < outline.ring_count()) curve_of_ring.push_back(c);
   }
   SvgDrawing flat = outline.take();
-  ChainJoiner joiner(flat, text, options.name, tolerance.value_or(0), context);
+  const double reach = reach_of_rounding(flat);
+  ChainJoiner joiner(flat, text, options.name, context);
   RingAdder rings(cursor, is_one_polygon, shapes);
   MemoryCharge charge(context);
   for (std::uint32_t r = 0; r < flat.ring_count(); ++r) {
@@ -401,10 +419,15 @@ void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOp
     } else {
       constexpr std::uint64_t kChainBytes = 256;  // The chain, two nodes and their ends.
       charge.add(kChainBytes, "the chains of lines");
-      joiner.add({r, curve.where, curve.kind != DxfKind::Polyline});
+      const bool is_computed = curve.kind != DxfKind::Polyline;
+      joiner.add({r, curve.where, is_computed, is_computed ? tolerance.value_or(0) : reach});
     }
   }
   joiner.join([&rings](const std::vector<Point2>& ring) { rings.add(ring); });
+  if (joiner.moved() > 0) {
+    shapes.note("ends of lines that are apart by rounding only were joined (" +
+                std::to_string(joiner.moved()) + ")");
+  }
   rings.finish();
 }
 

@@ -29,13 +29,14 @@ struct DxfVertex {
 struct DxfCurve {
   DxfKind kind = DxfKind::Polyline;
   bool is_closed = false;
-  bool is_mirrored = false;  ///< Whether x is negative: the curve is seen from below.
   std::uint32_t first_vertex = 0, end_vertex = 0;  ///< Of a polyline or a spline.
   std::uint32_t first_knot = 0, end_knot = 0;      ///< Of a spline.
   std::uint32_t degree = 3;                        ///< Of a spline.
   Point2 centre, u, v;                             ///< Of an arc: centre + cos t u + sin t v.
   double from = 0, to = 0;                         ///< Degrees, from < to; a closed arc has 360.
   const char* where = nullptr;                     ///< Where the text states it.
+  std::string_view layer = "0";
+  SvgTransform transform;  ///< From the coordinates of the curve to those of the drawing.
 };
 
 /// The curves of a drawing, in flat arrays.
