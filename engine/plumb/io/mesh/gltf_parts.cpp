@@ -226,8 +226,9 @@ void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
     if (!keeps_materials_) continue;
     material_.push_back(p.material);
     if (channels.empty()) continue;
+    const auto vertex = [&](std::uint32_t of) { return static_cast<std::size_t>(of - first); };
     add_values(p, channels, placed, is_mirrored,
-               {a - first, (turns ? c : b) - first, (turns ? b : c) - first});
+               {vertex(a), vertex(turns ? c : b), vertex(turns ? b : c)});
   }
 }
 

@@ -462,7 +462,12 @@ void WktReader::read_polygons() {
 void WktReader::read_member(Body body, std::string_view expected) {
   if (!is_at_list()) {
     const Kind& kind = take_kind();
-    if (kind.body != body) cursor_.fail_token({last_, kind.name.size()}, expected);
+    const bool is_surface =
+        body == &WktReader::read_polygon && kind.body == &WktReader::read_curve_polygon;
+    if (kind.body != body && !is_surface) {
+      cursor_.fail_token({last_, kind.name.size()}, expected);
+    }
+    body = kind.body;
     take_dimension();
   }
   (this->*body)();
