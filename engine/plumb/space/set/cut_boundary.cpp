@@ -30,7 +30,7 @@
 #include "plumb/plane/arrangement.h"
 #include "plumb/predicates/plane/plane_points.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/space/point3_exact.h"
+#include "plumb/predicates/space/point_as_line.h"
 #include "plumb/space/planar/facet_triangles.h"
 #include "plumb/space/planar/triangulate.h"
 #include "plumb/space/to_mesh.h"

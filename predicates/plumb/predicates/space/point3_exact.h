@@ -22,6 +22,7 @@
 #include "plumb/predicates/input/rung_counters.h"
 #include "plumb/predicates/space/plane_exact.h"
 #include "plumb/predicates/space/point3_table.h"
+#include "plumb/predicates/space/point_as_line.h"
 #include "plumb/predicates/space/rounded_point3.h"
 
 namespace plumb::exact3 {
@@ -37,11 +38,6 @@ struct PointOperand {
 
 /// Whether the point depends on the frame.
 bool has_frame(const PointOperand& operand);
-
-/// Returns the same point as that of a line and a plane, which takes fewer and smaller products, if
-/// two of its planes go through two common input points, as those of neighbours in a mesh do, and
-/// the third is not of the frame. Otherwise returns the source itself.
-PointSource as_line(const PlaneTable& planes, const PointSource& source);
 
 /// Returns the operand of as_line(source).
 PointOperand operand(const Point3Table& points, const PointSource& source);
