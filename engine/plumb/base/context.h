@@ -95,7 +95,8 @@ Context& unlimited_context();
 /// Charges growing amounts of memory to a context, and releases the whole charge on destruction.
 class MemoryCharge {
  public:
-  /// Constructs a charge of 0 bytes. Requires that the context outlives the charge.
+  /// Constructs an object that has charged 0 bytes so far. Requires that the context outlives the
+  /// charge.
   explicit MemoryCharge(Context& context) : context_(context) {}
   ~MemoryCharge() { context_.release_memory(bytes_); }
   MemoryCharge(const MemoryCharge&) = delete;

@@ -29,7 +29,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Triangles over points of the plane.
+/// Triangles whose corners are given points of the plane.
 struct PlaneTriangulation {
   PointTable2 points;  ///< The points, exactly.
   /// The corners of each triangle, counter-clockwise, as indices of points.

@@ -22,10 +22,10 @@
 // is an intersection with nothing. Hulls and sums pass over nothing. A map with a singular matrix
 // gives nothing, with a note.
 //
-// Colours. A set of space has its colours as sources (source_mesh.h): materials of the faces that
-// primitives, extrusions, hulls and sums make. The outermost colour wins, also over the colours of
-// imported files. A hull, a sum or an extrusion does not keep the colours of its children, with a
-// note. Sets of the plane have no colours. Colours never change the set.
+// Colours. The colours of a set of space are stored in its sources (source_mesh.h), as materials of
+// the faces that primitives, extrusions, hulls and sums make. The outermost colour wins, also over
+// the colours of imported files. A hull, a sum or an extrusion does not keep the colours of its
+// children, with a note. Sets of the plane have no colours. Colours never change the set.
 //
 // Cost: the sum of the operations. Errors: Error{BadArgument}, OpenMesh and other errors of the
 // operations get the place of the node, if the tree has places; so do ResourceLimit and NotFinite.

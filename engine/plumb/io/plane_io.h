@@ -133,7 +133,8 @@ PlaneFormat plane_format_of(const std::string& path, std::string_view text);
 struct PlaneRead {
   Nef2 set;  ///< The set that the file describes.
   /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
-  /// that are not in `set`, and that `set` is empty although the file is not an empty .nef2.
+  /// that are not in `set`. Another note reports an empty `set`, unless the file is a .nef2 file of
+  /// the empty set.
   std::vector<std::string> notes;
 };
 

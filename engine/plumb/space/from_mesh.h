@@ -61,7 +61,7 @@ struct MeshOptions {
   /// edge between two triangles in the same plane. This option has no effect if `surface` is set or
   /// the mesh crosses itself.
   bool joins_coplanar = false;
-  /// The greatest number of crossing pairs that are listed. The count of pairs is complete.
+  /// The greatest number of crossing pairs that are listed. The count includes all pairs.
   std::uint64_t max_listed = 1000;
 };
 
@@ -76,7 +76,7 @@ struct FromMeshOptions {
   /// Whether the set consists of the facets of the mesh instead of the volumes that the facets
   /// bound. The mesh may then be open.
   bool surface = false;
-  /// The greatest number of crossing pairs that are listed. The count of pairs is complete.
+  /// The greatest number of crossing pairs that are listed. The count includes all pairs.
   std::uint64_t max_listed = 1000;
   MeshReport* report = nullptr;  ///< If not null, receives what was found in the mesh.
 };

@@ -33,7 +33,7 @@ struct MeshMaterial {
   std::string texture;  ///< The name of its texture file as the input states it. Can be empty.
 };
 
-/// The attributes of a mesh. A default-constructed object means that there are none.
+/// The attributes of a mesh. A default-constructed object holds no attributes.
 struct MeshAttributes {
   /// The index of a face without a material or without a group.
   static constexpr std::uint32_t kNone = 0xffffffff;

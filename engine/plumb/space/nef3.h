@@ -282,8 +282,8 @@ class Nef3 {
   /// minimal form. Requires that audit(complex, AuditForm::Any) finds no flaw.
   [[nodiscard]] static Nef3 from_complex(SpaceComplex complex,
                                          Context& context = unlimited_context());
-  /// Returns the set of a complex. Requires that the complex is in minimal form. This function
-  /// checks nothing; audit() of the result checks everything.
+  /// Returns the set that a complex represents. Requires that the complex is in minimal form. This
+  /// function checks nothing; audit() of the result checks everything.
   [[nodiscard]] static Nef3 from_minimal_unchecked(SpaceComplex complex) {
     return Nef3(std::move(complex));
   }

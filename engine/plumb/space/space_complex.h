@@ -140,7 +140,7 @@ struct SpaceComplex {
   }
   /// Returns the vertex at which a use begins.
   VertexId use_origin(UseId u) const { return origin[use_halfedge[u]]; }
-  /// Returns the volume between the use and the next use in radial order.
+  /// Returns the volume between a use of an edge and the next use in radial order.
   VolumeId volume_after(UseId u) const {
     return facet_volume[use_facet[u]][is_reverse(use_halfedge[u]) ? 1 : 0];
   }

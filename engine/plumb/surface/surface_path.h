@@ -88,7 +88,7 @@ class SurfacePointTable {
   std::uint32_t index(SurfacePointId p) const { return item_[p] & 0x3fffffffU; }
   SurfacePointId add(SurfacePlace place, std::uint32_t index);
   SurfacePointId add_on_side(FaceId f, std::size_t side, const Rational& weight);
-  /// Returns the side of the face that contains a point on an edge; invalid if no side contains it.
+  /// Returns which side of the face contains a point on an edge; an invalid id if no side does.
   HalfedgeId side_in(SurfacePointId p, FaceId f) const;
 
   const SurfaceMesh* mesh_;

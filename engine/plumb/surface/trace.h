@@ -6,8 +6,8 @@
 //
 // Main flow of Tracer::trace:
 //  1. order      puts the two end points in a fixed order, so that trace(a, b) and trace(b, a) find
-//                the same path. If this exchanges the two end points, the path is reversed at the
-//                end
+//                the same path. If this exchanges the two end points, the last step reverses the
+//                path
 //  2. find       finds a short strip by a search in the dual graph of the mesh (face_strip.h). The
 //                length of a strip is measured between the centroids of its faces
 //  3. tighten    lays the strip out in the plane, and finds the shortest path in the strip by the

@@ -20,10 +20,10 @@ struct SelfTestReport {
 /// predicates on difficult inputs with known signs. The function does not change the environment.
 ///
 /// Failures are reassociated arithmetic, extended-precision arithmetic, and wrong signs of
-/// predicates. Notes report a rounding mode other than to nearest, flush-to-zero,
-/// denormals-are-zero, and the contraction of a*b+c to a fused multiply-add. The bounds of the
-/// filters hold under every setting that a note reports, but other code of the caller may depend on
-/// such a setting.
+/// predicates. Notes report each of these settings: flush-to-zero, denormals-are-zero, the
+/// contraction of a*b+c to a fused multiply-add, and a rounding mode that is not to nearest. The
+/// bounds of the filters hold under every setting that a note reports, but other code of the caller
+/// may depend on such a setting.
 SelfTestReport self_test();
 
 }  // namespace plumb

@@ -40,8 +40,8 @@ class StrongId {
 };
 
 /// A std::vector that ids index: element `id` belongs to the object with the index id.value().
-/// Integers index the vector, too. Code that indexes the vector with an id of another kind does not
-/// compile. The class adds no data, so a vector may be moved in and out.
+/// Besides ids, integers can be used as indices. Code that indexes the vector with an id of another
+/// kind does not compile. The class adds no data, so a vector may be moved in and out.
 template <class Id, class T>
 class IdVector : public std::vector<T> {
  public:
