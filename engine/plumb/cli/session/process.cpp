@@ -148,9 +148,19 @@ std::uint64_t bytes_of_stack() {
   return is_known ? limit.rlim_cur : kUsual;
 }
 
+// Sanitizers map memory for themselves, and end the process when it is refused.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
 }  // namespace
 
 void limit_growth(std::uint64_t bytes, unsigned threads) {
+  if (kIsSanitized) return;
   const std::uint64_t free = free_memory_of_heap(bytes);
   const std::uint64_t mapped = private_memory();
   rlimit limit{};
