@@ -15,6 +15,9 @@ void handle(int signal, void (*handler)(int));
 /// Makes a write to a closed pipe, or beyond the largest size of a file, fail as any other write.
 void ignore_failed_writes();
 
+/// Ends the process without any further work. Async-signal-safe.
+[[noreturn]] void end_now(int code);
+
 /// Sets the handler of alarm_after().
 void handle_alarm(void (*handler)(int));
 /// Calls the handler once, after this wall time, instead of at a time that was set before. On

@@ -29,7 +29,7 @@ namespace plumb::cli {
 
 void leave(ExitCode code) {
   remove_temporary_files();
-  ::_exit(static_cast<int>(code));
+  process::end_now(static_cast<int>(code));
 }
 
 namespace {
