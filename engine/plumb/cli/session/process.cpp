@@ -40,6 +40,21 @@ bool is_regular_file(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+namespace {
+
+// Sanitizers map memory for themselves, and end the process when it is refused. They also have
+// locks that a handler must not wait for.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+[[maybe_unused]] constexpr bool kIsSanitized = true;
+#elif defined(__has_feature)
+[[maybe_unused]] constexpr bool kIsSanitized =
+    __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
+#else
+[[maybe_unused]] constexpr bool kIsSanitized = false;
+#endif
+
+}  // namespace
+
 #ifdef _WIN32
 
 namespace {
@@ -113,6 +128,7 @@ void ignore_failed_writes() {
 void handle_alarm(void (*handler)(int)) { handle(SIGALRM, handler); }
 
 void alarm_after(double seconds) {
+  if (kIsSanitized) return;
   constexpr double kLongest = 1e9, kMicroseconds = 1e6;
   const double whole = std::floor(std::min(seconds, kLongest));
   itimerval timer{};
@@ -160,15 +176,6 @@ std::uint64_t bytes_of_stack() {
   const bool is_known = ::getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
   return is_known ? limit.rlim_cur : kUsual;
 }
-
-// Sanitizers map memory for themselves, and end the process when it is refused.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#elif defined(__has_feature)
-constexpr bool kIsSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 }  // namespace
 
