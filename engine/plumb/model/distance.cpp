@@ -43,6 +43,9 @@ void require_points(bool is_empty) {
 // ---------------------------------------------------------------- the simplices of a set
 
 constexpr std::uint32_t kNo = SimplexTree::kNone;
+constexpr std::uint64_t kBytesPerPlace = 40;  // A vertex: its place and its class.
+constexpr std::uint64_t kBytesPerSimplex =
+    200;  // Corners, facet, rounded box and nodes of the tree.
 
 }  // namespace
 
@@ -112,14 +115,18 @@ void add_vertex(SimplexTree& tree, const RationalPoint3& p) {
 
 SetBoundary boundary_of(const Nef3& set, Context& context, MemoryCharge& memory) {
   const SpaceComplex& c = set.complex();
-  memory.add(c.vertex_count() * 32 + (c.use_count() + c.vertex_count()) * 40, "a distance");
+  const std::size_t most = c.use_count() + c.edge_count() + c.vertex_count();  // Of simplices.
+  memory.add(c.vertex_count() * kBytesPerPlace + most * kBytesPerSimplex, "a distance");
   SetBoundary result;
   result.parts = UnionFind(c.vertex_count());
   result.tree.exact_vertex = [set](std::uint32_t v) {
     const SpaceComplex& complex = set.complex();
     return exact(complex.points(), complex.vertex_point[VertexId(v)]);
   };
-  for (const SpacePoint p : c.vertex_point) add_vertex(result.tree, c.points(), p);
+  for (const SpacePoint p : c.vertex_point) {
+    if (result.tree.vertex.size() % 1024 == 1023) context.checkpoint("distance", 0, 0);
+    add_vertex(result.tree, c.points(), p);
+  }
   FacetTriangles triangles(c);
   for (std::uint32_t f = 0; f < c.facet_count(); ++f) {
     if (f % 1024 == 1023) context.checkpoint("distance", f, c.facet_count());
@@ -143,7 +150,8 @@ SetBoundary boundary_of(const Nef3& set, Context& context, MemoryCharge& memory)
 
 SetBoundary boundary_of(const Nef2& set, Context& context, MemoryCharge& memory) {
   const PlaneComplex& c = set.complex();
-  memory.add(c.vertex_count() * 72 + c.edge_count() * 40, "a distance");
+  const std::size_t most = c.edge_count() + c.vertex_count();  // Of simplices.
+  memory.add(c.vertex_count() * kBytesPerPlace + most * kBytesPerSimplex, "a distance");
   SetBoundary result;
   result.parts = UnionFind(c.vertex_count());
   result.tree.exact_vertex = [set](std::uint32_t v) {
@@ -152,6 +160,7 @@ SetBoundary boundary_of(const Nef2& set, Context& context, MemoryCharge& memory)
     return RationalPoint3{std::move(at.x), std::move(at.y), 0};
   };
   for (const std::uint32_t p : c.vertex_point) {
+    if (result.tree.vertex.size() % 1024 == 1023) context.checkpoint("distance", 0, 0);
     const RationalPoint2 at = exact(c.points, p);
     add_vertex(result.tree, {at.x, at.y, 0});
   }

@@ -20,7 +20,7 @@ std::string SetOutput::title() const {
 }
 
 /// A device or a pipe has no file beside it, and a mesh that is called .mtl has none of its own.
-std::string SetOutput::library() const {
+std::string SetOutput::material_library() const {
   std::error_code error;
   const std::filesystem::path path(path_);
   const std::filesystem::file_status status = std::filesystem::status(path, error);
@@ -55,7 +55,7 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
     }
     throw Error(error.code(), error.message(), {name()});
   }
-  if (file_.write_library && !library().empty()) {
+  if (file_.write_library && !material_library().empty()) {
     const auto path = std::filesystem::path(path_).replace_extension(".mtl");
     session.outputs().add(path.string(), file_.write_library);
   }

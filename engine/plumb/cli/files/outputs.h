@@ -128,7 +128,7 @@ class SetOutput {
   std::optional<std::ptrdiff_t> format() const { return format_; }
   /// Returns the name of a material library beside the file, without folders; empty for standard
   /// output.
-  std::string library() const;
+  std::string material_library() const;
   /// Returns the name of the file without folders; empty for standard output.
   std::string title() const;
 
