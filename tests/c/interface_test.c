@@ -1683,7 +1683,7 @@ static void test_scene(void) {
   /* From the middle of the top to the middle of the bottom: over one side, 1/2 + 1 + 1/2. */
   top = add_point(scene, 2, "0 1/2");
   bottom = add_point(scene, 0, "0 1/2");
-  OK(plumb_scene_trace(scene, top, bottom, &path, NULL, &error));
+  OK(plumb_scene_trace(scene, top, bottom, PLUMB_PATH_LOCAL, &path, NULL, &error));
   {
     const double* p = plumb_path_points(path);
     double length = 0;
@@ -1695,9 +1695,13 @@ static void test_scene(void) {
       CHECK(plumb_path_faces(path)[i] < 12);
     }
     CHECK(fabs(length - 2) < 1e-12);
+    CHECK(fabs(plumb_path_length(path) - length) < 1e-12);
   }
   plumb_path_free(path);
-  FAILS(plumb_scene_trace(scene, top, 99, &path, NULL, &error), PLUMB_BAD_INDEX);
+  OK(plumb_scene_trace(scene, top, bottom, PLUMB_PATH_SHORTEST, &path, NULL, &error));
+  CHECK(fabs(plumb_path_length(path) - 2) < 1e-12);
+  plumb_path_free(path);
+  FAILS(plumb_scene_trace(scene, top, 99, PLUMB_PATH_LOCAL, &path, NULL, &error), PLUMB_BAD_INDEX);
   OK(plumb_scene_add_shape(scene, one, 1, &index, &error));
   CHECK(index == 0);
   OK(plumb_scene_separate(scene, &added, NULL, &error));

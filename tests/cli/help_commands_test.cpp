@@ -228,6 +228,7 @@ TEST(Json, fits_its_schema_whatever_the_answer) {
       {"convex-decompose", "convex decompose corpus/solids/l-block.off --closed"},
       {"surface-cells", "surface cells corpus/scenes/torus-loops.json --repair"},
       {"surface-boolean", "surface boolean corpus/scenes/torus.json --op '!A'"},
+      {"surface-path", "surface path corpus/scenes/room.json"},
       {"audit", "audit corpus/maps/us-counties.map"},
       {"view", "view corpus/plane/star.wkt -o star.svg"},
   };

@@ -309,6 +309,39 @@ TEST_F(SurfaceProgram, outside_may_be_named) {
   expect_boolean(scene(s), "A", 300, 1, {"--rule", "nonzero"});
 }
 
+TEST_F(SurfaceProgram, shortest_paths) {
+  SceneBuilder s("grid.obj");
+  s.add(20, 2.25, 3.5);
+  s.add(20, 14.25, 8.5);
+  const std::string file = scene(s), out = (scratch_ / "path.obj").string();
+  for (const Words& more : {Words{}, Words{"--local"}, Words{"--from", "1", "--to", "0"}}) {
+    Words words{"surface", "path", file, "-o", out};
+    words.insert(words.end(), more.begin(), more.end());
+    const Json json = answer(words);
+    EXPECT_NEAR(json["length"].get<double>(), 13, 1e-12);
+    EXPECT_EQ(json["points"].size(), json["faces"].size() + 1);
+    std::ifstream in(out);
+    std::size_t vertices = 0;
+    std::string line;
+    while (std::getline(in, line) && line.starts_with("v ")) ++vertices;
+    EXPECT_EQ(vertices, json["points"].size());
+    EXPECT_TRUE(line.starts_with("l 1 2"));
+  }
+  EXPECT_EQ(run({"surface", "path", file, "--to", "0"}).out, "length 0, 0 segments\n");
+  expect_refusal(run({"surface", "path", file, "--to", "2"}), "plumb: no point 2",
+                 "the scene has 2");
+  expect_refusal(run({"surface", "path", file, "-o", "path.off"}), "plumb: ", "-o OUT.obj");
+  SceneBuilder torn("tori.obj");
+  torn.add_point(0, .25, .25);
+  torn.add_point(2 * kRing * kTube, .25, .25);
+  expect_refusal(run({"surface", "path", scene(torn)}), "plumb: ", "different components");
+}
+
+TEST_F(SurfaceProgram, lengths_of_polygons) {
+  const Json json = cells(two_boxes());
+  for (const Json& polygon : json["polygons"]) EXPECT_NEAR(polygon["length"], 32, 1e-12);
+}
+
 // ---------------------------------------------------------------- files
 
 TEST_F(SurfaceProgram, results_are_scenes_again) {

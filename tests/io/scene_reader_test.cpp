@@ -14,6 +14,7 @@
 #include "generate/surface_meshes.h"
 #include "plumb/io/surface/scene_parser.h"
 #include "plumb/predicates/error.h"
+#include "plumb/surface/trace.h"
 
 namespace plumb::testing::scene_reader_test {
 namespace {
@@ -207,6 +208,35 @@ TEST(scene_reader, polygons_are_traced) {
   EXPECT_EQ(controls, 3U);
 }
 
+/// The room of the spider and the fly (tests/surface/shortest_strip_test.cpp).
+TEST(scene_reader, paths_may_be_shortest) {
+  const std::string head =
+      R"({"model": "m", "points": [[8, "5/12", "1/2"], [10, "5/12", "1/12"]], "polygons": [[0, 1]])";
+  const auto length = [&](const std::string& more) {
+    std::vector<Point3> points;
+    for (int i = 0; i < 8; ++i) {
+      points.push_back({(i & 1) != 0 ? 30. : 0, (i & 2) != 0 ? 12. : 0, (i & 4) != 0 ? 12. : 0});
+    }
+    const SurfaceScene s = made(head + more + "}", kOptions,
+                                SurfaceMesh(points, {{0, 2, 1},
+                                                     {1, 2, 3},
+                                                     {4, 5, 6},
+                                                     {5, 7, 6},
+                                                     {0, 1, 4},
+                                                     {1, 5, 4},
+                                                     {2, 6, 3},
+                                                     {3, 6, 7},
+                                                     {0, 4, 6},
+                                                     {0, 6, 2},
+                                                     {1, 3, 7},
+                                                     {1, 7, 5}}));
+    return polygon_length(s.polygons, 0);
+  };
+  EXPECT_NEAR(length(R"(, "paths": "shortest")"), 80, 1e-9);
+  EXPECT_EQ(length(R"(, "paths": "local")"), length(""));
+  EXPECT_GT(length(""), 80.1);
+}
+
 TEST(scene_reader, reads_the_model_beside_the_scene) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / "plumb-scene-test";
@@ -336,6 +366,8 @@ std::vector<HostileText> hostile_scenes() {
       {"outside a list", head + "\n\"outside\": [1]}", 2, 12, "index of a face"},
       {"outside a word", head + "\n\"outside\": true}", 2, 12, "index of a face"},
       {"outside negative", head + "\n\"outside\": -1}", 2, 12, "expected an index"},
+      {"paths a number", head + "\n\"paths\": 1}", 2, 10, "\"local\" or \"shortest\""},
+      {"paths of another kind", head + "\n\"paths\": \"long\"}", 2, 10, "\"shortest\""},
       {"outside huge", head + "\n\"outside\": 99999999999}", 2, 12, "too large"},
       {"polygon no list", head + "\n\"polygons\": [7]}", 2, 14, "a list of indices"},
       {"level no list", head + "\n\"levels\": [7]}", 2, 12, "a level [shape"},

@@ -1310,16 +1310,22 @@ PLUMB_API plumb_status plumb_scene_separate(plumb_scene* scene, size_t* added,
                                             const plumb_context* context, plumb_error** error);
 /** A polyline on a surface. */
 typedef struct plumb_path plumb_path;
-/** Traces a geodesic, a locally shortest path, between two points of the scene. A path between
- * different components has no points. */
+/** Which path is traced. */
+typedef enum plumb_path_choice {
+  PLUMB_PATH_LOCAL = 0,   /**< A locally shortest path, which is found fast. */
+  PLUMB_PATH_SHORTEST = 1 /**< No other path is shorter by more than 2^-40 of its length. */
+} plumb_path_choice;
+/** Traces a geodesic between two points of the scene. A path between different components has no
+ * points. */
 PLUMB_API plumb_status plumb_scene_trace(const plumb_scene* scene, uint32_t from, uint32_t to,
-                                         plumb_path** out, const plumb_context* context,
-                                         plumb_error** error);
+                                         plumb_path_choice choice, plumb_path** out,
+                                         const plumb_context* context, plumb_error** error);
 PLUMB_API size_t plumb_path_count(const plumb_path* path); /**< Returns the number of points. */
 PLUMB_API const double* plumb_path_points(const plumb_path* path); /**< Rounded coordinates. */
 /** Returns the face of each segment, one fewer than points. */
 PLUMB_API const uint32_t* plumb_path_faces(const plumb_path* path);
-PLUMB_API void plumb_path_free(plumb_path* path);                     /**< Releases a path. */
+PLUMB_API double plumb_path_length(const plumb_path* path); /**< Returns the rounded length. */
+PLUMB_API void plumb_path_free(plumb_path* path);           /**< Releases a path. */
 PLUMB_API size_t plumb_scene_polygon_count(const plumb_scene* scene); /**< Polygons. */
 PLUMB_API void plumb_scene_free(plumb_scene* scene);                  /**< Releases a scene. */
 

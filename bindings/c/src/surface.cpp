@@ -30,6 +30,7 @@ struct plumb_scene {
 struct plumb_path {
   std::vector<double> xyz;
   std::vector<std::uint32_t> faces;
+  double length = 0;
 };
 
 struct plumb_surface {
@@ -95,6 +96,7 @@ plumb_path path_of(const SurfacePath& path, const SurfacePointTable& points) {
     handle.xyz.insert(handle.xyz.end(), {at.x, at.y, at.z});
   }
   for (const FaceId f : path.faces) handle.faces.push_back(f.value());
+  handle.length = path_length(points, path);
   return handle;
 }
 
@@ -247,14 +249,18 @@ plumb_status plumb_scene_separate(plumb_scene* scene, std::size_t* added,
 }
 
 plumb_status plumb_scene_trace(const plumb_scene* scene, std::uint32_t from, std::uint32_t to,
-                               plumb_path** out, const plumb_context* context,
-                               plumb_error** error) {
+                               plumb_path_choice choice, plumb_path** out,
+                               const plumb_context* context, plumb_error** error) {
   return make(out, error, [&] {
     Call call(context);
     SurfacePointTable points = need(scene, "scene").scene.polygons.points;
     require_below(from, points.size(), "point");
     require_below(to, points.size(), "point");
-    Tracer tracer(*scene->scene.mesh);
+    if (choice != PLUMB_PATH_LOCAL && choice != PLUMB_PATH_SHORTEST) {
+      fail_argument("choice is no plumb_path_choice");
+    }
+    Tracer tracer(*scene->scene.mesh,
+                  choice == PLUMB_PATH_SHORTEST ? PathChoice::Shortest : PathChoice::Local);
     const std::optional<SurfacePath> path =
         tracer.trace(points, SurfacePointId(from), SurfacePointId(to), call);
     return path ? path_of(*path, points) : plumb_path();
@@ -270,6 +276,7 @@ const double* plumb_path_points(const plumb_path* path) {
 const std::uint32_t* plumb_path_faces(const plumb_path* path) {
   return path != nullptr ? path->faces.data() : nullptr;
 }
+double plumb_path_length(const plumb_path* path) { return path != nullptr ? path->length : 0; }
 void plumb_path_free(plumb_path* path) { delete path; }
 
 std::size_t plumb_scene_polygon_count(const plumb_scene* scene) {

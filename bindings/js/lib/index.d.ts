@@ -719,9 +719,12 @@ export class Scene extends Handle {
   setOutside(face: number): void;
   /** Adds loops around handles so that shapes separate the surface; returns how many. */
   separate(options?: Options): number;
-  /** A locally shortest path between two points; null between components. */
-  geodesic(from: number, to: number, options?: Options): {points: Float64Array;
-                                                          faces: Uint32Array}|null;
+  /**
+   * A path between two points; null between components. It is a locally shortest path, or with
+   * `shortest` a shortest path of all.
+   */
+  geodesic(from: number, to: number, options?: Options&{shortest?: boolean}):
+      {length: number; points: Float64Array; faces: Uint32Array}|null;
   divide(options?: Options): SurfaceDivision;
 }
 /** A surface that polygons divide into cells. */

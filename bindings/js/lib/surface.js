@@ -99,13 +99,18 @@ export class Scene extends Handle {
       return frame.u32(added);
     });
   }
-  /** A locally shortest path between two points; null between components. */
+  /**
+   * A path between two points; null between components. It is a locally shortest path, or with
+   * `shortest` a shortest path of all.
+   */
   geodesic(from, to, options) {
     return inFrame(options, (frame) => {
-      const path =
-          frame.make('plumb_scene_trace', self(this), count(from, 'from'), count(to, 'to'));
+      const path = frame.make(
+          'plumb_scene_trace', self(this), count(from, 'from'), count(to, 'to'),
+          options?.shortest ? 1 : 0);
       const length = engine()._plumb_path_count(path) >>> 0;
       const result = length === 0 ? null : {
+        length: engine()._plumb_path_length(path),
         points: copyOf(Float64Array, engine()._plumb_path_points(path), 3 * length),
         faces: copyOf(Uint32Array, engine()._plumb_path_faces(path), length - 1),
       };

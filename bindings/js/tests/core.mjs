@@ -489,6 +489,8 @@ export const cases = {
     scene.setOutside(200);
     const path = scene.geodesic(corners[0], corners[1]);
     check(path.points.length === 3 * (path.faces.length + 1));
+    const shortest = scene.geodesic(corners[0], corners[1], {shortest: true});
+    check(shortest.length > 0 && shortest.length <= path.length * (1 + 1e-12));
     const division = scene.divide();
     const {cells, shapes} = division.counts();
     check(cells === 2 && shapes === 1 && division.audit() === null);

@@ -114,11 +114,11 @@ SurfacePointId add_spot(SurfacePointTable& table, const Spot& spot) {
 void append(std::vector<double>& to, const Point3& p) { to.insert(to.end(), {p.x, p.y, p.z}); }
 
 std::optional<Geodesic> geodesic(Context& context, const Surface& surface, const Spot& from,
-                                 const Spot& to) {
+                                 const Spot& to, bool is_shortest) {
   SurfacePointTable table(*surface.mesh);
   const SurfacePointId a = add_spot(table, from);
   const SurfacePointId b = add_spot(table, to);
-  Tracer tracer(*surface.mesh);
+  Tracer tracer(*surface.mesh, is_shortest ? PathChoice::Shortest : PathChoice::Local);
   const std::optional<SurfacePath> path = tracer.trace(table, a, b, context);
   if (!path) return std::nullopt;
   Geodesic result;
@@ -241,8 +241,10 @@ void bind_surface_class(nb::module_& m) {
                  "(m, 3).",
                  "vertices"_a, "triangles"_a);
   def_run(c, "geodesic", &geodesic,
-          "Return a locally shortest path between two points, or None if no path joins them.",
-          "start"_a, "end"_a);
+          "Return a locally shortest path between two points, or None if no path joins them. With "
+          "`shortest`, no other path is shorter by more than 2**-40 of its length; this takes "
+          "longer.",
+          "start"_a, "end"_a, "shortest"_a = false);
   def_run(
       c, "divide", &divided,
       "Divide the surface by closed polygons. A polygon is a list of points, which geodesics "

@@ -32,6 +32,25 @@ def test_geodesics_on_a_cube():
     assert surface.geodesic(start, start).length == 0
 
 
+def test_shortest_paths():
+    # H. E. Dudeney's spider and fly: the shortest way unfolds five of the six walls.
+    vertices, triangles = plumb.Solid.box((0, 0, 0), (30, 12, 12)).to_mesh()
+    surface = plumb.Surface.from_mesh(vertices, triangles)
+
+    def spot(point):
+        for face, (a, b, c) in enumerate(vertices[triangles]):
+            normal = np.cross(b - a, c - a)
+            if (point - a) @ normal == 0:
+                u = np.cross(point - a, c - a) @ normal / (normal @ normal)
+                v = np.cross(b - a, point - a) @ normal / (normal @ normal)
+                if u >= 0 and v >= 0 and u + v <= 1:
+                    return face, u, v
+
+    spider, fly = spot(np.array([0, 6, 11])), spot(np.array([30, 6, 1]))
+    assert surface.geodesic(spider, fly, shortest=True).length == pytest.approx(40, rel=1e-12)
+    assert surface.geodesic(spider, fly).length >= 40 - 1e-12
+
+
 def test_points_of_faces_are_exact():
     vertices, triangles = plumb.Solid.box((0, 0, 0), (1, 1, 1)).to_mesh()
     surface = plumb.Surface.from_mesh(vertices, triangles)

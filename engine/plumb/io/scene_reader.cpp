@@ -134,7 +134,7 @@ class SceneMaker {
     add_points(in_.points, scene.polygons.points);
     MemoryCharge memory(context_);
     memory.add(kTracerBytesPerFace * mesh_->face_count(), "traced paths");
-    Tracer tracer(*mesh_);
+    Tracer tracer(*mesh_, in_.has_shortest_paths ? PathChoice::Shortest : PathChoice::Local);
     trace(tracer, scene.polygons);
     if (in_.shapes) add_shapes(*in_.shapes, scene.shapes.emplace());
     if (!in_.drawings.empty()) draw(drawings, tracer, scene);
@@ -407,8 +407,8 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
     entry->second = read_drawing(name, d.tolerance, context);
     add_notes(name, entry->second.drawing.notes, notes);
   }
-  return {make_scene(scene, mesh, text, options, context, drawings), model, std::move(notes),
-          std::move(file.warnings)};
+  return {make_scene(scene, mesh, text, options, context, drawings), scene.points.size(), model,
+          std::move(notes), std::move(file.warnings)};
 }
 
 }  // namespace plumb

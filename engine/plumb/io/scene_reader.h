@@ -3,6 +3,7 @@
 //
 //   {"model": FILE, "points": [[face, u, v], ..], "polygons": [[point, ..], ..],
 //    "shapes"?: [[polygon, ..], ..], "outside"?: face, "levels"?: [[shape, face, label], ..],
+//    "paths"?: "local" or "shortest",
 //    "svg"?: {"file": FILE, "center": [face, u, v], "scale": length, "angle"?: degrees,
 //    "tolerance"?: length}}
 //
@@ -20,7 +21,7 @@
 //                the interior of a face (see "Exact decisions")
 //  4. trace      joins consecutive points of each polygon by a path on the surface. This path is
 //                called a trace (trace.h). If the two points are given with the same face, the
-//                trace is straight.
+//                trace is straight. If "paths" is "shortest", traces are shortest paths.
 //  5. draw       reads the drawings with svg_reader.h. The member "svg" is one drawing or a list of
 //                drawings. Each point of a drawing is put onto the surface along a straight line
 //                that starts at the member "center" (exponential_map.h). Traces join these points.
@@ -49,6 +50,7 @@
 //   - ResourceLimit and Cancelled
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -63,7 +65,10 @@ namespace plumb {
 /// A scene read from a file.
 struct SceneFile {
   SurfaceScene scene;  ///< The input of SurfaceDivision.
-  std::string model;   ///< The path of the mesh.
+  /// The number of points in the member "points". They are the first rows of
+  /// scene.polygons.points.
+  std::size_t point_count = 0;
+  std::string model;  ///< The path of the mesh.
   /// Notes for a human. The readers of the mesh and of the drawings make these notes. Each note
   /// names the file that it is about.
   std::vector<std::string> notes;

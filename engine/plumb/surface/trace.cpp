@@ -1,11 +1,13 @@
-// Traced paths: locally shortest paths between two points of a mesh, and polygons made of them.
+// Traced paths: locally shortest or shortest paths between two points of a mesh, and polygons made
+// of them.
 //
 // A strip of faces between the points is found by A* over the dual graph, and tightened: the funnel
 // algorithm gives the shortest path within the strip, and at each vertex where the path could be
 // shortened on the other side the strip is led around it. This repeats as long as the path becomes
-// shorter by a fixed factor, so it ends. The idea of flipping a strip across a bend follows N.
-// Sharp and K. Crane, You can find geodesic paths in triangle meshes by just flipping edges, ACM
-// Transactions on Graphics 39 (2020).
+// shorter by a fixed factor, so it ends. A shortest path is searched for among the paths that are
+// shorter than this one (strip/shortest_strip.h), and its strip is tightened, too. The idea of
+// flipping a strip across a bend follows N. Sharp and K. Crane, You can find geodesic paths in
+// triangle meshes by just flipping edges, ACM Transactions on Graphics 39 (2020).
 //
 // Doubles choose the strip; the result is exact in what matters: every point of the path is a
 // vertex or a point of an edge that both faces share, with an exact rational place where the faces
@@ -154,8 +156,10 @@ class Reading {
 
 }  // namespace
 
-Tracer::Tracer(const SurfaceMesh& mesh)
-    : mesh_(mesh), positions_(scaled_positions(mesh).at), finder_(mesh, positions_) {}
+Tracer::Tracer(const SurfaceMesh& mesh, PathChoice choice)
+    : mesh_(mesh), positions_(scaled_positions(mesh).at), finder_(mesh, positions_) {
+  if (choice == PathChoice::Shortest) shortest_finder_.emplace(mesh_, positions_);
+}
 
 std::optional<SurfacePath> Tracer::trace(SurfacePointTable& points, SurfacePointId a,
                                          SurfacePointId b, Context& context) {
@@ -179,18 +183,29 @@ std::optional<SurfacePath> Tracer::trace_upward(SurfacePointTable& points, Surfa
   }
   const StripEnd from = end_at(points, a, near_a.front(), positions_);
   const StripEnd to = end_at(points, b, near_b.front(), positions_);
-  const FaceStrip strip = tightened(from, to, context);
+  const FaceStrip strip = chosen_strip(from, to, context);
   const UnfoldedStrip unfolded(mesh_, positions_, strip, from, to);
   const std::vector<StripStop> stops = unfolded.stops();
   return Reading(stops, strip, a, b, points, context).path();
 }
 
+FaceStrip Tracer::chosen_strip(const StripEnd& from, const StripEnd& to, Context& context) {
+  std::optional<FaceStrip> quick = finder_.find(from, to, context);
+  PLUMB_CHECK(quick.has_value());
+  FaceStrip local = tightened(std::move(*quick), from, to, context);
+  if (!shortest_finder_) return local;
+  const double bound = UnfoldedStrip(mesh_, positions_, local, from, to).path_length();
+  std::optional<FaceStrip> found = shortest_finder_->find(from, to, bound, context);
+  if (!found) return local;
+  FaceStrip shortest = tightened(std::move(*found), from, to, context);
+  const double length = UnfoldedStrip(mesh_, positions_, shortest, from, to).path_length();
+  return length < bound ? shortest : local;
+}
+
 // First all bends are flipped at once. When that no longer helps, only the sharpest one is, until
 // that does not help either.
-FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& context) {
-  std::optional<FaceStrip> found = finder_.find(from, to, context);
-  PLUMB_CHECK(found.has_value());
-  FaceStrip strip = std::move(*found);
+FaceStrip Tracer::tightened(FaceStrip strip, const StripEnd& from, const StripEnd& to,
+                            Context& context) {
   finder_.shorten(strip, from, to);
   for (bool all_at_once = true;;) {
     context.checkpoint("trace", 0, 1);
@@ -207,6 +222,37 @@ FaceStrip Tracer::tightened(const StripEnd& from, const StripEnd& to, Context& c
       return strip;
     }
   }
+}
+
+namespace {
+
+/// Returns the distance of two points. std::hypot() would give other last bits on other systems.
+double segment_length(const SurfacePointTable& points, SurfacePointId a, SurfacePointId b) {
+  const Point3 p = points.position(a), q = points.position(b);
+  const double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
+  const double most = std::max({std::fabs(x), std::fabs(y), std::fabs(z)});
+  if (most == 0) return 0;
+  const double u = x / most, v = y / most, w = z / most;
+  return most * std::sqrt(u * u + v * v + w * w);
+}
+
+}  // namespace
+
+double path_length(const SurfacePointTable& points, const SurfacePath& path) {
+  double sum = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    sum += segment_length(points, path.points[i - 1], path.points[i]);
+  }
+  return sum;
+}
+
+double polygon_length(const SurfacePolygons& polygons, std::size_t p) {
+  double sum = 0;
+  for (std::uint32_t i = polygons.begin[p]; i < polygons.begin[p + 1]; ++i) {
+    const SurfacePointId next = polygons.point[polygons.next(p, i)];
+    sum += segment_length(polygons.points, polygons.point[i], next);
+  }
+  return sum;
 }
 
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,

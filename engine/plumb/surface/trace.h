@@ -1,4 +1,5 @@
-// Traces geodesics between points of a mesh. A geodesic is a locally shortest path.
+// Traces geodesics between points of a mesh. A geodesic is a locally shortest path. On request, the
+// path is a shortest one of all.
 //
 // Notation: a strip is a sequence of faces in which each face shares a side with the next one. The
 // shared sides are the doors of the strip (face_strip.h). A bend is a vertex at which the shortest
@@ -15,7 +16,9 @@
 //  4. flip       looks at each bend. The path turns around the vertex of the bend on one side. If
 //                the angle on the other side of the vertex is less than half a turn, the strip is
 //                changed so that it passes the vertex on this other side. Repeats steps 3 and 4
-//                until there are no such bends, or the path does not become shorter
+//                until there are no such bends, or the path does not become shorter. If a
+//                shortest path is asked for, a second search looks for the strip of a path that is
+//                shorter than this one (shortest_strip.h)
 //  5. read off   appends the points of the path. These are the vertices where the path bends, and
 //                the vertices whose distance from the path is at most 2^-40 times the length of a
 //                side. Where the path crosses a side away from these vertices, the crossing point
@@ -24,28 +27,36 @@
 //
 // Steps 1 to 4 are computed in doubles. Rounding can only affect the choice of the path. From step
 // 5 on, the chosen path is represented exactly, and is never traced again. If several paths are
-// locally shortest, any of them may be chosen. The same input always gives the same path. Design:
-// docs/design/surface.md.
+// locally shortest (or shortest), any of them may be chosen. The same input always gives the same
+// path. Design: docs/design/surface.md.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/surface/strip/face_strip.h"
+#include "plumb/surface/strip/shortest_strip.h"
 #include "plumb/surface/surface_mesh.h"
 #include "plumb/surface/surface_path.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
 
+/// Which of the locally shortest paths a tracer finds.
+enum class PathChoice : std::uint8_t {
+  Local,    ///< A locally shortest path near the strip that a quick search finds.
+  Shortest  ///< A shortest path: no other path is shorter by more than 2^-40 of its length.
+};
+
 /// Traces paths between points of a mesh.
 class Tracer {
  public:
   /// Makes a tracer for the mesh. The mesh must outlive the tracer. O(n).
-  explicit Tracer(const SurfaceMesh& mesh);
+  explicit Tracer(const SurfaceMesh& mesh, PathChoice choice = PathChoice::Local);
   /// A moved-from tracer may only be destroyed. There is no copy constructor, because finder_
   /// refers to positions_.
   Tracer(Tracer&&) = default;
@@ -54,8 +65,8 @@ class Tracer {
   /// are rows of `points`. Returns no value if a and b lie on different components. Requires that
   /// `points` is a table over the same mesh. trace(b, a) returns the same path in reverse. Two
   /// points in the same face are joined by a segment. The cost is that of finding the strip
-  /// (StripFinder). Each repetition of steps 3 and 4 adds the length of the strip. Throws what the
-  /// context throws.
+  /// (StripFinder). Each repetition of steps 3 and 4 adds the length of the strip. A shortest path
+  /// also costs what ShortestStripFinder::find() states. Throws what the context throws.
   std::optional<SurfacePath> trace(SurfacePointTable& points, SurfacePointId a, SurfacePointId b,
                                    Context& context = unlimited_context());
 
@@ -65,12 +76,20 @@ class Tracer {
  private:
   std::optional<SurfacePath> trace_upward(SurfacePointTable& points, SurfacePointId a,
                                           SurfacePointId b, Context& context);
-  FaceStrip tightened(const StripEnd& from, const StripEnd& to, Context& context);
+  FaceStrip chosen_strip(const StripEnd& from, const StripEnd& to, Context& context);
+  FaceStrip tightened(FaceStrip strip, const StripEnd& from, const StripEnd& to, Context& context);
 
   const SurfaceMesh& mesh_;
   std::vector<Point3> positions_;
   StripFinder finder_;
+  std::optional<ShortestStripFinder> shortest_finder_;  // If shortest paths are asked for.
 };
+
+/// Returns the length of a path whose points are rows of `points`, in the units of the mesh. The
+/// segments are measured in doubles. A path of one point has length 0.
+double path_length(const SurfacePointTable& points, const SurfacePath& path);
+/// Returns the length of polygon p, in the units of the mesh.
+double polygon_length(const SurfacePolygons& polygons, std::size_t p);
 
 /// Appends the closed polygon through the control points in `control`, which are rows of
 /// `polygons.points`. Consecutive control points are joined by traced paths. Returns no value on

@@ -1,11 +1,10 @@
 // The commands `plumb surface ...`: polygons on meshes, the cells they make, Booleans of them, and
 // pictures.
 //
-// All read a scene, divide its surface, and answer as text or JSON; triangles, a graph of cells, a
-// scene, or a picture go to a file that is opened before the work. A result of a Boolean is also
-// written as a scene, whose model is named relative to the folder of the output, so that it can be
-// read again.
-// Tested by tests/cli/surface_command_test.cpp.
+// All read a scene and answer as text or JSON; all but `path` divide its surface. Triangles, a
+// graph of cells, a scene, or a picture go to a file that is opened before the work. A result of a
+// Boolean is also written as a scene, whose model is named relative to the folder of the output, so
+// that it can be read again. Tested by tests/cli/surface_command_test.cpp.
 
 #include <algorithm>
 #include <array>
@@ -32,6 +31,7 @@
 #include "plumb/surface/cells/surface_arrangement.h"
 #include "plumb/surface/cells/surface_cells.h"
 #include "plumb/surface/surface.h"
+#include "plumb/surface/trace.h"
 
 namespace plumb::cli {
 namespace {
@@ -168,7 +168,9 @@ class CellsCommand : public SurfaceCommand {
          areas = Json::array(), graph = Json::array();
     for (std::uint32_t p = 0; p < division.scene().polygons.size(); ++p) {
       charge(2, context);
-      polygons.push_back({{"id", p}, {"separates", division.polygon_separation(p).over_z}});
+      polygons.push_back({{"id", p},
+                          {"separates", division.polygon_separation(p).over_z},
+                          {"length", polygon_length(division.scene().polygons, p)}});
     }
     for (std::uint32_t s = 0; s < division.shape_count(); ++s) {
       const Separation& separation = division.shape_separation(s);
@@ -343,10 +345,104 @@ class DrawCommand : public CommandBody {
   std::string picture_, json_;
 };
 
+// ---------------------------------------------------------------- paths
+
+/// A path between two points of a scene.
+class PathCommand : public CommandBody {
+ public:
+  void declare(CLI::App& app) override {
+    input_.declare_file(app);
+    app.add_option("--from", from_, "The first point of the path (default 0)")->type_name("POINT");
+    app.add_option("--to", to_, "The last point of the path (default 1)")->type_name("POINT");
+    app.add_flag("--local", is_local_,
+                 "A locally shortest path, as between points of polygons; found faster");
+  }
+
+  ExitCode run(Session& session) override {
+    open(session);
+    const SceneFile file = input_.read_undivided(session);
+    session.begin("trace");
+    const SurfacePolygons& polygons = file.scene.polygons;
+    for (const std::uint32_t point : {from_, to_}) {
+      if (point < file.point_count) continue;
+      throw Error(ErrorCode::Usage, "no point " + std::to_string(point) + ": the scene has " +
+                                        std::to_string(file.point_count) + ", counted from 0");
+    }
+    SurfacePointTable points = polygons.points;
+    Tracer tracer(*file.scene.mesh, is_local_ ? PathChoice::Local : PathChoice::Shortest);
+    const std::optional<SurfacePath> path =
+        tracer.trace(points, SurfacePointId(from_), SurfacePointId(to_), session.context());
+    if (!path) {
+      throw Error(ErrorCode::BadShape, "no path joins the points " + std::to_string(from_) +
+                                           " and " + std::to_string(to_) +
+                                           ", which lie on different components of the model");
+    }
+    const double length = path_length(points, *path);
+    if (session.options().json) {
+      answer_ = json_of(points, *path, length).dump() + '\n';
+    } else {
+      answer_ =
+          "length " + format_double(length) + ", " + counted(path->faces.size(), "segment") + '\n';
+    }
+    if (has_file_) polyline_ = obj_of(points, *path);
+    session.deliver();
+    return ExitCode::Yes;
+  }
+
+ private:
+  void open(Session& session) {
+    const CommonOptions& common = session.options();
+    has_file_ = !common.out.empty() || !common.format.empty();
+    const bool is_obj =
+        common.format.empty() ? common.out.ends_with(".obj") : common.format == "obj";
+    if (has_file_ && !is_obj) {
+      throw Error(ErrorCode::Usage, "a path is written as a line of .obj: -o OUT.obj");
+    }
+    const std::string out = common.out.empty() ? "-" : common.out;
+    if (has_file_) session.outputs().add(out, [this](std::ostream& to) { to << polyline_; });
+    if (!has_file_ || out != "-") {
+      session.outputs().add("-", [this](std::ostream& to) { to << answer_; });
+    } else if (common.json) {
+      throw Error(ErrorCode::Usage, "--json and the file cannot both be standard output");
+    }
+  }
+
+  static Json json_of(const SurfacePointTable& points, const SurfacePath& path, double length) {
+    Json at = Json::array(), faces = Json::array();
+    for (const SurfacePointId p : path.points) {
+      const Point3 position = points.position(p);
+      at.push_back({position.x, position.y, position.z});
+    }
+    for (const FaceId f : path.faces) faces.push_back(f.value());
+    return {{"length", length}, {"points", std::move(at)}, {"faces", std::move(faces)}};
+  }
+
+  static std::string obj_of(const SurfacePointTable& points, const SurfacePath& path) {
+    std::ostringstream out;
+    for (const SurfacePointId p : path.points) {
+      const Point3 at = points.position(p);
+      out << "v " << format_double(at.x) << ' ' << format_double(at.y) << ' ' << format_double(at.z)
+          << '\n';
+    }
+    if (path.points.size() < 2) return std::move(out).str();
+    out << 'l';
+    for (std::size_t i = 1; i <= path.points.size(); ++i) out << ' ' << i;
+    out << '\n';
+    return std::move(out).str();
+  }
+
+  SurfaceInput input_;
+  std::uint32_t from_ = 0, to_ = 1;
+  bool is_local_ = false;
+  bool has_file_ = false;
+  std::string answer_, polyline_;
+};
+
 }  // namespace
 
 std::unique_ptr<CommandBody> make_surface_cells() { return std::make_unique<CellsCommand>(); }
 std::unique_ptr<CommandBody> make_surface_boolean() { return std::make_unique<BooleanCommand>(); }
 std::unique_ptr<CommandBody> make_surface_draw() { return std::make_unique<DrawCommand>(); }
+std::unique_ptr<CommandBody> make_surface_path() { return std::make_unique<PathCommand>(); }
 
 }  // namespace plumb::cli

@@ -22,7 +22,6 @@
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
-#include "plumb/io/scene_reader.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/foreign_files.h"
@@ -379,9 +378,13 @@ std::vector<SurfaceRepair> repair(SurfaceScene& scene, Context& context) {
 }  // namespace
 
 void SurfaceInput::declare(CLI::App& app) {
-  app.add_option("SCENE", file_, "A scene: .json; - is standard input")->required()->type_name("");
+  declare_file(app);
   app.add_flag("--repair", repairs_,
                "Add loops around handles to shapes that do not separate, so that they do");
+}
+
+void SurfaceInput::declare_file(CLI::App& app) {
+  app.add_option("SCENE", file_, "A scene: .json; - is standard input")->required()->type_name("");
   app.add_flag("--anywhere", reads_anywhere_, "The scene may name files outside of its folder");
 }
 
@@ -397,7 +400,7 @@ void SurfaceInput::declare_expression(CLI::App& app, bool is_required) {
       ->check(CLI::IsMember({"evenodd", "nonzero", "positive"}).description(""));
 }
 
-DividedScene SurfaceInput::read(Session& session) const {
+SceneFile SurfaceInput::read_undivided(Session& session) const {
   session.begin("read");
   ReadOptions options;
   options.exact_decimals = session.options().exact_decimals;
@@ -405,6 +408,11 @@ DividedScene SurfaceInput::read(Session& session) const {
   SceneFile file = read_scene_file(file_, options, session.context());
   for (const std::string& note : file.notes) session.note(note);
   for (const std::string& warning : file.warnings) session.warn(file.model, warning);
+  return file;
+}
+
+DividedScene SurfaceInput::read(Session& session) const {
+  SceneFile file = read_undivided(session);
   std::vector<SurfaceRepair> repairs;
   if (repairs_) repairs = repair(file.scene, session.context());
   session.begin("divide");

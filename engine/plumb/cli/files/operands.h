@@ -9,6 +9,7 @@
 
 #include "plumb/cli/session/session.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/io/scene_reader.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/predicates/rational.h"
@@ -165,11 +166,15 @@ struct DividedScene {
 class SurfaceInput {
  public:
   void declare(CLI::App& app);
+  /// Declares the scene and --anywhere, but no option that concerns shapes.
+  void declare_file(CLI::App& app);
   void declare_expression(CLI::App& app, bool is_required);
 
   bool has_expression() const { return !expression_.empty(); }
   const std::string& file() const { return file_; }
 
+  /// Reads the scene, and prints its notes.
+  SceneFile read_undivided(Session& session) const;
   /// Reads and divides the scene, and prints its notes.
   DividedScene read(Session& session) const;
   /// Returns the result of the expression. Throws Error{Usage} for bad expressions and for shapes

@@ -169,6 +169,7 @@ std::unique_ptr<CommandBody> make_convex_minkowski();
 std::unique_ptr<CommandBody> make_surface_cells();
 std::unique_ptr<CommandBody> make_surface_boolean();
 std::unique_ptr<CommandBody> make_surface_draw();
+std::unique_ptr<CommandBody> make_surface_path();
 std::unique_ptr<CommandBody> make_view();
 std::unique_ptr<CommandBody> make_audit();
 std::unique_ptr<CommandBody> make_demo();
@@ -360,6 +361,9 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"surface draw", "SCENE --what WHAT", "A picture: .png, .svg, .html, .glb",
               "./plumb surface draw corpus/scenes/torus.json --what labels -o out.html",
               "surface-draw", make_surface_draw},
+      Command{"surface path", "SCENE", "A shortest path between two points",
+              "./plumb surface path corpus/scenes/room.json --json", "surface-path",
+              make_surface_path},
       Command{"view", "FILE...", "A picture of maps, sets, solids: .png, .svg, .html, .glb",
               "./plumb view corpus/solids/square-hole.off -o out.html", "view", make_view},
       Command{"audit", "FILE", "Does every invariant of the structure in FILE hold?",
@@ -382,7 +386,7 @@ std::span<const CommandGroup> command_groups() {
       CommandGroup{"plane", "Sets of the plane, exactly: union ... offset, info, locate"},
       CommandGroup{"solid", "Sets of space, exactly: union ... make, slice, info"},
       CommandGroup{"convex", "Convexity, convex pieces: check, decompose, report, minkowski"},
-      CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw"},
+      CommandGroup{"surface", "Polygons on meshes, exactly: cells, boolean, draw, path"},
   };
   return kGroups;
 }

@@ -138,9 +138,19 @@ namespace {
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
-enum class Member : std::uint8_t { Model, Points, Polygons, Shapes, Outside, Levels, Svg, Other };
-constexpr std::array<std::string_view, 7> kMemberNames{"model",   "points", "polygons", "shapes",
-                                                       "outside", "levels", "svg"};
+enum class Member : std::uint8_t {
+  Model,
+  Points,
+  Polygons,
+  Shapes,
+  Outside,
+  Levels,
+  Svg,
+  Paths,
+  Other
+};
+constexpr std::array<std::string_view, 8> kMemberNames{"model",   "points", "polygons", "shapes",
+                                                       "outside", "levels", "svg",      "paths"};
 /// Members of a drawing.
 enum class Part : std::uint8_t { File, Center, Scale, Angle, Tolerance, Other };
 constexpr std::array<std::string_view, 5> kPartNames{"file", "center", "scale", "angle",
@@ -268,6 +278,7 @@ std::string SceneHandler::expected() const {
   if (member_ == Member::Svg) return depth_ == 0 ? "a drawing or a list of them" : "a drawing";
   if (member_ == Member::Model) return "a file name";
   if (member_ == Member::Outside) return "the index of a face";
+  if (member_ == Member::Paths) return "\"local\" or \"shortest\"";
   if (depth_ == 0) return "a list";
   if (member_ == Member::Levels) {
     return depth_ == 1 ? "a level [shape, face, label]" : (numbers_ < 2 ? "an index" : "a label");
@@ -419,6 +430,11 @@ bool SceneHandler::string(string_t& value) {
     const bool is_path = value.size() <= kLongest && value.find('\0') == value.npos;
     if (value.empty() || !is_path) fail_expected("a file name");
     (is_drawing_ ? drawing_.file : scene_.model) = value;
+    return true;
+  }
+  if (is_open_ && !is_drawing_ && member_ == Member::Paths) {
+    if (value != "local" && value != "shortest") fail_expected(expected());
+    scene_.has_shortest_paths = value == "shortest";
     return true;
   }
   if (!is_in_point() || points_.needs_face()) fail_expected(expected());

@@ -62,7 +62,8 @@ struct ParsedScene {
   std::optional<Lists> shapes;  ///< Shapes; without them each polygon is one.
   std::optional<std::uint32_t> outside;
   std::size_t outside_place = 0;
-  std::vector<Level> levels;  ///< Levels; of existing shapes, unless there are drawings.
+  bool has_shortest_paths = false;  ///< Whether "paths" is "shortest".
+  std::vector<Level> levels;        ///< Levels; of existing shapes, unless there are drawings.
   std::vector<Drawing> drawings;
   ScenePoints centers;  ///< Centre of each drawing.
 };

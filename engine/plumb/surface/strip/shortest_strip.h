@@ -1,0 +1,124 @@
+// Finds the strip of faces that contains a shortest path between two points of a mesh. The Tracer
+// uses it if shortest paths are asked for (trace.h); without it, the Tracer finds paths that are
+// only locally shortest.
+//
+// Main flow of ShortestStripFinder::find:
+//  1. start      makes a window on each side of the faces of the start, except for the sides on
+//                which the start lies
+//  2. spread     takes the window or vertex with the least bound from a heap. A window is spread
+//                over the face behind it: it makes windows on the two other sides, and offers a
+//                distance to the vertex between them. A vertex makes windows around itself if
+//                shortest paths can bend there
+//  3. reach      if a window or a vertex reaches a face of the end, its path is a candidate
+//  4. stop       stops if no bound is less than the length of the best path found so far
+//  5. collect    follows the windows of the best path back to the start, and lists their sides
+//
+// Lengths are computed in doubles. Rounding can therefore affect the choice between paths whose
+// lengths differ by less than 2^-40 of their length. The result is always a valid strip.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "plumb/base/context.h"
+#include "plumb/base/ids.h"
+#include "plumb/predicates/point.h"
+#include "plumb/surface/strip/face_strip.h"
+#include "plumb/surface/surface_mesh.h"
+
+#pragma GCC visibility push(default)
+namespace plumb {
+
+/// Finds strips of shortest paths on one mesh. An object reuses its working memory.
+class ShortestStripFinder {
+ public:
+  /// `positions` are the positions of the vertices, scaled so that no product of two coordinates
+  /// overflows. O(n) for n vertices.
+  ShortestStripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
+
+  /// Returns a strip that contains a path from `from` to `to` shorter than `bound`, and as short as
+  /// possible. Returns no value if no path is shorter than `bound` by more than 2^-40 of `bound`.
+  /// Requires that no face contains both ends. Cost: O(w log w) for w windows. On usual meshes, w
+  /// is the number of sides in the ellipsoid with the ends as foci and `bound` as axis, times a
+  /// small factor; it is O(n^2) in the worst case. Throws what the context throws.
+  std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, double bound,
+                                Context& context);
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  /// A part of a side that straight lines from one source reach through the same faces. The side
+  /// lies on the x axis, from its origin at (0, 0); the face behind it lies above the axis, and the
+  /// source lies below.
+  struct Window {
+    HalfedgeId into;       // The side, in the face behind it.
+    double begin, end;     // The part of the side, as distances from its origin.
+    Point2 source;         // The place of the seat, unfolded.
+    std::uint32_t seat;    // The seat from which the lines come.
+    std::uint32_t before;  // The window before it; kNone if it is the first after the seat.
+  };
+  /// The start, or a path to a vertex.
+  struct Seat {
+    VertexId vertex;       // Invalid for the start.
+    double distance;       // The length of the path from the start.
+    std::uint32_t window;  // The window through which the vertex was reached, or kNone.
+    std::uint32_t seat;    // If there is no window: the seat before it,
+    FaceId face;           // and a face that contains both seats.
+  };
+  /// The end of a path that reaches the end point.
+  struct Arrival {
+    std::uint32_t window = kNone;  // The last window, or kNone.
+    std::uint32_t seat = kNone;    // If there is no window: the last seat,
+    FaceId face;                   // and a face that contains it and the end point.
+  };
+  struct Entry {
+    double bound;
+    std::uint32_t index;  // Of a window or a seat.
+    bool is_seat;
+  };
+  /// The best distance of a vertex, in the search with the number `round`.
+  struct Reached {
+    std::uint32_t round = 0;
+    double distance = 0;
+  };
+  /// A step of the path, for collecting the strip.
+  struct Step {
+    HalfedgeId door;  // A door to pass, or invalid:
+    FaceId face;      // then go to this face
+    VertexId around;  // around this vertex; invalid if the strip starts here.
+  };
+
+  void start();
+  void spread_window(std::uint32_t w);
+  void spread_seat(std::uint32_t s);
+  void add_window(HalfedgeId exit, const FaceCorners& corners, double begin, double end,
+                  Point2 source, std::uint32_t seat, std::uint32_t before);
+  bool is_dominated(const Window& window, double side) const;
+  double bound_of(const Window& window, double side) const;
+  void offer(VertexId v, const Seat& seat);
+  void arrive(double length, const Arrival& arrival);
+  void push(const Entry& entry);
+  double best_of(VertexId v) const;
+  bool can_bend(VertexId v) const;
+  std::vector<Step> steps() const;
+  FaceStrip collected() const;
+
+  const SurfaceMesh& mesh_;
+  std::span<const Point3> positions_;
+  IdVector<VertexId, Reached> reached_;
+  std::uint32_t round_ = 0;
+  std::vector<Window> windows_;
+  std::vector<Seat> seats_;
+  std::vector<Entry> heap_;
+  const StripEnd* from_ = nullptr;
+  const StripEnd* to_ = nullptr;
+  VertexId goal_;    // The end point, if it is a vertex.
+  double best_ = 0;  // The length of the best path, or the bound.
+  Arrival arrival_;
+};
+
+}  // namespace plumb
+#pragma GCC visibility pop
