@@ -2033,8 +2033,16 @@ static void test_layer_operations(void) {
   plumb_layer *layer = NULL, *result = NULL;
   plumb_layer_report* report = NULL;
   plumb_indices* pairs = NULL;
+  plumb_plane_set* square = square_at("2 0 20 0 20 4 2 4");
   const uint32_t groups[2] = {0, 0};
   OK(plumb_layer_read(kLayer, sizeof kLayer - 1, NULL, NULL, &layer, NULL, NULL, &error));
+  OK(plumb_layer_parts(layer, square, &result, NULL, &error));
+  CHECK(plumb_layer_feature_count(result) == 3);
+  plumb_layer_free(result);
+  OK(plumb_layer_join(layer, layer, &result, NULL, &error));
+  CHECK(plumb_layer_feature_count(result) == 4);
+  plumb_layer_free(result);
+  plumb_plane_set_free(square);
   OK(plumb_layer_check(layer, -1, &report, NULL, &error));
   CHECK(plumb_layer_report_has_defects(report));
   CHECK(plumb_layer_report_owner(report, 0) == 0xffffffffU);

@@ -56,6 +56,63 @@ TEST(PlaneProgram, draws_results_and_sets) {
   EXPECT_TRUE(contains(read_file(set), "star.wkt"));
 }
 
+/// The ids of the features of a GeoJSON text; null for features without one.
+Json ids_of(const std::string& text) {
+  Json ids = Json::array();
+  for (const Json& feature : Json::parse(text)["features"]) {
+    ids.push_back(feature.contains("id") ? feature["id"] : Json());
+  }
+  return ids;
+}
+
+TEST(PlaneProgram, keeps_the_features_of_its_operands) {
+  const ScratchDirectory scratch;
+  const auto layer = [&](const std::string& name, const std::vector<std::pair<int, int>>& squares) {
+    Json features = Json::array();
+    for (const auto& [id, x] : squares) {
+      const Json ring{{x, 0}, {x + 4, 0}, {x + 4, 4}, {x, 4}, {x, 0}};
+      features.push_back({{"type", "Feature"},
+                          {"id", id},
+                          {"properties", {{"x", x}}},
+                          {"geometry", {{"type", "Polygon"}, {"coordinates", {ring}}}}});
+    }
+    const std::string file = (scratch / name).string();
+    write_file(file, Json{{"type", "FeatureCollection"}, {"features", features}}.dump());
+    return file;
+  };
+  const std::string a = layer("a.geojson", {{1, 0}, {2, 4}}), b = layer("b.geojson", {{3, 6}});
+  const std::string box = (scratch / "box.wkt").string(), out = (scratch / "out.geojson").string();
+  write_file(box, "POLYGON((1 1,20 1,20 3,1 3,1 1))");
+  const auto kept = [&](Words words) {
+    words.insert(words.end(), {"--keep", "ids", "-o", out});
+    const RunResult result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "") << "nothing is passed over";
+    EXPECT_TRUE(is_same_set(out, out));
+    return ids_of(read_file(out));
+  };
+  EXPECT_EQ(kept({"plane", "union", a, b}), (Json{1, 2, 3}));
+  EXPECT_EQ(kept({"plane", "union", a, b, box}), (Json{1, 2, 3, nullptr}));
+  EXPECT_EQ(kept({"plane", "intersection", b, a}), (Json{3}));
+  EXPECT_EQ(kept({"plane", "intersection", a, b}), (Json{2}));
+  EXPECT_EQ(kept({"plane", "difference", a, box}), (Json{1, 2}));
+  EXPECT_EQ(kept({"plane", "regularize", b}), (Json{3}));
+  // The parts make the same set as without features.
+  const std::string whole = (scratch / "whole.wkt").string();
+  EXPECT_EQ(kept({"plane", "symmetric-difference", a, box}), (Json{1, 2, nullptr}));
+  EXPECT_EQ(run({"plane", "symmetric-difference", a, box, "-q", "-o", whole}).code, 0);
+  EXPECT_TRUE(is_same_set(out, whole));
+  for (const Words& more : {Words{"-o", whole}, Words{"-o", out, "--raw"},
+                            Words{"-o", out, "--grid", "1"}, Words{"-o", out, "--exact-decimals"}}) {
+    Words words{"plane", "union", a, b, "--keep", "ids"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run(words).code, 2);
+  }
+  const RunResult lines = run({"plane", "boundary", a, "--keep", "ids", "-o", out});
+  EXPECT_TRUE(contains(lines.err, "lines and points were left out")) << lines.err;
+  EXPECT_EQ(run({"plane", "boundary", a, "--keep", "ids", "-o", out, "--strict"}).code, 2);
+}
+
 TEST(PlaneProgram, examples_of_the_help_work) {
   const ScratchDirectory scratch;
   for (const std::string name :

@@ -1606,6 +1606,16 @@ PLUMB_API plumb_status plumb_layer_voronoi(const double* xy, size_t count, const
 /** Makes a feature of each bounded face of a set, rounded to doubles. */
 PLUMB_API plumb_status plumb_layer_of_faces(const plumb_plane_set* set, plumb_layer** out,
                                             const plumb_context* context, plumb_error** error);
+/** Makes the parts of a set that come from the features of a layer, with their ids and properties.
+ * Where several features cover a part, it belongs to the first one. Parts of the set that no feature
+ * covers are the last feature, without an id. */
+PLUMB_API plumb_status plumb_layer_parts(const plumb_layer* layer, const plumb_plane_set* set,
+                                         plumb_layer** out, const plumb_context* context,
+                                         plumb_error** error);
+/** Makes a layer of the features of `first` and then those of `second`. */
+PLUMB_API plumb_status plumb_layer_join(const plumb_layer* first, const plumb_layer* second,
+                                        plumb_layer** out, const plumb_context* context,
+                                        plumb_error** error);
 /** Writes "geojson", "topojson" or "wkt". */
 PLUMB_API plumb_status plumb_layer_write(const plumb_layer* layer, const char* format,
                                          plumb_bytes** out, const plumb_context* context,

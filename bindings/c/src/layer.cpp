@@ -14,6 +14,7 @@
 #include "plumb/plane/layer_simplify.h"
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_faces.h"
+#include "plumb/plane/set_features.h"
 
 struct plumb_layer {
   plumb::Layer layer;
@@ -120,6 +121,26 @@ plumb_status plumb_layer_of_faces(const plumb_plane_set* set, plumb_layer** out,
   return make(out, error, [&] {
     Call call(context);
     return rounded(layer_of_faces(need(set, "set").set, call), call);
+  });
+}
+
+plumb_status plumb_layer_parts(const plumb_layer* layer, const plumb_plane_set* set,
+                               plumb_layer** out, const plumb_context* context,
+                               plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    return plumb_layer{set_features(need(set, "set").set, need(layer, "layer").layer, call).layer};
+  });
+}
+
+plumb_status plumb_layer_join(const plumb_layer* first, const plumb_layer* second,
+                              plumb_layer** out, const plumb_context* context,
+                              plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    plumb_layer joined{need(first, "first").layer};
+    append_layer(joined.layer, need(second, "second").layer);
+    return joined;
   });
 }
 

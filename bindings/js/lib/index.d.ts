@@ -668,6 +668,14 @@ export class Layer extends Handle {
   static voronoi(points: Coordinates, box: Coordinates, options?: Options): Layer;
   /** A feature for each bounded face of a set. */
   static ofFaces(set: PlaneSet, options?: Options): Layer;
+  /**
+   * The parts of a set that come from the features, with their ids and properties. Where several
+   * features cover a part, it belongs to the first one. Parts of the set that no feature covers are
+   * the last feature, without an id.
+   */
+  parts(set: PlaneSet, options?: Options): Layer;
+  /** These features, and then those of another layer. */
+  joined(other: Layer, options?: Options): Layer;
   readonly featureCount: number;
   ids(): unknown[];
   properties(): (Record<string, unknown>|null)[];

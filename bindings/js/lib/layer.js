@@ -56,6 +56,21 @@ export class Layer extends Handle {
             wrap(Layer, frame.make('plumb_layer_of_faces', addressOf(set, PlaneSet, 'set'))));
   }
 
+  /** These features, and then those of another layer. */
+  joined(other, options) {
+    return inFrame(
+        options,
+        (frame) => wrap(
+            Layer, frame.make('plumb_layer_join', self(this), addressOf(other, Layer, 'other'))));
+  }
+  /** The parts of a set that come from these features. */
+  parts(set, options) {
+    return inFrame(
+        options,
+        (frame) => wrap(
+            Layer, frame.make('plumb_layer_parts', self(this), addressOf(set, PlaneSet, 'set'))));
+  }
+
   get featureCount() { return engine()._plumb_layer_feature_count(self(this)) >>> 0; }
   ids() { return jsonOfFeatures(this, 'plumb_layer_id'); }
   properties() { return jsonOfFeatures(this, 'plumb_layer_properties'); }

@@ -442,7 +442,7 @@ export const cases = {
     checkEqual([copy.cycles(), Array.from(copy.points())], [report.map().cycles(), points.flat()]);
   },
 
-  'layers'({Layer}) {
+  'layers'({Layer, PlaneSet}) {
     const square = (x) => ({
       type: 'Feature',
       properties: {x},
@@ -462,6 +462,8 @@ export const cases = {
     checkEqual([pieces.featureCount, pairs], [2, [[0, 0], [1, 0]]]);
     checkEqual(Layer.voronoi([1, 1, 3, 1, 2, 3], [0, 0, 4, 4]).featureCount, 3);
     check(layer.simplified({tolerance: 0}).toGeoJson().features.length === 2);
+    checkEqual(layer.joined(layer).featureCount, 4);
+    checkEqual(layer.parts(PlaneSet.box([2, 0], [20, 4])).properties(), [{x: 0}, {x: 3}, null]);
   },
 
   'meshes: check and repair'({checkMesh, repairMesh, readMesh, writeMesh, delaunay}) {

@@ -16,6 +16,7 @@
 #include "plumb/plane/layer_simplify.h"
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_faces.h"
+#include "plumb/plane/set_features.h"
 
 namespace plumb::python {
 namespace {
@@ -106,6 +107,16 @@ Layer dissolved(Context& context, const Layer& layer, const std::vector<std::uin
 
 Layer simplified(Context& context, const Layer& layer, double tolerance, double kept) {
   return simplify_layer(layer, {tolerance, kept}, context).layer;
+}
+
+Layer parts_of(Context& context, const Layer& layer, const Nef2& set) {
+  return set_features(set, layer, context).layer;
+}
+
+Layer joined(Context&, const Layer& first, const Layer& second) {
+  Layer result = first;
+  append_layer(result, second);
+  return result;
 }
 
 OverlayPairs overlay_pairs(const std::string& name) {
@@ -260,6 +271,13 @@ void bind_layer(nb::module_& m) {
           "removed while their triangle has at most the area `tolerance`, and while more than the "
           "part `kept` of the removable corners is left.",
           "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0);
+  def_run(c, "parts", &parts_of,
+          "Return the parts of a set that come from the features, with their ids and properties. "
+          "Where several features cover a part, it belongs to the first one. Parts of the set that "
+          "no feature covers are the last feature, without an id.",
+          "set"_a);
+  def_run(c, "joined", &joined, "Return a layer of these features and then those of another layer.",
+          "other"_a);
   def_run(c, "overlaid", &overlaid,
           "Return the overlay with another layer: a layer with a feature for each pair of features "
           "that have common points, and the list of these pairs of indices. A missing partner is "

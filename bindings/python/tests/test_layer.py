@@ -96,3 +96,21 @@ def test_voronoi_cells_and_faces() -> None:
     box = plumb.PlaneSet.box((0, 0), (4, 4)).boundary()
     lines = box | plumb.PlaneSet.polyline([(0, 0), (4, 4)])
     assert len(plumb.Layer.of_faces(~lines)) == 2
+
+
+def test_parts_of_sets_keep_their_features():
+    def square(x, name):
+        ring = [[x, 0], [x + 4, 0], [x + 4, 4], [x, 4], [x, 0]]
+        geometry = {"type": "Polygon", "coordinates": [ring]}
+        return {"type": "Feature", "id": name, "properties": {"x": x}, "geometry": geometry}
+
+    def layer(*features):
+        text = json.dumps({"type": "FeatureCollection", "features": features})
+        return plumb.Layer.parse(text)
+
+    both = layer(square(0, "a")).joined(layer(square(4, "b")))
+    parts = both.parts(plumb.PlaneSet.box((2, 2), (6, 6)))
+    found = json.loads(parts.to_geojson())["features"]
+    assert [f.get("id") for f in found] == ["a", "b", None]
+    assert [f["properties"] for f in found] == [{"x": 0}, {"x": 4}, None]
+    assert found[0]["geometry"]["coordinates"] == [[[2, 2], [4, 2], [4, 4], [2, 4], [2, 2]]]

@@ -38,7 +38,8 @@ struct ReadOptions {
   /// Without a value it is a thousandth of the larger side of the drawing.
   std::optional<double> curve_tolerance = {};
   /// For meshes: whether MeshFile::attributes is filled. Otherwise colours, materials, groups and
-  /// all other numbers of faces and corners are passed over.
+  /// all other numbers of faces and corners are passed over. For sets of the plane in GeoJSON:
+  /// whether the caller keeps the ids and properties of features, so that no note reports them.
   bool attributes = false;
 };
 

@@ -218,8 +218,13 @@ class TransformSolid : public SolidOperation {
 
 // ---------------------------------------------------------------- solids from plane sets
 
+/// How outlines are read: as sets of the plane, whose features are not kept.
+struct OutlineInput : PlaneInput {
+  void declare_keep(CLI::App&) = delete;
+};
+
 struct SweptSolid : Solid {
-  using Input = PlaneInput;
+  using Input = OutlineInput;
   static constexpr const char* kHelp = Plane::kHelp;
 };
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -21,6 +22,7 @@
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/convex/plane_minkowski.h"
+#include "plumb/io/layer_io.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/text_output.h"
@@ -30,6 +32,7 @@
 #include "plumb/plane/plane_measure.h"
 #include "plumb/plane/plane_offset.h"
 #include "plumb/plane/plane_simplify.h"
+#include "plumb/plane/set_features.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb::cli {
@@ -84,6 +87,75 @@ ReadyFile Plane::ready(const Nef2& set, const SetOutput& output, Context& contex
           text.losses().sentences(), changes};
 }
 
+PlaneOperand PlaneInput::load(const std::string& file, const CommonOptions& options,
+                              Context& context) const {
+  ReadOptions read;
+  read.exact_decimals = options.exact_decimals;
+  read.rings = ring_rule();
+  read.curve_tolerance = tolerance_;
+  PlaneOperand operand;
+  operand.are_kept = keeps_ids();
+  if (!operand.are_kept) {
+    PlaneRead plain = read_plane_set_file(file, {}, read, context);
+    operand.set = std::move(plain.set);
+    operand.notes = std::move(plain.notes);
+    return operand;
+  }
+  if (options.exact_decimals) {
+    throw Error(ErrorCode::Usage,
+                "--keep ids reads decimals as the nearest doubles; leave out "
+                "--exact-decimals");
+  }
+  const std::string text = read_input(file, context);
+  const PlaneFormat format = plane_format_of(file, text);
+  read.name = input_name(file);
+  read.attributes = true;
+  PlaneRead plain = read_plane_set(text, format, read, context);
+  operand.set = std::move(plain.set);
+  operand.notes = std::move(plain.notes);
+  if (format != PlaneFormat::GeoJson) return operand;
+  operand.features = read_layer(text, {read.name, {}}, context).layer;
+  return operand;
+}
+
+void PlaneFeatures::add(PlaneOperand& operand) {
+  are_kept = operand.are_kept;
+  append_layer(layer, operand.features);
+  operand.features = {};
+}
+
+/// The GeoJSON text of the features of a set.
+ReadyFile Plane::ready(const Nef2& set, const PlaneFeatures& features, const SetOutput& output,
+                       Session& session) {
+  Context& context = session.context();
+  if (!features.are_kept) return ready(set, output, context);
+  const auto index = output.format();
+  if (!index || kPlaneFormats[static_cast<std::size_t>(*index)].text != PlaneFormat::GeoJson) {
+    throw Error(ErrorCode::Usage, "--keep ids needs a GeoJSON file: -o OUT.geojson");
+  }
+  const PlaneWriteOptions& rounding = output.rounding();
+  if (rounding.grid || rounding.rounding == OutputRounding::Nearest) {
+    throw Error(ErrorCode::Usage, "--keep ids rounds to valid doubles; leave out --raw and --grid");
+  }
+  SetFeatures parts = set_features(set, features.layer, context);
+  std::vector<std::string> losses, changes;
+  if (parts.is_unbounded) losses.push_back("unbounded faces were left out");
+  if (parts.has_thin_parts) {
+    losses.push_back("lines and points were left out, because they belong to no feature");
+  }
+  if (!parts.vanished.empty()) {
+    losses.push_back("the part of " + counted(parts.vanished.size(), "feature") +
+                     " is too small for doubles, and was left out");
+  }
+  if (const std::string sentence = rounding_sentence(parts.rounding, {}); !sentence.empty()) {
+    losses.push_back(sentence);
+  }
+  if (!set.is_closed()) changes.push_back("the set is not closed; its closure was written");
+  const auto layer = std::make_shared<const Layer>(std::move(parts.layer));
+  return {[layer, &context](std::ostream& out) { write_layer_geojson(out, *layer, context); },
+          std::move(losses), std::move(changes)};
+}
+
 namespace {
 
 std::string name_of_file(const std::string& path) {
@@ -93,6 +165,7 @@ std::string name_of_file(const std::string& path) {
 /// The Minkowski sum of two sets.
 class PlaneSum : public PlaneOperation {
  private:
+  bool may_keep() const override { return false; }
   void declare_operands(CLI::App& app) override {
     declare_first<Plane>(app, a_);
     declare_second(app, b_);
@@ -117,6 +190,7 @@ class PlaneSum : public PlaneOperation {
 /// A set grown or shrunk by a distance.
 class PlaneOffset : public PlaneOperation {
  private:
+  bool may_keep() const override { return false; }
   void declare_operands(CLI::App& app) override {
     declare_first<Plane>(app, a_);
     app.add_option("--by", by_, "The distance; a negative one shrinks the set")
@@ -161,6 +235,7 @@ class PlaneOffset : public PlaneOperation {
 /// A set with fewer corners.
 class PlaneSimplify : public PlaneOperation {
  private:
+  bool may_keep() const override { return false; }
   void declare_operands(CLI::App& app) override {
     declare_first<Plane>(app, a_);
     app.add_option("--tolerance", tolerance_, "Remove corners whose triangle has at most this area")

@@ -8,12 +8,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "plumb/cli/commands/set_command.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/plane/layer.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/plane/plane_measure.h"
 
@@ -48,6 +50,14 @@ inline constexpr std::array kPlaneFormats{
     PlaneOutputFormat{"svg", ".svg", std::nullopt},
 };
 
+/// A set that was read, with the features of its file.
+struct PlaneOperand {
+  Nef2 set;
+  std::vector<std::string> notes;
+  Layer features;
+  bool are_kept = false;  ///< Whether --keep ids was given.
+};
+
 /// How files are read as sets of the plane.
 class PlaneInput {
  public:
@@ -59,13 +69,15 @@ class PlaneInput {
         ->type_name("D")
         ->check(CLI::PositiveNumber);
   }
-  PlaneRead load(const std::string& file, const CommonOptions& options, Context& context) const {
-    ReadOptions read;
-    read.exact_decimals = options.exact_decimals;
-    read.rings = ring_rule();
-    read.curve_tolerance = tolerance_;
-    return read_plane_set_file(file, {}, read, context);
+  /// Declares --keep, for commands that write sets.
+  void declare_keep(CLI::App& app) {
+    add_choice(app, "--keep", keep_, {"ids", "none"},
+               "ids: divide a GeoJSON result into the features of the operands, with their ids and "
+               "properties (default: none)");
   }
+  bool keeps_ids() const { return keep_ == "ids"; }
+  /// Returns a set with the features of its file, if they are kept.
+  PlaneOperand load(const std::string& file, const CommonOptions& options, Context& context) const;
 
  private:
   RingRule ring_rule() const {
@@ -75,13 +87,24 @@ class PlaneInput {
   }
 
   std::string rule_;
+  std::string keep_ = "none";
   std::optional<double> tolerance_;
+};
+
+/// The features of all operands of a command, in the order of the operands.
+struct PlaneFeatures {
+  /// Takes the features of an operand.
+  void add(PlaneOperand& operand);
+
+  Layer layer;
+  bool are_kept = false;  ///< Whether --keep ids was given.
 };
 
 /// The kind of sets of the plane, for set_command.h.
 struct Plane {
   using Set = Nef2;
   using Input = PlaneInput;
+  using Features = PlaneFeatures;
   static constexpr const char* kHelp =
       "A set: .wkt, .geojson, .json, .wkb, .dxf, .svg, .nef2; - is standard input";
   static constexpr std::array<const char*, 2> kAxes{"X", "Y"};
@@ -108,6 +131,9 @@ struct Plane {
   /// Returns the set as a file. Without a name for the format it is WKT if the set is bounded, else
   /// .nef2.
   static ReadyFile ready(const Nef2& set, const SetOutput& output, Context& context);
+  /// Returns the set as a file of its features if they are kept and the format is GeoJSON.
+  static ReadyFile ready(const Nef2& set, const PlaneFeatures& features, const SetOutput& output,
+                         Session& session);
   static PlaneFacts facts(const Nef2& set, Context& context) { return {set, context}; }
   static std::pair<const char*, bool> locate(const Nef2& set, const std::array<Rational, 2>& p) {
     const PlaneLocation place = set.locate(RationalPoint2{p[0], p[1]});

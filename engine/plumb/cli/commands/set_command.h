@@ -36,7 +36,9 @@ concept SetInput = std::default_initializable<Input> &&
 /// A kind of sets: Nef2 or Nef3, and what the commands need to know of it. A kind whose files show
 /// how a set was made has, besides, `canonical(set, context)`: the same set in a form that does not
 /// (--canonical). A kind whose files may hold shapes of doubles has, besides, `kHasGrid`
-/// (--raw, --grid).
+/// (--raw, --grid). A kind whose files may hold features has, besides, `Features`, what is known of
+/// those of all operands: `add(read)` is called for each operand in order, and
+/// `ready(set, features, output, session)` makes the file.
 template <class Kind>
 concept SetKind = SetInput<typename Kind::Input> &&
     requires(const typename Kind::Set& set, const SetOutput& output, Context& context,
@@ -70,9 +72,11 @@ inline void require_one_stdin(const std::vector<std::string>& files) {
 }
 
 /// Returns the sets of some files, read in parallel if there are threads for that. Notes and
-/// warnings come in the order of the files.
-template <SetInput Input>
-auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session) {
+/// warnings come in the order of the files. `visit` is called for what was read of each file, in
+/// this order.
+template <SetInput Input, class Visit>
+auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session,
+               const Visit& visit) {
   using Read = decltype(input.load(files[0], session.options(), session.context()));
   std::vector<Read> reads(files.size());
   run_jobs(session.context(), files.size(), [&](std::size_t i, Context& own) {
@@ -83,10 +87,32 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
   std::vector<decltype(Read::set)> sets;
   for (std::size_t i = 0; i < files.size(); ++i) {
     print_notes(files[i], reads[i], session);
+    visit(reads[i]);
     sets.push_back(std::move(reads[i].set));
   }
   return sets;
 }
+
+/// Returns the sets of some files.
+template <SetInput Input>
+auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session) {
+  return read_sets(input, files, session, [](const auto&) {});
+}
+
+/// What is known of the features of operands of a kind without features.
+struct NoFeatures {
+  template <class Read>
+  void add(const Read&) {}
+};
+template <class Kind>
+struct FeaturesOfKind {
+  using Type = NoFeatures;
+};
+template <class Kind>
+requires requires { typename Kind::Features; }
+struct FeaturesOfKind<Kind> {
+  using Type = typename Kind::Features;
+};
 
 /// Returns the stages of some sets read and combined.
 template <SetKind Kind>
@@ -115,7 +141,9 @@ class SetOperation : public CommandBody {
     declare_operands(app);
     if (reads_sets()) {
       input_.declare(app);
-      if constexpr (requires { input_.declare_keep(app); }) input_.declare_keep(app);
+      if constexpr (requires { input_.declare_keep(app); }) {
+        if (may_keep()) input_.declare_keep(app);
+      }
     }
     app.add_flag("--strict", strict_, "Exit 2 if the file would differ from the result");
     rounding_.declare(app, kHasGrid);
@@ -140,7 +168,11 @@ class SetOperation : public CommandBody {
     };
     const auto file = [&] {
       session.begin("result");
-      return Kind::ready(result, output_, session.context());
+      if constexpr (requires { Kind::ready(result, features_, output_, session); }) {
+        return Kind::ready(result, features_, output_, session);
+      } else {
+        return Kind::ready(result, output_, session.context());
+      }
     };
     output_.prepare(facts, file, strict_, session);
     output_.deliver(session);
@@ -153,12 +185,15 @@ class SetOperation : public CommandBody {
   virtual void declare_operands(CLI::App& app) = 0;
   /// Whether the command reads sets, so that the options of their readers have an effect.
   virtual bool reads_sets() const { return true; }
+  /// Whether parts of the result are parts of operands, so that --keep has an effect.
+  virtual bool may_keep() const { return true; }
   /// Returns the stages up to the result.
   virtual ProgressStages stages() const { return stages_of_sets<Kind>(1, 1); }
   /// Returns the result. Begins a stage "combine" for each operation.
   virtual Set compute(Session& session) = 0;
   std::vector<Set> read_all(const std::vector<std::string>& files, Session& session) {
-    std::vector<Set> sets = read_sets(input_, files, session);
+    std::vector<Set> sets =
+        read_sets(input_, files, session, [this](auto& read) { features_.add(read); });
     if constexpr (requires { sets[0].sources(); }) {
       for (const Set& set : sets) has_attributes_ = has_attributes_ || !set.sources().empty();
     }
@@ -202,6 +237,7 @@ class SetOperation : public CommandBody {
   bool strict_ = false;
   bool canonical_ = false;
   bool has_attributes_ = false;  // Whether an operand has attributes.
+  typename FeaturesOfKind<Kind>::Type features_;
   SetOutput output_;
 };
 

@@ -127,6 +127,7 @@ class GeoJsonReader {
   GeoJsonReader(std::string_view text, const ReadOptions& options, Context& context)
       : json_(text, options.name, context),
         numbers_(context.limits(), options.exact_decimals, text.size()),
+        keeps_features_(options.attributes),
         shapes_(context, text.size()) {
     shapes_.expect(TextCursor(text, options.name), most_positions(text));
   }
@@ -170,6 +171,7 @@ class GeoJsonReader {
 
   JsonScanner json_;
   NumberReader numbers_;
+  bool keeps_features_;  // Whether the caller keeps ids and properties.
   ShapeCollector shapes_;
   std::vector<Object> objects_;                 // Open objects.
   Coordinates coordinates_;                     // Of the object that had coordinates last.
@@ -281,7 +283,8 @@ void GeoJsonReader::take_name() {
 /// Skips a member without a meaning for shapes; the first ones of different names are noted.
 void GeoJsonReader::pass_over(std::string_view name) {
   const std::string_view written = json_.token_text();
-  const bool is_worth_a_note = !is_nothing(json_.skip_value());
+  const bool is_kept = keeps_features_ && (name == "id" || name == "properties");
+  const bool is_worth_a_note = !is_nothing(json_.skip_value()) && !is_kept;
   if (!is_worth_a_note || passed_names_.size() > kMostNamesNoted) return;
   if (std::ranges::find(passed_names_, written) != passed_names_.end()) return;
   passed_names_.push_back(written);
