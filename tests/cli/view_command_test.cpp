@@ -186,6 +186,23 @@ TEST_F(ViewProgram, survives_odd_names_and_places) {
   }
 }
 
+TEST_F(ViewProgram, shows_colours) {
+  write_file(scratch_ / "a.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  const std::string file = (scratch_ / "a.obj").string();
+  write_file(file,
+             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl red\nf 1 3 2\nf 1 2 4\n"
+             "usemtl blue\nf 2 3 4\nf 1 4 3\n");
+  const auto materials = [&](const Words& more) {
+    const auto [json, data] = chunks_of(drawn(file, "a.glb", more));
+    return json["materials"].dump();
+  };
+  const std::string coloured = materials({}), plain = materials({"--keep", "none"});
+  EXPECT_TRUE(contains(coloured, "#ff0000")) << coloured;
+  EXPECT_TRUE(contains(coloured, "#0000ff")) << coloured;
+  EXPECT_FALSE(contains(plain, "#ff0000")) << plain;
+  EXPECT_TRUE(contains(drawn(file, "a.html"), "colours"));
+}
+
 TEST_F(ViewProgram, wrong_usage_is_refused) {
   expect_refusal(run({"view", kBlock}), "plumb: ", "view needs -o OUT");
   expect_refusal(run({"view", kBlock, "-o", "-"}), "plumb: ", "--format png, svg, html, glb");

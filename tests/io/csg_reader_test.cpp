@@ -123,6 +123,26 @@ TEST(CsgReader, ModifiersLeaveNodesOutAndChooseTheRoot) {
   EXPECT_EQ(volume_of("cube(size = 3); *group() { !cube(size = 2); }"), Rational(27));
 }
 
+// OpenSCAD writes braces around all children, but people leave them out around one.
+TEST(CsgReader, OneChildNeedsNoBraces) {
+  const std::string move = "multmatrix([[1,0,0,1],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) ";
+  EXPECT_EQ(volume_of("difference() { cube(size = 2); " + move + "cube(size = 2); }"), Rational(4));
+  EXPECT_EQ(volume_of(move + "color([1,0,0]) group() cube(size = 2); cube(size = 2);"),
+            Rational(12));
+  EXPECT_EQ(volume_of(move + "union() { cube(size = 1); cube(size = 2); } cube(size = 1);"),
+            Rational(9));
+  EXPECT_EQ(volume_of("union() #" + move + "cube(size = 2); *group() cube(size = 5);"),
+            Rational(8));
+  expect_refusal("group() group()", ErrorCode::Syntax, "m.csg:1:16: expected ';' or '{'");
+  expect_refusal("group() }", ErrorCode::Syntax, "m.csg:1:9: expected ';' or '{', found '}'");
+  expect_refusal("{ group() cube(); ", ErrorCode::Syntax, "m.csg:1:1: expected a node");
+  expect_refusal("group() { group() cube(); ", ErrorCode::Syntax,
+                 "m.csg:1:27: expected '}', found the end");
+  std::string nested;
+  for (int i = 0; i < 1000000; ++i) nested += "group()";
+  EXPECT_EQ(volume_of(nested + "cube(size = 2);"), Rational(8));
+}
+
 TEST(CsgReader, PolyhedraLookOutward) {
   const std::string points = "points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]";
   EXPECT_EQ(volume_of("polyhedron(" + points + ", faces = [[0,1,2],[0,3,1],[0,2,3],[1,3,2]]);"),

@@ -5,10 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "plumb/convex/decompose.h"
 #include "plumb/picture/render.h"
@@ -16,6 +21,7 @@
 #include "plumb/picture/space_svg.h"
 #include "plumb/picture/svg/svg_text.h"
 #include "plumb/predicates/error.h"
+#include "plumb/space/source_mesh.h"
 #include "plumb/space/space_measure.h"
 #include "svg_checks.h"
 
@@ -290,6 +296,86 @@ TEST(PiecesScene, hatches_no_facets_without_ids) {
     const Scene scene = exploded_scene(std::vector{set}, 0, context);
     EXPECT_TRUE(std::ranges::none_of(scene.patches, &Scene::Patch::is_hatched));
   }
+}
+
+// ---------------------------------------------------------------- colours
+
+/// A cube whose faces are a checkerboard of unit squares, in two materials.
+Nef3 checkered_cube(int n) {
+  MeshSource source;
+  std::map<std::array<int, 3>, std::uint32_t> index;
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const int side : {0, n}) {
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          std::vector<std::uint32_t>& face = faces.emplace_back();
+          for (const auto& [a, b] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+            std::array<int, 3> at{};
+            at[axis] = side;
+            at[(axis + 1) % 3] = i + a;
+            at[(axis + 2) % 3] = j + b;
+            const auto next = static_cast<std::uint32_t>(source.mesh.points.size());
+            const auto [entry, is_new] = index.emplace(at, next);
+            if (is_new) {
+              source.mesh.points.push_back({static_cast<double>(at[0]), static_cast<double>(at[1]),
+                                            static_cast<double>(at[2])});
+            }
+            face.push_back(entry->second);
+          }
+          if (side == 0) std::ranges::reverse(face);
+          source.attributes.face_material.push_back(static_cast<std::uint32_t>((i + j) % 2));
+        }
+      }
+    }
+  }
+  for (const auto& face : faces) source.mesh.add_face(face);
+  source.attributes.materials = {{"white", {{1, 1, 1, 1}}, {}}, {"red", {{1, 0, 0, 1}}, {}}};
+  return from_source(std::make_shared<const MeshSource>(std::move(source)));
+}
+
+/// The area of the triangles of each colour, in the coordinates of the set.
+std::map<Colour, double> areas(const Scene& scene) {
+  std::map<Colour, double> sums;
+  for (const Scene::Triangle& t : scene.triangles) {
+    const Point3 &a = scene.points[t.corners[0]], &b = scene.points[t.corners[1]],
+                 &c = scene.points[t.corners[2]];
+    const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
+    sums[scene.colour_of(scene.patches[t.patch])] +=
+        std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x) / 2 *
+        std::pow(4 * scene.quarter_scale, 2);
+  }
+  return sums;
+}
+
+// Cutting off a corner along unit squares leaves whole squares, and three walls of the other set.
+TEST(ColouredScene, has_each_colour_on_the_area_of_its_faces) {
+  Context context;
+  const Nef3 set = checkered_cube(4);
+  const Colour white{255, 255, 255}, red{255, 0, 0};
+  const Colour plain = style_of(Paint::ClosedFacet).colour;
+  const std::map<Colour, double> before = areas(coloured_scene(set, context));
+  EXPECT_NEAR(before.at(white), 48, 1e-9);
+  EXPECT_NEAR(before.at(red), 48, 1e-9);
+  const Scene cut = coloured_scene(set - cube(2, 5), context);
+  const std::map<Colour, double> after = areas(cut);
+  EXPECT_NEAR(after.at(white), 42, 1e-9);
+  EXPECT_NEAR(after.at(red), 42, 1e-9);
+  EXPECT_NEAR(after.at(plain), 12, 1e-9);
+  EXPECT_NEAR(volume(cut), 64 - 8, 1e-9);
+  EXPECT_EQ(count(cut, Paint::Edge) + count(cut, Paint::OpenEdge),
+            count(scene(set - cube(2, 5)), Paint::Edge) +
+                count(scene(set - cube(2, 5)), Paint::OpenEdge));
+}
+
+TEST(ColouredScene, shows_what_has_no_colours_as_before) {
+  Context context;
+  const Nef3 set = cube(0, 1);
+  EXPECT_FALSE(has_colours(set));
+  EXPECT_TRUE(coloured_scene(set, context).layers.empty());
+  EXPECT_TRUE(has_colours(checkered_cube(1)));
+  EXPECT_TRUE(coloured_scene(checkered_cube(1).complement(), context).layers.empty())
+      << "an unbounded set is cut by its window";
 }
 
 TEST(PiecesScene, refuses_to_move_pieces_beyond_doubles) {

@@ -90,6 +90,8 @@ class ModelReader {
       nodes_.append();
       if (scanner_.has('!') && !root_) root_ = node.node;
       if (event == Event::Open) {
+        // Primitives are the last kinds. A child of one is a semicolon that is missing.
+        if (tree_nodes()[node.node].kind >= CsgKind::Cube) scanner_.require_braces();
         open.push_back(node);
       } else {
         close(node);

@@ -87,7 +87,7 @@ std::string scene_picture(const Scene& scene, const SceneText& text,
 }  // namespace
 
 std::string picture_of(const Nef3& set, const PictureOptions& options, Context& context) {
-  const Scene scene = scene_of(set, context);
+  const Scene scene = coloured_scene(set, context);
   const auto write_svg = [&](std::ostream& out) {
     const std::string png = encoded(options, rendered(scene, kPageImage));
     write_space_svg(out, set, scene, png, options.title, context);

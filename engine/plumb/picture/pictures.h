@@ -45,7 +45,8 @@ struct PictureOptions {
   std::function<std::string(const Image&)> encode_png = {};
 };
 
-/// Returns a picture of a set of space.
+/// Returns a picture of a set of space, in the colours of its sources if it has any
+/// (coloured_scene()).
 std::string picture_of(const Nef3& set, const PictureOptions& options,
                        Context& context = unlimited_context());
 /// Returns a picture of several sets, each in a colour of its own. The sets are moved apart by

@@ -6,6 +6,9 @@
 // patches whose normals point away from the marked volume. Vertices get a dot where their mark says
 // more than the edges there.
 //
+// A coloured scene has the edges and dots of the scene of the set, and the triangles of the mesh
+// with attributes, whose groups are the colours.
+//
 // An exploded scene moves every part away from the common middle, in proportion to the distance of
 // its own middle.
 // Tested by tests/picture/space_scene_test.cpp.
@@ -13,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +27,9 @@
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/mesh_with_attributes.h"
 #include "plumb/space/planar/facet_triangles.h"
+#include "plumb/space/source_mesh.h"
 
 namespace plumb {
 namespace {
@@ -243,6 +249,127 @@ Scene scene_of(const Nef3& set, Context& context) {
   frame.close(fades ? kFadingMargin : 0);
   const Nef3 shown = fades ? inside_box(set, frame, context) : set;
   return SceneMaker(shown.complex(), frame, fades, context).run();
+}
+
+// ---------------------------------------------------------------- colours of sources
+
+namespace {
+
+constexpr const char* kColourChannel = "color";
+constexpr double kSteps = 15;  // Steps of a colour of corners between 0 and 1.
+
+std::uint8_t byte_of(double part) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
+}
+
+const MeshChannel* colour_channel(const MeshAttributes& attributes) {
+  for (const MeshChannel& channel : attributes.channels) {
+    if (channel.name == kColourChannel && channel.width >= 3) return &channel;
+  }
+  return nullptr;
+}
+
+/// The colours of the faces of a mesh of triangles.
+class FaceColours {
+ public:
+  /// `attributes` must outlive the object.
+  explicit FaceColours(const MeshAttributes& attributes)
+      : attributes_(attributes), channel_(colour_channel(attributes)) {}
+
+  /// Returns the colour of a face, or that of `plain` if it has none.
+  Colour of(std::size_t face, Colour plain) const {
+    const std::uint32_t material =
+        attributes_.face_material.empty() ? MeshAttributes::kNone : attributes_.face_material[face];
+    const bool has_material =
+        material != MeshAttributes::kNone && attributes_.materials[material].color.has_value();
+    if (!has_material && channel_ == nullptr) return plain;
+    Colour colour;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double base = has_material ? (*attributes_.materials[material].color)[i] : 1;
+      colour[i] = byte_of(base * corner_mean(face, i));
+    }
+    return colour;
+  }
+
+ private:
+  /// Returns the mean of a number of the channel at the corners of a face.
+  double corner_mean(std::size_t face, std::size_t i) const {
+    if (channel_ == nullptr) return 1;
+    double sum = 0;
+    for (std::size_t c = 3 * face; c < 3 * face + 3; ++c) {
+      sum += channel_->values[c * channel_->width + i];
+    }
+    return std::round(kSteps * sum / 3) / kSteps;
+  }
+
+  const MeshAttributes& attributes_;
+  const MeshChannel* channel_;
+};
+
+/// Returns the unit normal of a triangle; zero if it has none in doubles.
+Point3 unit_normal(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 n =
+      cross(Point3{b.x - a.x, b.y - a.y, b.z - a.z}, Point3{c.x - a.x, c.y - a.y, c.z - a.z});
+  const double length = std::hypot(n.x, n.y, n.z);
+  return length > 0 ? Point3{n.x / length, n.y / length, n.z / length} : Point3{0, 0, 0};
+}
+
+/// Puts triangles in their colours in the place of those beside marked volumes.
+void colour_triangles(const MeshWithAttributes& made, Scene& scene) {
+  const Colour plain = style_of(Paint::ClosedFacet).colour;
+  const FaceColours colours(made.attributes);
+  const auto point = static_cast<std::uint32_t>(scene.points.size());
+  for (const Point3& p : made.mesh.points) {
+    const auto along = [&](double x, double quarter_centre) {
+      return (x / 4 - quarter_centre) / scene.quarter_scale;
+    };
+    scene.points.push_back({along(p.x, scene.quarter_centre.x), along(p.y, scene.quarter_centre.y),
+                            along(p.z, scene.quarter_centre.z)});
+  }
+  std::erase_if(scene.triangles, [&](const Scene::Triangle& t) {
+    return scene.patches[t.patch].paint != Paint::Sheet;
+  });
+  scene.groups = {{"without a colour", ""}};
+  Scene::Layer layer{"colours", {plain}};
+  std::map<Colour, std::uint32_t> group_of{{plain, 0}};
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    const auto face = made.mesh.face(f);
+    const Scene::Triangle triangle{{point + face[0], point + face[1], point + face[2]},
+                                   static_cast<std::uint32_t>(scene.patches.size())};
+    const Colour colour = colours.of(f, plain);
+    const auto next = static_cast<std::uint32_t>(scene.groups.size());
+    const auto [entry, is_new] = group_of.emplace(colour, next);
+    if (is_new) {
+      scene.groups.push_back({hex(colour), ""});
+      layer.tints.push_back(colour);
+    }
+    const auto& [a, b, c] = triangle.corners;
+    scene.patches.push_back({unit_normal(scene.points[a], scene.points[b], scene.points[c]),
+                             Paint::ClosedFacet, entry->second});
+    scene.triangles.push_back(triangle);
+  }
+  scene.layers = {std::move(layer)};
+  scene.shown = 1;
+}
+
+}  // namespace
+
+bool has_colours(const Nef3& set) {
+  return std::ranges::any_of(set.sources(), [](const PlacedSource& placed) {
+    const MeshAttributes& attributes = placed.source->attributes;
+    return colour_channel(attributes) != nullptr ||
+           (!attributes.face_material.empty() &&
+            std::ranges::any_of(attributes.materials, [](const MeshMaterial& material) {
+              return material.color.has_value();
+            }));
+  });
+}
+
+Scene coloured_scene(const Nef3& set, Context& context) {
+  Scene scene = scene_of(set, context);
+  if (scene.fades || !has_colours(set)) return scene;
+  colour_triangles(mesh_with_attributes(set, {}, context), scene);
+  return scene;
 }
 
 namespace {

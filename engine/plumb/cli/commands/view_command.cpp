@@ -48,6 +48,7 @@ class View : public CommandBody {
         ->type_name("X")
         ->check(CLI::Range(0., 1e6).description(""));
     input_.declare(app);
+    input_.declare_keep(app);
   }
 
   ExitCode run(Session& session) override {

@@ -108,16 +108,23 @@ std::string_view CsgScanner::word() {
 }
 
 CsgScanner::Event CsgScanner::next() {
+  if (is_node_over_ && !has_braces_.empty() && has_braces_.back() == 0) return close();
+  is_node_over_ = false;
   while (take(';')) {
   }
   if (!skip_blanks()) {
-    if (depth_ > 0) fail_unexpected("'}'");
+    if (!has_braces_.empty()) fail_unexpected("'}'");
     return Event::Done;
   }
   if (*p_ != '}') return read_node();
-  if (depth_ == 0) fail_unexpected("a node");
+  if (has_braces_.empty()) fail_unexpected("a node");
   ++p_;
-  --depth_;
+  return close();
+}
+
+CsgScanner::Event CsgScanner::close() {
+  has_braces_.pop_back();
+  is_node_over_ = true;
   return Event::Close;
 }
 
@@ -136,10 +143,24 @@ CsgScanner::Event CsgScanner::read_node() {
   line_ = static_cast<std::uint32_t>(cursor_.line());
   column_ = static_cast<std::uint32_t>(place_ - cursor_.line_start() + 1);
   read_parameters();
-  if (take(';')) return Event::Leaf;
-  expect('{', "';' or '{'");
-  ++depth_;
+  if (take(';')) {
+    is_node_over_ = true;
+    return Event::Leaf;
+  }
+  const bool is_block = take('{');
+  const char first = peek();
+  if (!is_block && !is_csg_letter(first) && !is_modifier(first)) fail_unexpected("';' or '{'");
+  if (has_braces_.size() == has_braces_.capacity()) {
+    const std::size_t more = std::max<std::size_t>(has_braces_.capacity(), 64);
+    memory_.add(more, "the nodes of a model");
+    has_braces_.reserve(has_braces_.size() + more);
+  }
+  has_braces_.push_back(is_block ? 1 : 0);
   return Event::Open;
+}
+
+void CsgScanner::require_braces() {
+  if (has_braces_.back() == 0) fail_unexpected("';' or '{'");
 }
 
 void CsgScanner::read_parameters() {

@@ -1,7 +1,7 @@
 // The syntax of OpenSCAD's flattened models: nodes with modifiers, a name, parameters, and either a
-// semicolon or a block of further nodes.
+// semicolon, a block of further nodes, or one further node.
 //
-//   node       [#%!*]... name ( [parameter [, parameter]...] ) ( ; | { node... } )
+//   node       [#%!*]... name ( [parameter [, parameter]...] ) ( ; | { node... } | node )
 //   parameter  [name =] value
 //   value      number | true | false | undef | "text" | [ [value [, value]...] ]
 //
@@ -43,7 +43,7 @@ class CsgScanner {
  public:
   enum class Event : std::uint8_t {
     Leaf,   ///< A node without a block.
-    Open,   ///< A node whose block begins.
+    Open,   ///< A node whose block begins. One further node without braces is a block, too.
     Close,  ///< A block ends.
     Done,   ///< The text ends.
   };
@@ -61,6 +61,9 @@ class CsgScanner {
   std::uint32_t line() const { return line_; }      ///< The line of its name.
   std::uint32_t column() const { return column_; }  ///< The column of its name.
   std::span<const CsgParameter> parameters() const { return parameters_; }
+  /// Requires that the last event was Open. Throws Error{Syntax} if the block has no braces, for a
+  /// node that has no children.
+  void require_braces();
   const CsgValue& value(std::uint32_t i) const { return values_[i]; }
   /// Returns the text of a value of the kind Text, without escapes.
   std::string text_of(const CsgValue& value) const;
@@ -72,6 +75,7 @@ class CsgScanner {
   }
 
  private:
+  Event close();
   bool skip_blanks();
   void skip_comment();
   char peek();
@@ -97,7 +101,8 @@ class CsgScanner {
   const char* begin_;
   const char* p_;
   const char* end_;
-  std::uint64_t depth_ = 0;
+  std::vector<std::uint8_t> has_braces_;  // Of each open block.
+  bool is_node_over_ = false;             // Whether the last event ended a node.
   std::uint64_t nodes_ = 0;
   std::string_view name_;
   std::string_view modifiers_;
