@@ -59,20 +59,11 @@ SolidReadOptions solid_options(const plumb_solid_options* options,
   return result;
 }
 
-PolygonMesh copy_of(const MeshView& mesh) {
-  PolygonMesh copy;
-  copy.points.reserve(mesh.point_count());
-  for (std::size_t i = 0; i < mesh.point_count(); ++i) copy.points.push_back(mesh.point(i));
-  copy.exact.assign(mesh.exact.begin(), mesh.exact.end());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) copy.add_face(mesh.face(f));
-  return copy;
-}
-
 /// The view is read in place unless it is to be mended.
 Nef3 set_of(const MeshView& mesh, const SolidReadOptions& options, Context& context) {
   const FromMeshOptions making{.rule = options.rule, .surface = options.surface};
   if (!options.repair.asks()) return Nef3::from_mesh(mesh, making, context);
-  PolygonMesh mended = copy_of(mesh);
+  PolygonMesh mended = copied_mesh(mesh);
   repair_mesh(mended, options.repair, context);
   return Nef3::from_mesh(mended, making, context);
 }
@@ -93,7 +84,7 @@ Nef3 solid_of(const MeshView& mesh, const plumb_solid_options* options, Context&
   source.attributes = attributes;
   keep_only(kept, source.attributes);
   if (source.attributes.empty() && asked.keep != PLUMB_KEEP_ALL) return set;
-  source.mesh = copy_of(mesh);
+  source.mesh = copied_mesh(mesh);
   if (reading.repair.weld > 0) weld_points(source.mesh, reading.repair.weld, context);
   return set.with_source(std::make_shared<const MeshSource>(std::move(source)));
 }
@@ -137,33 +128,6 @@ SolidText prepared(const plumb_solid* solid, const SolidFormat& format,
   if (!prepared.dropped().empty()) add_notes(notes, {prepared.dropped()});
   add_warnings(notes, prepared.losses());
   return prepared;
-}
-
-/// Writes a solid and, if it has one, the material library of OBJ beside it: both files or none.
-void write_solid(const SolidText& ready, const std::string& path, const std::string& library,
-                 Context& context) {
-  std::optional<OutputFile> beside;
-  if (ready.has_library()) {
-    beside.emplace(std::filesystem::path(path).replace_filename(library).string());
-    ready.write_library(beside->stream());
-    beside->finish();
-  }
-  OutputFile file(path);
-  ready.write(file.stream(), context);
-  file.finish();
-  if (beside) beside->commit();
-  file.commit();
-}
-
-/// Returns the name of the material library of a file; empty if the file has none beside it.
-std::string library_of(const std::string& path) {
-  const std::filesystem::path file(path);
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
-  const bool is_other =
-      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-  if (path == "-" || is_other || file.extension() == ".mtl") return {};
-  return file.filename().replace_extension(".mtl").string();
 }
 
 plumb_to_mesh_report report_of(const ToMeshReport& made) {
@@ -442,9 +406,8 @@ plumb_status plumb_solid_write_file(const plumb_solid* solid, const char* path, 
     auto told = std::make_unique<plumb_notes>();
     const std::string file = text(path, "path");
     const SolidFormat& wanted = format != nullptr ? format_named(format) : format_of(file);
-    const std::string library = library_of(file);
-    const SolidText ready = prepared(solid, wanted, options, *told, own, library);
-    write_solid(ready, file, library, own);
+    const SolidText ready = prepared(solid, wanted, options, *told, own, material_library_of(file));
+    ready.write_file(file, own);
     if (notes != nullptr) *notes = told.release();
   });
 }

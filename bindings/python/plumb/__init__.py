@@ -10,6 +10,8 @@ Map, MapReport            Map, MapReport (check_map)             a planar map an
 overlay, MapOverlay       overlay_maps, MapOverlay               two maps on each other
 Layer, LayerReport        Layer, LayerReport (repair_layer)      features, and their repair
 Surface, SurfaceDivision  SurfaceMesh, SurfaceDivision           polygons on a surface
+MeshAttributes, Material  MeshAttributes, MeshMaterial           what belongs to faces
+MeshWithAttributes        MeshWithAttributes                     a mesh and its attributes
 read_csg, parse_csg       read_csg, evaluate                     models of OpenSCAD
 Error, ErrorCode          Error, ErrorCode                       what goes wrong
 ========================  =====================================  ============================
@@ -17,6 +19,7 @@ Error, ErrorCode          Error, ErrorCode                       what goes wrong
 Operators of sets: `a | b` and `a + b` unite, `a & b` and `a * b` intersect, `a - b`, `a ^ b`, `~a`.
 """
 
+from plumb._attributes import Material, MeshAttributes, MeshWithAttributes
 from plumb._core import (
     VERSION,
     Cell,
@@ -44,7 +47,16 @@ from plumb._core import (
 )
 from plumb._errors import BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh
 
-for _class in (BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh):
+for _class in (
+    BrokenInvariant,
+    Error,
+    ErrorCode,
+    FileWarning,
+    Material,
+    MeshAttributes,
+    MeshWithAttributes,
+    OpenMesh,
+):
     _class.__module__ = "plumb"
 del _class
 
@@ -66,6 +78,9 @@ __all__ = [
     "MapOverlay",
     "MapRegion",
     "MapReport",
+    "Material",
+    "MeshAttributes",
+    "MeshWithAttributes",
     "OpenMesh",
     "PlaneSet",
     "RayHit",
