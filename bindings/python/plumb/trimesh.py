@@ -19,6 +19,7 @@ from plumb import Material, MeshAttributes, MeshWithAttributes, Solid
 
 __all__ = ["difference", "from_trimesh", "intersection", "register", "to_trimesh", "union"]
 
+_visual: Any = _trimesh.visual  # Without types.
 _COLOR = "color"
 _TEXTURE = "texcoord_0"
 
@@ -161,21 +162,21 @@ def _textured(made: MeshWithAttributes, materials: Sequence[Any] | None) -> Any:
 
 def _texture_visual(uv: Any, of_face: Any, materials: list[Any]) -> Any:
     if of_face is None or not materials:
-        return _trimesh.visual.TextureVisuals(uv=uv)
+        return _visual.TextureVisuals(uv=uv)
     # Faces of meshes without materials have one of their own.
     of_face = np.where(of_face < 0, len(materials), of_face)
-    materials = [*materials, _trimesh.visual.material.SimpleMaterial(name="none")]
+    materials = [*materials, _visual.material.SimpleMaterial(name="none")]
     used, indices = np.unique(of_face, return_inverse=True)
     if len(used) == 1:
-        return _trimesh.visual.TextureVisuals(uv=uv, material=materials[used[0]])
-    several = _trimesh.visual.material.MultiMaterial([materials[i] for i in used])
-    return _trimesh.visual.TextureVisuals(uv=uv, material=several, face_materials=indices)
+        return _visual.TextureVisuals(uv=uv, material=materials[used[0]])
+    several = _visual.material.MultiMaterial([materials[i] for i in used])
+    return _visual.TextureVisuals(uv=uv, material=several, face_materials=indices)
 
 
 def _material_of(material: Material) -> Any:
     color = (0.4, 0.4, 0.4, 1.0) if material.color is None else material.color
     diffuse = np.rint(np.array(color) * 255).astype(np.uint8)
-    return _trimesh.visual.material.SimpleMaterial(diffuse=diffuse, name=material.name)
+    return _visual.material.SimpleMaterial(diffuse=diffuse, name=material.name)
 
 
 def _split(made: MeshWithAttributes, values: Any) -> tuple[Any, Any]:
