@@ -2359,6 +2359,26 @@ static void test_offsets(void) {
   plumb_plane_set_free(square);
 }
 
+/* A small tooth goes if its area is allowed; the square below it stays. */
+static void test_simplify(void) {
+  plumb_plane_set *toothed = square_at("0 0 8 0 8 8 5 8 4 8.5 3 8 0 8"), *simple = NULL;
+  double moved = -1;
+  OK(plumb_plane_set_simplify(toothed, 0.5, 0, INFINITY, &simple, &moved, NULL, &error));
+  CHECK(has_area(simple, "64") && moved >= 0.5 && moved < 1); /* A bound. */
+  plumb_plane_set_free(simple);
+  OK(plumb_plane_set_simplify(toothed, 0.5, 0, 0.25, &simple, NULL, NULL, &error));
+  CHECK(has_area(simple, "129/2"));
+  plumb_plane_set_free(simple);
+  FAILS(plumb_plane_set_simplify(toothed, -1, 0, 1, &simple, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_plane_set_simplify(toothed, NAN, 0, 1, &simple, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_plane_set_simplify(toothed, 1, 2, 1, &simple, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  CHECK(simple == NULL);
+  plumb_plane_set_free(toothed);
+}
+
 static void test_triangles(void) {
   const double xy[10] = {0, 0, 1, 0, 1, 1, 0, 1, .5, .5};
   const double bad[2] = {0, INFINITY};
@@ -2555,6 +2575,7 @@ int main(int count, char** arguments) {
   test_parts_and_maps();
   test_solid_offsets_and_distances();
   test_offsets();
+  test_simplify();
   test_triangles();
   test_csg();
   test_cells();

@@ -379,7 +379,7 @@ PLUMB_API void plumb_mesh_free(plumb_mesh* mesh); /**< Releases a mesh. */
 /** What was found in a mesh. */
 typedef struct plumb_mesh_report plumb_mesh_report;
 /** Examines a mesh: is it closed, does it cross itself, which faces are degenerate? At most
- * max_listed crossings are listed; all are counted. */
+ * max_listed crossings are listed; all are counted. Crossings are sought in closed meshes only. */
 PLUMB_API plumb_status plumb_mesh_check(const plumb_mesh* mesh, uint64_t max_listed,
                                         plumb_mesh_report** out, const plumb_context* context,
                                         plumb_error** error);
@@ -1686,6 +1686,14 @@ PLUMB_API plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double
                                               const plumb_offset_options* options,
                                               plumb_plane_set** out, const plumb_context* context,
                                               plumb_error** error);
+/** Makes the closure of a bounded set with fewer corners. Corners are removed while their triangle
+ * has at most the area `tolerance`, while more than the part `kept` of the corners is left, and while
+ * no point of a border moves farther than `within`. Infinity sets no bound. Coordinates become
+ * doubles. If `moved` is not null, it receives a bound for how far borders have moved. */
+PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, double tolerance,
+                                                double kept, double within, plumb_plane_set** out,
+                                                double* moved, const plumb_context* context,
+                                                plumb_error** error);
 /** Finds nearest points of the closures of two sets. Returns five numbers: the square of the
  * distance, the point of a, the point of b. Sets cells[0] and cells[1] to the cells of a and b with
  * these points; `cells` may be null. */

@@ -10,6 +10,7 @@ Map, MapReport            Map, MapReport (check_map)             a planar map an
 overlay, MapOverlay       overlay_maps, MapOverlay               two maps on each other
 Layer, LayerReport        Layer, LayerReport (repair_layer)      features, and their repair
 Surface, SurfaceDivision  SurfaceMesh, SurfaceDivision           polygons on a surface
+Mesh, MeshReport          PolygonMesh, MeshReport                polygons, and what is in them
 MeshAttributes, Material  MeshAttributes, MeshMaterial           what belongs to faces
 MeshWithAttributes        MeshWithAttributes                     a mesh and its attributes
 read_csg, parse_csg       read_csg, evaluate                     models of OpenSCAD
@@ -46,6 +47,7 @@ from plumb._core import (
     read_csg,
 )
 from plumb._errors import BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh
+from plumb._mesh import Mesh, MeshReport
 
 for _class in (
     BrokenInvariant,
@@ -53,7 +55,9 @@ for _class in (
     ErrorCode,
     FileWarning,
     Material,
+    Mesh,
     MeshAttributes,
+    MeshReport,
     MeshWithAttributes,
     OpenMesh,
 ):
@@ -79,7 +83,9 @@ __all__ = [
     "MapRegion",
     "MapReport",
     "Material",
+    "Mesh",
     "MeshAttributes",
+    "MeshReport",
     "MeshWithAttributes",
     "OpenMesh",
     "PlaneSet",

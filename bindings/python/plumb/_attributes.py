@@ -130,15 +130,10 @@ def prepared(attributes: Any) -> tuple[Any, ...]:
 
 
 def made(
-    arrays: tuple[Any, Any, Any, Any, Any, Any],
-    materials: list[tuple[str, tuple[float, float, float, float] | None, str]],
-    groups: list[str],
-    face_values: tuple[Any, Any, Any],
-    channels: list[tuple[str, int, Any]],
+    arrays: tuple[Any, Any, Any, Any, Any, Any], parts: tuple[Any, Any, Any, Any]
 ) -> MeshWithAttributes:
     """Return the mesh of the arrays of the compiled module."""
     vertices, face_begin, corners, source, source_face, is_flipped = arrays
-    face_material, face_group, face_id = (_signed(v) if len(v) else None for v in face_values)
     return MeshWithAttributes(
         vertices=vertices,
         face_begin=face_begin,
@@ -146,13 +141,30 @@ def made(
         source=_signed(source),
         source_face=_signed(source_face),
         is_flipped=is_flipped,
-        materials=[Material(*material) for material in materials],
-        face_material=face_material,
-        groups=groups,
-        face_group=face_group,
-        face_id=face_id,
-        channels={name: values.reshape(-1, width) for name, width, values in channels},
+        **_members(*parts),
     )
+
+
+def attributes_made(*parts: Any) -> MeshAttributes:
+    """Return the attributes of the arrays of the compiled module."""
+    return MeshAttributes(**_members(*parts))
+
+
+def _members(
+    materials: list[tuple[str, tuple[float, float, float, float] | None, str]],
+    groups: list[str],
+    face_values: tuple[Any, Any, Any],
+    channels: list[tuple[str, int, Any]],
+) -> dict[str, Any]:
+    face_material, face_group, face_id = (_signed(v) if len(v) else None for v in face_values)
+    return {
+        "materials": [Material(*material) for material in materials],
+        "face_material": face_material,
+        "groups": groups,
+        "face_group": face_group,
+        "face_id": face_id,
+        "channels": {name: values.reshape(-1, width) for name, width, values in channels},
+    }
 
 
 def _material(material: Material) -> tuple[str, list[float] | None, str]:

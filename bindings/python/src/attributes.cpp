@@ -71,21 +71,6 @@ MeshChannel spread(const MeshChannel& of_vertices, const MeshView& mesh) {
   return channel;
 }
 
-MeshAttributes fitted(const AttributesIn& given, const MeshView& mesh) {
-  MeshAttributes attributes = given.attributes;
-  const std::size_t own = attributes.channels.size();
-  for (std::size_t i = 0; i < own; ++i) {
-    require_rows(given.channel_rows[i], mesh.corners.size(), attributes.channels[i].name,
-                 "corners");
-  }
-  for (std::size_t i = 0; i < given.of_vertices.size(); ++i) {
-    require_rows(given.channel_rows[own + i], mesh.point_count(), given.of_vertices[i].name,
-                 "vertices");
-    attributes.channels.push_back(spread(given.of_vertices[i], mesh));
-  }
-  return attributes;
-}
-
 template <std::size_t Columns, class T>
 nb::object array_of(std::vector<T> values) {
   return nb::cast(ArrayOut<T, Columns>{std::move(values)});
@@ -119,7 +104,40 @@ nb::list material_list(const std::vector<MeshMaterial>& materials) {
   return list;
 }
 
+/// Returns the parts of attributes that plumb/_attributes.py makes objects of.
+nb::tuple parts_of(MeshAttributes attributes) {
+  const nb::tuple face_values = nb::make_tuple(array_of<1>(std::move(attributes.face_material)),
+                                               array_of<1>(std::move(attributes.face_group)),
+                                               array_of<1>(std::move(attributes.face_id)));
+  nb::list channels;
+  for (MeshChannel& channel : attributes.channels) {
+    channels.append(
+        nb::make_tuple(channel.name, channel.width, array_of<1>(std::move(channel.values))));
+  }
+  return nb::make_tuple(material_list(attributes.materials), nb::cast(attributes.groups),
+                        face_values, channels);
+}
+
+nb::object call(const char* function, const nb::tuple& arguments) {
+  return nb::module_::import_("plumb._attributes").attr(function)(*arguments);
+}
+
 }  // namespace
+
+MeshAttributes fitted_attributes(const AttributesIn& given, const MeshView& mesh) {
+  MeshAttributes attributes = given.attributes;
+  const std::size_t own = attributes.channels.size();
+  for (std::size_t i = 0; i < own; ++i) {
+    require_rows(given.channel_rows[i], mesh.corners.size(), attributes.channels[i].name,
+                 "corners");
+  }
+  for (std::size_t i = 0; i < given.of_vertices.size(); ++i) {
+    require_rows(given.channel_rows[own + i], mesh.point_count(), given.of_vertices[i].name,
+                 "vertices");
+    attributes.channels.push_back(spread(given.of_vertices[i], mesh));
+  }
+  return attributes;
+}
 
 AttributesIn attributes_of(nb::handle given) {
   const nb::object prepared = nb::module_::import_("plumb._attributes").attr("prepared")(given);
@@ -144,24 +162,17 @@ Nef3 with_attributes(const Nef3& set, const MeshView& mesh, const AttributesIn& 
   auto source = std::make_shared<MeshSource>();
   source->name = given.name;
   source->mesh = copied_mesh(mesh);
-  source->attributes = fitted(given, mesh);
+  source->attributes = fitted_attributes(given, mesh);
   return set.with_source(std::move(source));
 }
 
 nb::object mesh_object(MeshWithAttributes mesh) {
   const nb::tuple arrays = face_arrays(mesh);
-  MeshAttributes& attributes = mesh.attributes;
-  const nb::tuple face_values = nb::make_tuple(array_of<1>(std::move(attributes.face_material)),
-                                               array_of<1>(std::move(attributes.face_group)),
-                                               array_of<1>(std::move(attributes.face_id)));
-  nb::list channels;
-  for (MeshChannel& channel : attributes.channels) {
-    channels.append(
-        nb::make_tuple(channel.name, channel.width, array_of<1>(std::move(channel.values))));
-  }
-  return nb::module_::import_("plumb._attributes")
-      .attr("made")(arrays, material_list(attributes.materials), nb::cast(attributes.groups),
-                    face_values, channels);
+  return call("made", nb::make_tuple(arrays, parts_of(std::move(mesh.attributes))));
+}
+
+nb::object attributes_object(MeshAttributes attributes) {
+  return call("attributes_made", parts_of(std::move(attributes)));
 }
 
 }  // namespace plumb::python

@@ -24,10 +24,21 @@ struct MeshOut {
   MeshWithAttributes mesh;
 };
 
+/// Attributes that go out, as plumb.MeshAttributes.
+struct AttributesOut {
+  MeshAttributes attributes;
+};
+
 /// Reads an object of plumb.MeshAttributes. Throws what its conversion throws.
 AttributesIn attributes_of(nb::handle given);
 /// Returns an object of plumb.MeshWithAttributes.
 nb::object mesh_object(MeshWithAttributes mesh);
+/// Returns an object of plumb.MeshAttributes.
+nb::object attributes_object(MeshAttributes attributes);
+
+/// Returns the attributes with all channels for corners; none if none are given. Throws
+/// Error{BadArgument} if a channel does not fit the mesh.
+MeshAttributes fitted_attributes(const AttributesIn& given, const MeshView& mesh);
 
 /// Returns the solid with the mesh as its source if attributes are given. Throws
 /// Error{BadArgument} if arrays do not fit the mesh.
@@ -47,6 +58,17 @@ struct type_caster<plumb::python::AttributesIn> {
       value.problem = std::current_exception();
     }
     return true;
+  }
+};
+
+template <>
+struct type_caster<plumb::python::AttributesOut> {
+  using Value = plumb::python::AttributesOut;
+  static constexpr auto Name = const_name("plumb._attributes.MeshAttributes");
+  template <class>
+  using Cast = plumb::python::AttributesOut;
+  static handle from_cpp(plumb::python::AttributesOut&& out, rv_policy, cleanup_list*) {
+    return plumb::python::attributes_object(std::move(out.attributes)).release();
   }
 };
 

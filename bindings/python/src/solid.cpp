@@ -3,10 +3,14 @@
 // The grammar of all sets is in set_grammar.h. Files are read by read_solid() and written by
 // SolidText, as the program does, so that both say the same of what a file does not hold.
 // Tests: tests/test_solid.py, tests/test_attributes.py, tests/test_laws.py.
+#include <nanobind/stl/map.h>
+
 #include <filesystem>
+#include <map>
 
 #include "attributes.h"
 #include "page.h"
+#include "plumb/base/set_expression.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/minkowski.h"
@@ -284,6 +288,58 @@ Nef3 box(Context& context, const Exact<3>& low, const Exact<3>& high, bool close
   return Nef3::intersection(sides, context);
 }
 
+// --- sections and expressions -------------------------------------------------------------------
+
+Section side_of(const std::string& name) {
+  if (name == "closed") return Section::ClosedHalfSpace;
+  if (name == "open") return Section::OpenHalfSpace;
+  if (name == "plane") return Section::PlaneOnly;
+  throw Error(ErrorCode::BadArgument,
+              "side must be 'closed', 'open' or 'plane', not '" + name + "'");
+}
+
+Nef3 section_of(Context& context, const Nef3& set, const Exact<4>& plane, const std::string& side,
+                const std::string& keep) {
+  if (keep != "inside" && keep != "outside") {
+    throw Error(ErrorCode::BadArgument, "keep must be 'inside' or 'outside', not '" + keep + "'");
+  }
+  const MarkFunction f = keep == "inside" ? kIntersection : kDifference;
+  return boolean_op(set, plane_of(plane), side_of(side), f, context);
+}
+
+MarkFunction function_of(SetOperator op) {
+  switch (op) {
+    case SetOperator::Union:
+      return kUnion;
+    case SetOperator::Intersection:
+      return kIntersection;
+    case SetOperator::Difference:
+      return kDifference;
+    default:
+      return kSymmetricDifference;
+  }
+}
+
+using NamedSolids = std::map<std::string, Nef3>;
+
+Nef3 value_of(Context& context, const std::string& expression, const NamedSolids& solids) {
+  const SetExpression parsed = parse_set_expression(expression);
+  std::vector<Nef3> operands;
+  for (const std::string& name : parsed.names) {
+    const auto found = solids.find(name);
+    if (found == solids.end()) {
+      throw Error(ErrorCode::BadArgument, "there is no solid called '" + name + "'");
+    }
+    operands.push_back(found->second);
+  }
+  return plumb::evaluate<Nef3>(
+      parsed, [&](std::uint32_t name) { return operands[name]; },
+      [&](const Nef3& a) { return a.complement(context); },
+      [&](SetOperator op, const Nef3& a, const Nef3& b) {
+        return boolean_op(a, b, function_of(op), context);
+      });
+}
+
 // --- the class --------------------------------------------------------------------------------
 
 void def_makers(nb::class_<Nef3>& c) {
@@ -404,6 +460,16 @@ void def_operations(nb::class_<Nef3>& c) {
         return set.translated(SetTraits<Nef3>::point_of(by), k);
       },
       "Return the set moved by an exact vector.", "by"_a);
+  def_run(c, "section", &section_of,
+          "Return the points of the set on one side of the plane a x + b y + c z + d = 0, given as "
+          "(a, b, c, d), exact. side: 'closed' (<= 0), 'open' (< 0) or 'plane' (= 0). With "
+          "keep='outside', return the other points of the set.",
+          "plane"_a, "side"_a = "closed", "keep"_a = "inside");
+  def_run_static(c, "evaluate", &value_of,
+                 "Return the value of an expression such as '(A + B) * !C': + union, * "
+                 "intersection, - difference, ^ symmetric difference, ! complement. `solids` has "
+                 "the solid of each name.",
+                 "expression"_a, "solids"_a);
   def_run(c, "decompose", &pieces_of,
           "Return the convex parts of the set. method: 'best', 'cuts' or 'walls'. If `closed`, "
           "return their closures.",
