@@ -2400,6 +2400,7 @@ static void test_triangles(void) {
 static void test_csg(void) {
   const char text[] = "difference() { cube(size = 2); cube(size = 1); }";
   const char flat[] = "square(size = 3);";
+  const char red[] = "color([1, 0, 0, 1]) { cube(size = 2); }";
   const char bad[] = "cube(size = 1);\nfrob();";
   const char import[] = "import(file = \"none.off\");";
   plumb_solid* solid = NULL;
@@ -2409,6 +2410,18 @@ static void test_csg(void) {
                     &error));
   CHECK(set == NULL && has_volume(solid, "7") && notes != NULL);
   plumb_notes_free(notes);
+  plumb_solid_free(solid);
+  OK(plumb_csg_read(red, sizeof red - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL, NULL,
+                    &error));
+  {
+    plumb_mesh* mesh = NULL;
+    plumb_material material = PLUMB_MATERIAL_INIT;
+    OK(plumb_solid_to_mesh_with_attributes(solid, NULL, &mesh, NULL, NULL, &error));
+    CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_MATERIAL)[0] == 0);
+    OK(plumb_mesh_material(mesh, 0, &material, &error));
+    CHECK(material.has_color && material.color[0] == 1 && material.color[1] == 0);
+    plumb_mesh_free(mesh);
+  }
   plumb_solid_free(solid);
   OK(plumb_csg_read(flat, sizeof flat - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL, NULL,
                     &error));

@@ -170,7 +170,7 @@ plumb_status questions() {
 }
 
 plumb_status plane_sets() {
-  PlaneSet a, b, both;
+  PlaneSet a, b, both, simple;
   Bytes bytes;
   Notes notes;
   Numbers area;
@@ -181,6 +181,7 @@ plumb_status plane_sets() {
   TRY(plumb_plane_set_read(kSecond, sizeof kSecond - 1, nullptr, b.out(), nullptr, nullptr,
                            report));
   TRY(plumb_plane_set_symmetric_difference(a, b, both.out(), nullptr, report));
+  TRY(plumb_plane_set_simplify(both, 0.01, 0, 1, simple.out(), nullptr, nullptr, report));
   TRY(plumb_plane_set_area(both, area.out(), nullptr, report));
   TRY(plumb_plane_set_write(both, "geojson", nullptr, bytes.out(), nullptr, nullptr, report));
   return PLUMB_OK;
@@ -274,8 +275,9 @@ plumb_status layers() {
 
 plumb_status attributes() {
   Mesh mesh, made, read;
-  Solid a, b, both;
+  Solid a, b, both, traced;
   Bytes bytes, lost;
+  double numbers[36] = {};
   plumb_material material = PLUMB_MATERIAL_INIT;
   plumb_read_options reading = PLUMB_READ_OPTIONS_INIT;
   std::uint32_t zeros[12] = {};
@@ -285,7 +287,10 @@ plumb_status attributes() {
   TRY(plumb_mesh_add_group(mesh, material.name, nullptr, report));
   TRY(plumb_mesh_set_face_values(mesh, PLUMB_FACE_MATERIAL, zeros, 12, report));
   TRY(plumb_mesh_set_channel(mesh, "normal", 3, PLUMB_PER_POINT, kCube, 8, report));
+  TRY(plumb_mesh_set_channel(mesh, "normal", 1, PLUMB_PER_CORNER, numbers, 36, report));
+  TRY(plumb_mesh_material(mesh, 0, &material, report));
   TRY(plumb_solid_from_mesh(mesh, nullptr, a.out(), nullptr, report));
+  TRY(plumb_solid_with_source(a, mesh, material.name, traced.out(), report));
   TRY(plumb_solid_from_triangles(kOther, 8, kTriangles, 12, nullptr, b.out(), nullptr, report));
   TRY(plumb_solid_difference(a, b, both.out(), nullptr, report));
   TRY(plumb_solid_to_mesh_with_attributes(both, nullptr, made.out(), nullptr, nullptr, report));

@@ -1724,7 +1724,8 @@ enum plumb_imports {
   PLUMB_IMPORTS_ANYWHERE = 2 /**< Anywhere. */
 };
 /** Evaluates a flattened model of OpenSCAD (.csg) in memory. *solid becomes its set of space, or
- * *set its set of the plane, and the other becomes null; both do if the model has no geometry. */
+ * *set its set of the plane, and the other becomes null; both do if the model has no geometry.
+ * The colours of a solid model are materials of its sources. */
 PLUMB_API plumb_status plumb_csg_read(const char* bytes, size_t size,
                                       const plumb_read_options* options, int imports,
                                       plumb_solid** solid, plumb_plane_set** set,

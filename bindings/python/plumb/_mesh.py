@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from plumb import _core
+from plumb import _arrays, _core
 from plumb._attributes import MeshAttributes
 
 _LOGGER = logging.getLogger("plumb")
@@ -74,11 +74,11 @@ class Mesh:
         attributes: MeshAttributes | None = None,
     ) -> Mesh:
         """Return the mesh of triangles (m, 3)."""
-        faces = np.asarray(triangles).reshape(-1, 3)
+        corners = _arrays.indices(triangles, 3).ravel()
         return Mesh(
-            np.asarray(vertices, dtype=np.float64),
-            np.arange(0, 3 * len(faces) + 1, 3, dtype=np.uint32),
-            faces.ravel(),
+            _arrays.coordinates(vertices, 3),
+            np.arange(0, len(corners) + 1, 3, dtype=np.uint32),
+            corners,
             attributes or MeshAttributes(),
         )
 
