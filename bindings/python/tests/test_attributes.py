@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import logging
 import pickle
+import time
 from fractions import Fraction
 
 import numpy as np
@@ -205,3 +206,21 @@ def test_files_keep_attributes(tmp_path, caplog):
     assert [m.color for m in again.materials] == [(1.0, 0.5, 0.0, 1.0)] * 2
     with pytest.raises(plumb.Error, match="keep must be"):
         plumb.Solid.read(tmp_path / "b.obj", keep="some")
+
+
+def test_moved_sources_are_left_soon_when_an_operation_is_stopped():
+    vertices, triangles = plumb.Solid.ball(1.0, 7).to_mesh()
+    ball = plumb.Solid.from_mesh(vertices, triangles, attributes=plumb.MeshAttributes())
+    moved = ball.translated((0.3, 0.2, 0.1))
+
+    def stop(phase: str, done: int, total: int) -> None:
+        raise RuntimeError(phase)
+
+    def seconds() -> float:
+        start = time.monotonic()
+        with pytest.raises(RuntimeError):
+            moved.to_mesh_with_attributes(progress=stop)
+        return time.monotonic() - start
+
+    # On a machine that is busy with other work, one of three attempts has to be in time.
+    assert any(seconds() < 0.2 for _ in range(3))
