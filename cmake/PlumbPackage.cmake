@@ -2,8 +2,8 @@
 # configurations for CMake and pkg-config) of what `cmake --install` installs (packaging/debian/build, docs/platforms.md).
 set(CPACK_PACKAGE_NAME plumb)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_VENDOR "the plumb authors")
-set(PLUMB_PACKAGE_CONTACT "the plumb authors <plumb@localhost>" CACHE STRING "Who answers for the packages: NAME <ADDRESS>")
+set(CPACK_PACKAGE_VENDOR "The plumb authors")
+set(PLUMB_PACKAGE_CONTACT "The plumb authors <plumb@localhost>" CACHE STRING "Who answers for the packages: NAME <ADDRESS>")
 set(CPACK_PACKAGE_CONTACT "${PLUMB_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_CHECKSUM SHA256)

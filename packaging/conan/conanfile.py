@@ -12,6 +12,7 @@ class PlumbConan(ConanFile):
     name = "plumb"
     description = "Exact geometry: planar subdivisions and Nef polyhedra without rounding"
     license = "Apache-2.0"
+    author = "The plumb authors"
     topics = ("geometry", "computational-geometry", "boolean", "nef-polyhedra", "exact")
     package_type = "library"
     settings = "os", "arch", "compiler", "build_type"

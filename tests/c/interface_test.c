@@ -10,6 +10,7 @@
 #include <plumb.h>
 #include <pthread.h>
 #include <signal.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -226,6 +227,11 @@ static void test_null(void) {
   plumb_numbers_free(NULL);
   plumb_mesh_free(NULL);
   CHECK(plumb_mesh_point_count(NULL) == 0 && plumb_mesh_points(NULL) == NULL);
+  CHECK(plumb_mesh_material_count(NULL) == 0 && plumb_mesh_group_count(NULL) == 0);
+  CHECK(plumb_mesh_group(NULL, 0) == NULL && plumb_mesh_face_values(NULL, 0) == NULL);
+  CHECK(plumb_mesh_channel_count(NULL) == 0 && plumb_mesh_channel_name(NULL, 0) == NULL);
+  CHECK(plumb_mesh_channel_width(NULL, 0) == 0 && plumb_mesh_channel_values(NULL, 0) == NULL);
+  CHECK(plumb_solid_source_count(NULL) == 0 && plumb_solid_source_name(NULL, 0) == NULL);
   plumb_mesh_report_free(NULL);
   CHECK(plumb_mesh_report_list(NULL, 0, &count) == NULL && count == 0);
   plumb_solid_free(NULL);
@@ -980,6 +986,411 @@ static void test_solid_meshes(void) {
   plumb_solid_free(x);
   plumb_solid_free(a);
   plumb_numbers_free(n);
+}
+
+/* ---- attributes ----------------------------------------------------------------------------- */
+
+/* A cube of squares with one material, two groups, the ids 10 to 15, and two channels: the places
+ * of the corners, and their first two coordinates. */
+static plumb_mesh* painted_cube(double shift, const char* name, double red) {
+  static const uint32_t zeros[6] = {0, 0, 0, 0, 0, 0}, groups[6] = {0, 0, 1, 1, 1, PLUMB_NONE};
+  static const uint32_t ids[6] = {10, 11, 12, 13, 14, 15};
+  double xyz[24], uv[48];
+  plumb_material material = PLUMB_MATERIAL_INIT;
+  plumb_mesh* mesh = NULL;
+  uint32_t index = 7;
+  size_t i;
+  for (i = 0; i < 24; ++i) xyz[i] = kCube[i] + shift;
+  for (i = 0; i < 48; ++i) uv[i] = xyz[3 * kSquares[i / 2] + i % 2];
+  OK(plumb_mesh_from_polygons(xyz, 8, kSquareBegin, 6, kSquares, 24, &mesh, &error));
+  material.name = name;
+  material.has_color = true;
+  material.color[0] = red;
+  OK(plumb_mesh_add_material(mesh, &material, &index, &error));
+  CHECK(index == 0);
+  OK(plumb_mesh_add_group(mesh, "flat", NULL, &error));
+  OK(plumb_mesh_add_group(mesh, "steep", &index, &error));
+  CHECK(index == 1);
+  OK(plumb_mesh_set_face_values(mesh, PLUMB_FACE_MATERIAL, zeros, 6, &error));
+  OK(plumb_mesh_set_face_values(mesh, PLUMB_FACE_GROUP, groups, 6, &error));
+  OK(plumb_mesh_set_face_values(mesh, PLUMB_FACE_ID, ids, 6, &error));
+  OK(plumb_mesh_set_channel(mesh, "place", 3, PLUMB_PER_POINT, xyz, 8, &error));
+  OK(plumb_mesh_set_channel(mesh, "texcoord_0", 2, PLUMB_PER_CORNER, uv, 24, &error));
+  return mesh;
+}
+
+static const double* channel_called(const plumb_mesh* mesh, const char* name, uint32_t width) {
+  size_t i;
+  for (i = 0; i < plumb_mesh_channel_count(mesh); ++i) {
+    if (strcmp(plumb_mesh_channel_name(mesh, i), name)) continue;
+    CHECK(plumb_mesh_channel_width(mesh, i) == width);
+    return plumb_mesh_channel_values(mesh, i);
+  }
+  return NULL;
+}
+
+static double area_of(const plumb_mesh* mesh, size_t face) { /* Of a face parallel to two axes. */
+  const double* xyz = plumb_mesh_points(mesh);
+  const uint32_t* begin = plumb_mesh_face_begin(mesh) + face;
+  const uint32_t* corners = plumb_mesh_corners(mesh);
+  double sum[3] = {0, 0, 0};
+  uint32_t c, k;
+  for (c = begin[0]; c < begin[1]; ++c) {
+    const double* p = xyz + 3 * corners[c];
+    const double* q = xyz + 3 * corners[c + 1 < begin[1] ? c + 1 : begin[0]];
+    for (k = 0; k < 3; ++k)
+      sum[k] += p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
+  }
+  return (fabs(sum[0]) + fabs(sum[1]) + fabs(sum[2])) / 2;
+}
+
+/* Each face lies in the plane of its source face and has its values; channels that are coordinates
+ * have those of each corner. The sources are painted cubes, the second half a unit farther. */
+static void check_painted(const plumb_mesh* mesh, double first_area, double second_area) {
+  const double shift[2] = {0, 0.5};
+  const uint32_t* source = plumb_mesh_face_values(mesh, PLUMB_FACE_SOURCE);
+  const uint32_t* face = plumb_mesh_face_values(mesh, PLUMB_FACE_SOURCE_FACE);
+  const uint32_t* flipped = plumb_mesh_face_values(mesh, PLUMB_FACE_IS_FLIPPED);
+  const uint32_t* material = plumb_mesh_face_values(mesh, PLUMB_FACE_MATERIAL);
+  const uint32_t* group = plumb_mesh_face_values(mesh, PLUMB_FACE_GROUP);
+  const uint32_t* id = plumb_mesh_face_values(mesh, PLUMB_FACE_ID);
+  const double *place = channel_called(mesh, "place", 3),
+               *uv = channel_called(mesh, "texcoord_0", 2);
+  const uint32_t *begin = plumb_mesh_face_begin(mesh), *corners = plumb_mesh_corners(mesh);
+  const double* xyz = plumb_mesh_points(mesh);
+  double area[2] = {0, 0};
+  size_t f;
+  uint32_t c, k;
+  if (!source || !face || !flipped || !material || !group || !id || !place || !uv) {
+    CHECK(!"all arrays are there");
+    return;
+  }
+  for (f = 0; f < plumb_mesh_face_count(mesh); ++f) {
+    CHECK(source[f] < 2 && face[f] < 6 && (f == 0 || source[f - 1] <= source[f]));
+    if (source[f] > 1 || face[f] > 5) return;
+    CHECK(flipped[f] == source[f] && material[f] == source[f] && id[f] == 10 + face[f]);
+    CHECK(group[f] == (face[f] == 5 ? PLUMB_NONE : 2 * source[f] + (face[f] > 1)));
+    area[source[f]] += area_of(mesh, f);
+    for (c = begin[f]; c < begin[f + 1]; ++c) {
+      const double* p = xyz + 3 * corners[c];
+      CHECK(memcmp(place + 3 * c, p, 3 * sizeof *p) == 0);
+      CHECK(memcmp(uv + 2 * c, p, 2 * sizeof *p) == 0);
+      for (k = 0; k < 3; ++k) { /* The coordinate that the square has in common. */
+        const uint32_t* square = kSquares + 4 * face[f];
+        const double level = kCube[3 * square[0] + k];
+        if (level != kCube[3 * square[1] + k] || level != kCube[3 * square[2] + k]) continue;
+        CHECK(p[k] == level + shift[source[f]]);
+      }
+    }
+  }
+  CHECK(area[0] == first_area && area[1] == second_area);
+}
+
+static plumb_solid* painted_difference(void) {
+  plumb_mesh *red = painted_cube(0, "red", 1), *blue = painted_cube(0.5, "blue", 0);
+  plumb_solid *a = NULL, *b = NULL, *both = NULL;
+  plumb_solid_options options = PLUMB_SOLID_OPTIONS_INIT;
+  OK(plumb_solid_from_mesh(red, NULL, &a, NULL, &error));
+  options.source_name = "second";
+  OK(plumb_solid_from_mesh(blue, &options, &b, NULL, &error));
+  plumb_mesh_free(red); /* The solid has its own copy. */
+  plumb_mesh_free(blue);
+  OK(plumb_solid_difference(a, b, &both, NULL, &error));
+  plumb_solid_free(a);
+  plumb_solid_free(b);
+  return both;
+}
+
+static void test_attributes_of_solids(void) {
+  plumb_attribute_options options = PLUMB_ATTRIBUTE_OPTIONS_INIT;
+  plumb_to_mesh_report report = PLUMB_TO_MESH_REPORT_INIT;
+  plumb_material material = PLUMB_MATERIAL_INIT;
+  plumb_solid *both = painted_difference(), *x = NULL, *y = NULL;
+  plumb_mesh *mesh = NULL, *joined = NULL;
+  plumb_numbers* n = numbers("1 0 0 1/3 0 1 0 0 0 0 1 0");
+  size_t i;
+  CHECK(plumb_solid_source_count(both) == 2);
+  CHECK(!strcmp(plumb_solid_source_name(both, 0), ""));
+  CHECK(!strcmp(plumb_solid_source_name(both, 1), "second"));
+  CHECK(plumb_solid_source_name(both, 2) == NULL);
+  for (i = 0; i < 6; ++i) {
+    options.pieces = (int)(i % 3);
+    options.polygons = i > 2;
+    OK(plumb_solid_to_mesh_with_attributes(both, &options, &mesh, &report, NULL, &error));
+    CHECK(report.rounded_vertices == 0 && report.dropped == 0);
+    check_painted(mesh, 5.25, 0.75);
+    if (options.pieces == PLUMB_PIECES_SAME_FACE && options.polygons) {
+      /* The squares that nothing touches stay as they were. */
+      CHECK(plumb_mesh_corner_count(mesh) == 3 * plumb_mesh_face_count(mesh) + 3);
+    }
+    plumb_mesh_free(mesh);
+  }
+  OK(plumb_solid_to_mesh_with_attributes(both, NULL, &mesh, NULL, NULL, &error));
+  check_painted(mesh, 5.25, 0.75);
+  CHECK(plumb_mesh_facets(mesh) == NULL && plumb_mesh_material_count(mesh) == 2);
+  CHECK(plumb_mesh_group_count(mesh) == 4 && !strcmp(plumb_mesh_group(mesh, 3), "steep"));
+  OK(plumb_mesh_material(mesh, 1, &material, &error));
+  CHECK(!strcmp(material.name, "blue") && material.has_color && material.color[0] == 0);
+  CHECK(material.color[3] == 1 && !strcmp(material.texture, ""));
+  plumb_mesh_free(mesh);
+
+  /* A map moves the faces; what belongs to them stays. */
+  OK(plumb_solid_transform(both, n, &x, NULL, &error));
+  OK(plumb_solid_to_mesh_with_attributes(x, NULL, &mesh, &report, NULL, &error));
+  CHECK(report.rounded_vertices > 0 && plumb_solid_source_count(x) == 2);
+  {
+    const double* place = channel_called(mesh, "place", 3);
+    for (i = 0; i < plumb_mesh_corner_count(mesh); ++i) {
+      const double* p = plumb_mesh_points(mesh) + 3 * plumb_mesh_corners(mesh)[i];
+      CHECK(fabs(place[3 * i] + 1.0 / 3 - p[0]) < 1e-15 && place[3 * i + 1] == p[1]);
+    }
+  }
+  plumb_mesh_free(mesh);
+  plumb_solid_free(x);
+
+  /* Floats, and what is refused. */
+  options.pieces = PLUMB_PIECES_SAME_ATTRIBUTES;
+  options.floats = true;
+  FAILS(plumb_solid_to_mesh_with_attributes(both, &options, &mesh, NULL, NULL, &error),
+        PLUMB_USAGE);
+  options.polygons = false;
+  OK(plumb_solid_to_mesh_with_attributes(both, &options, &mesh, NULL, NULL, &error));
+  check_painted(mesh, 5.25, 0.75);
+  options.pieces = 3;
+  FAILS_WITH(plumb_solid_to_mesh_with_attributes(both, &options, &joined, NULL, NULL, &error),
+             PLUMB_BAD_ARGUMENT, "plumb_pieces");
+  CHECK(joined == NULL);
+  OK(plumb_solid_complement(both, &x, NULL, &error));
+  FAILS(plumb_solid_to_mesh_with_attributes(x, NULL, &joined, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  plumb_solid_free(x);
+
+  /* A mesh that has sources is a source as any other. */
+  x = cube_at(0, 0, 0);
+  CHECK(plumb_solid_source_count(x) == 0);
+  FAILS(plumb_solid_with_source(x, NULL, "again", &y, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_solid_with_source(x, mesh, "again", &y, &error));
+  CHECK(plumb_solid_source_count(y) == 1 && !strcmp(plumb_solid_source_name(y, 0), "again"));
+  OK(plumb_solid_to_mesh_with_attributes(y, NULL, &joined, NULL, NULL, &error));
+  for (i = 0; i < plumb_mesh_face_count(joined); ++i) {
+    const uint32_t* source = plumb_mesh_face_values(joined, PLUMB_FACE_SOURCE);
+    const uint32_t* id = plumb_mesh_face_values(joined, PLUMB_FACE_ID);
+    CHECK((source[i] == PLUMB_NONE) == (id[i] == PLUMB_NONE));
+  }
+  plumb_mesh_free(joined);
+  plumb_mesh_free(mesh);
+  plumb_solid_free(x);
+  plumb_solid_free(y);
+  plumb_solid_free(both);
+  plumb_numbers_free(n);
+}
+
+static size_t sources_of(const plumb_mesh* mesh, const plumb_solid_options* options) {
+  plumb_solid* solid = NULL;
+  size_t count;
+  OK(plumb_solid_from_mesh(mesh, options, &solid, NULL, &error));
+  count = plumb_solid_source_count(solid);
+  plumb_solid_free(solid);
+  return count;
+}
+
+static void test_kept_attributes(void) {
+  static const double shift = 1e-9;
+  plumb_repair_options repair = PLUMB_REPAIR_OPTIONS_INIT;
+  plumb_solid_options options = PLUMB_SOLID_OPTIONS_INIT;
+  plumb_mesh *mesh = painted_cube(0, "red", 1), *plain = NULL, *made = NULL;
+  plumb_solid* solid = NULL;
+  size_t i;
+  OK(plumb_mesh_from_triangles(kCube, 8, kTriangles, 12, &plain, &error));
+  CHECK(sources_of(mesh, NULL) == 1 && sources_of(plain, NULL) == 0);
+  for (options.keep = PLUMB_KEEP_NONE; options.keep <= PLUMB_KEEP_ALL; ++options.keep) {
+    CHECK(sources_of(mesh, &options) == (options.keep == PLUMB_KEEP_NONE ? 0 : 1));
+    CHECK(sources_of(plain, &options) == (options.keep == PLUMB_KEEP_ALL ? 1 : 0));
+  }
+  FAILS_WITH(plumb_solid_from_mesh(mesh, &options, &solid, NULL, &error), PLUMB_BAD_ARGUMENT,
+             "plumb_keep");
+  /* A caller that does not know the member has what was there before it. */
+  options.struct_size = offsetof(plumb_solid_options, keep);
+  CHECK(sources_of(mesh, &options) == 1);
+  options.struct_size = sizeof options;
+
+  options.keep = PLUMB_KEEP_IDS;
+  OK(plumb_solid_from_mesh(mesh, &options, &solid, NULL, &error));
+  OK(plumb_solid_to_mesh_with_attributes(solid, NULL, &made, NULL, NULL, &error));
+  CHECK(plumb_mesh_channel_count(made) == 0 && plumb_mesh_material_count(made) == 0);
+  CHECK(plumb_mesh_face_values(made, PLUMB_FACE_ID) != NULL && plumb_mesh_group_count(made) == 2);
+  plumb_mesh_free(made);
+  plumb_solid_free(solid);
+
+  /* Faces without attributes can be traced, too: triangles to triangles. */
+  options.keep = PLUMB_KEEP_ALL;
+  options.source_name = "box";
+  OK(plumb_solid_from_triangles(kCube, 8, kTriangles, 12, &options, &solid, NULL, &error));
+  CHECK(!strcmp(plumb_solid_source_name(solid, 0), "box"));
+  OK(plumb_solid_to_mesh_with_attributes(solid, NULL, &made, NULL, NULL, &error));
+  CHECK(plumb_mesh_face_values(made, PLUMB_FACE_MATERIAL) == NULL);
+  for (i = 0; i < plumb_mesh_face_count(made); ++i) {
+    CHECK(plumb_mesh_face_values(made, PLUMB_FACE_SOURCE)[i] == 0);
+    CHECK(plumb_mesh_face_values(made, PLUMB_FACE_SOURCE_FACE)[i] < 12);
+  }
+  plumb_mesh_free(made);
+  plumb_solid_free(solid);
+  plumb_mesh_free(plain);
+
+  /* Points that are welded move faces; these still find their source. */
+  {
+    double xyz[72];
+    uint32_t corners[24];
+    const uint32_t ids[6] = {5, 4, 3, 2, 1, 0};
+    for (i = 0; i < 72; ++i) xyz[i] = kCube[3 * kSquares[i / 3] + i % 3] + (i % 7 == 0 ? shift : 0);
+    for (i = 0; i < 24; ++i) corners[i] = (uint32_t)i;
+    OK(plumb_mesh_from_polygons(xyz, 24, kSquareBegin, 6, corners, 24, &plain, &error));
+    OK(plumb_mesh_set_face_values(plain, PLUMB_FACE_ID, ids, 6, &error));
+    FAILS(plumb_solid_from_mesh(plain, NULL, &solid, NULL, &error), PLUMB_BAD_SHAPE);
+    repair.weld = 1e-8;
+    options.repair = &repair;
+    OK(plumb_solid_from_mesh(plain, &options, &solid, NULL, &error));
+    OK(plumb_solid_to_mesh_with_attributes(solid, NULL, &made, NULL, NULL, &error));
+    for (i = 0; i < plumb_mesh_face_count(made); ++i) {
+      const uint32_t from = plumb_mesh_face_values(made, PLUMB_FACE_SOURCE_FACE)[i];
+      CHECK(from < 6 && plumb_mesh_face_values(made, PLUMB_FACE_ID)[i] == 5 - from);
+    }
+    plumb_mesh_free(made);
+    plumb_solid_free(solid);
+    plumb_mesh_free(plain);
+  }
+  plumb_mesh_free(mesh);
+}
+
+static void test_attribute_arrays(void) {
+  const uint32_t values[6] = {0, 1, 0, PLUMB_NONE, 0, 0};
+  const double channel[24] = {0}, bad[24] = {0, NAN};
+  plumb_material material = PLUMB_MATERIAL_INIT;
+  plumb_mesh* mesh = painted_cube(0, "red", 1);
+  FAILS_WITH(plumb_mesh_set_face_values(mesh, PLUMB_FACE_MATERIAL, values, 6, &error),
+             PLUMB_BAD_INDEX, "values[1]");
+  CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_MATERIAL)[1] == 0);
+  material.texture = "wood.png";
+  OK(plumb_mesh_add_material(mesh, &material, NULL, &error));
+  OK(plumb_mesh_set_face_values(mesh, PLUMB_FACE_MATERIAL, values, 6, &error));
+  CHECK(memcmp(plumb_mesh_face_values(mesh, PLUMB_FACE_MATERIAL), values, sizeof values) == 0);
+  OK(plumb_mesh_material(mesh, 1, &material, &error));
+  CHECK(!material.has_color && !strcmp(material.texture, "wood.png") && material.name[0] == 0);
+  FAILS(plumb_mesh_material(mesh, 2, &material, &error), PLUMB_BAD_INDEX);
+  FAILS(plumb_mesh_material(mesh, 0, NULL, &error), PLUMB_BAD_ARGUMENT);
+  FAILS_WITH(plumb_mesh_set_face_values(mesh, PLUMB_FACE_ID, values, 5, &error), PLUMB_BAD_ARGUMENT,
+             "6 faces");
+  FAILS(plumb_mesh_set_face_values(mesh, PLUMB_FACE_SOURCE, values, 6, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_mesh_set_face_values(mesh, PLUMB_FACE_ID, NULL, 6, &error), PLUMB_BAD_ARGUMENT);
+  CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_SOURCE) == NULL);
+  CHECK(plumb_mesh_face_values(mesh, -1) == NULL && plumb_mesh_face_values(mesh, 6) == NULL);
+  OK(plumb_mesh_set_face_values(mesh, PLUMB_FACE_ID, NULL, 0, &error));
+  CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_ID) == NULL);
+  material.has_color = true;
+  material.color[2] = 1.5;
+  FAILS(plumb_mesh_add_material(mesh, &material, NULL, &error), PLUMB_BAD_ARGUMENT);
+  material.color[2] = NAN;
+  FAILS(plumb_mesh_add_material(mesh, &material, NULL, &error), PLUMB_NOT_FINITE);
+  FAILS(plumb_mesh_add_material(NULL, &material, NULL, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_mesh_add_group(mesh, NULL, NULL, &error), PLUMB_BAD_ARGUMENT);
+
+  CHECK(plumb_mesh_channel_count(mesh) == 2 && plumb_mesh_channel_name(mesh, 2) == NULL);
+  CHECK(plumb_mesh_channel_width(mesh, 2) == 0 && plumb_mesh_channel_values(mesh, 2) == NULL);
+  FAILS_WITH(plumb_mesh_set_channel(mesh, "place", 1, PLUMB_PER_CORNER, channel, 8, &error),
+             PLUMB_BAD_ARGUMENT, "24 corners");
+  FAILS_WITH(plumb_mesh_set_channel(mesh, "place", 3, PLUMB_PER_POINT, channel, 24, &error),
+             PLUMB_BAD_ARGUMENT, "8 points");
+  FAILS(plumb_mesh_set_channel(mesh, "place", 0, PLUMB_PER_CORNER, channel, 24, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_mesh_set_channel(mesh, "place", 1, 2, channel, 24, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_mesh_set_channel(mesh, "", 1, PLUMB_PER_CORNER, channel, 24, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS_WITH(plumb_mesh_set_channel(mesh, "place", 1, PLUMB_PER_CORNER, bad, 24, &error),
+             PLUMB_NOT_FINITE, "values[1]");
+  CHECK(channel_called(mesh, "place", 3) != NULL); /* Failures change nothing. */
+  OK(plumb_mesh_set_channel(mesh, "place", 1, PLUMB_PER_CORNER, channel, 24, &error));
+  CHECK(plumb_mesh_channel_count(mesh) == 2 && channel_called(mesh, "place", 1)[23] == 0);
+  OK(plumb_mesh_set_channel(mesh, "place", 1, PLUMB_PER_CORNER, NULL, 0, &error));
+  CHECK(plumb_mesh_channel_count(mesh) == 1 && channel_called(mesh, "place", 1) == NULL);
+  plumb_mesh_free(mesh);
+}
+
+static bool has_note(const plumb_notes* notes, const char* part) {
+  size_t i;
+  for (i = 0; i < plumb_notes_count(notes); ++i) {
+    if (strstr(plumb_notes_text(notes, i), part) != NULL) return true;
+  }
+  return false;
+}
+
+static void test_attribute_files(void) {
+  plumb_read_options reading = PLUMB_READ_OPTIONS_INIT;
+  plumb_solid_options options = PLUMB_SOLID_OPTIONS_INIT;
+  plumb_material material = PLUMB_MATERIAL_INIT;
+  plumb_mesh *mesh = painted_cube(0, "red", 1), *again = NULL;
+  plumb_solid *both = painted_difference(), *solid = NULL;
+  plumb_bytes* bytes = NULL;
+  plumb_notes* notes = NULL;
+  size_t i;
+  /* PLY holds ids; the sentence names what it does not hold. */
+  OK(plumb_mesh_lost_attributes(mesh, "ply", &bytes, &error));
+  CHECK(strstr(plumb_bytes_data(bytes), "groups") != NULL);
+  plumb_bytes_free(bytes);
+  FAILS(plumb_mesh_lost_attributes(mesh, "gltf", &bytes, &error), PLUMB_UNKNOWN_FORMAT);
+  OK(plumb_mesh_write(mesh, "ply", &bytes, &error));
+  OK(plumb_mesh_read(plumb_bytes_data(bytes), plumb_bytes_size(bytes), NULL, &again, NULL, NULL,
+                     &error));
+  CHECK(plumb_mesh_face_values(again, PLUMB_FACE_ID) == NULL);
+  plumb_mesh_free(again);
+  reading.attributes = 1;
+  OK(plumb_mesh_read(plumb_bytes_data(bytes), plumb_bytes_size(bytes), &reading, &again, NULL, NULL,
+                     &error));
+  for (i = 0; i < 6; ++i) CHECK(plumb_mesh_face_values(again, PLUMB_FACE_ID)[i] == 10 + i);
+  CHECK(memcmp(channel_called(again, "texcoord_0", 2), channel_called(mesh, "texcoord_0", 2),
+               48 * sizeof(double)) == 0);
+  plumb_mesh_free(again);
+  /* Solids of files keep attributes if they are asked to. */
+  for (options.keep = PLUMB_KEEP_DEFAULT; options.keep <= PLUMB_KEEP_ALL; ++options.keep) {
+    const bool keeps = options.keep == PLUMB_KEEP_IDS || options.keep == PLUMB_KEEP_ALL;
+    reading.name = "cube.ply";
+    OK(plumb_solid_read(plumb_bytes_data(bytes), plumb_bytes_size(bytes), &reading, &options,
+                        &solid, NULL, NULL, &error));
+    OK(plumb_solid_to_mesh_with_attributes(solid, NULL, &again, NULL, NULL, &error));
+    CHECK((plumb_mesh_face_values(again, PLUMB_FACE_ID) != NULL) == keeps);
+    CHECK((channel_called(again, "texcoord_0", 2) != NULL) == (options.keep == PLUMB_KEEP_ALL));
+    CHECK(!keeps || !strcmp(plumb_solid_source_name(solid, 0), "cube.ply"));
+    plumb_mesh_free(again);
+    plumb_solid_free(solid);
+  }
+  plumb_bytes_free(bytes);
+  options.keep = PLUMB_KEEP_ALL;
+
+  /* OBJ has its materials in a library beside it, of meshes and of solids. */
+  for (i = 0; i < 2; ++i) {
+    if (i == 0) {
+      OK(plumb_mesh_write_file(mesh, path_of("painted.obj"), NULL, &error));
+    } else {
+      remove(path_of("painted.mtl"));
+      OK(plumb_solid_write_file(both, path_of("painted.obj"), NULL, NULL, &notes, NULL, &error));
+      CHECK(has_note(notes, "ids of faces")); /* They are no part of OBJ. */
+      plumb_notes_free(notes);
+    }
+    OK(plumb_mesh_read_file(path_of("painted.obj"), &reading, &again, NULL, NULL, &error));
+    CHECK(plumb_mesh_material_count(again) == 1 + i);
+    OK(plumb_mesh_material(again, 0, &material, &error));
+    CHECK(!strcmp(material.name, "red") && material.has_color && material.color[0] == 1);
+    plumb_mesh_free(again);
+  }
+  OK(plumb_solid_read_file(path_of("painted.obj"), NULL, &options, &solid, NULL, NULL, &error));
+  CHECK(plumb_solid_source_count(solid) == 1 && has_volume(solid, "7/8"));
+  plumb_solid_free(solid);
+  /* What .nef loses is told. */
+  OK(plumb_solid_write(both, "nef", NULL, &bytes, &notes, NULL, &error));
+  CHECK(plumb_notes_count(notes) == 1 && has_note(notes, "colours"));
+  plumb_notes_free(notes);
+  plumb_bytes_free(bytes);
+  plumb_mesh_free(mesh);
+  plumb_solid_free(both);
 }
 
 static void test_solid_pictures(void) {
@@ -1952,6 +2363,26 @@ static void test_offsets(void) {
   plumb_plane_set_free(square);
 }
 
+/* A small tooth goes if its area is allowed; the square below it stays. */
+static void test_simplify(void) {
+  plumb_plane_set *toothed = square_at("0 0 8 0 8 8 5 8 4 8.5 3 8 0 8"), *simple = NULL;
+  double moved = -1;
+  OK(plumb_plane_set_simplify(toothed, 0.5, 0, INFINITY, &simple, &moved, NULL, &error));
+  CHECK(has_area(simple, "64") && moved >= 0.5 && moved < 1); /* A bound. */
+  plumb_plane_set_free(simple);
+  OK(plumb_plane_set_simplify(toothed, 0.5, 0, 0.25, &simple, NULL, NULL, &error));
+  CHECK(has_area(simple, "129/2"));
+  plumb_plane_set_free(simple);
+  FAILS(plumb_plane_set_simplify(toothed, -1, 0, 1, &simple, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_plane_set_simplify(toothed, NAN, 0, 1, &simple, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_plane_set_simplify(toothed, 1, 2, 1, &simple, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  CHECK(simple == NULL);
+  plumb_plane_set_free(toothed);
+}
+
 static void test_triangles(void) {
   const double xy[10] = {0, 0, 1, 0, 1, 1, 0, 1, .5, .5};
   const double bad[2] = {0, INFINITY};
@@ -1973,6 +2404,7 @@ static void test_triangles(void) {
 static void test_csg(void) {
   const char text[] = "difference() { cube(size = 2); cube(size = 1); }";
   const char flat[] = "square(size = 3);";
+  const char red[] = "color([1, 0, 0, 1]) { cube(size = 2); }";
   const char bad[] = "cube(size = 1);\nfrob();";
   const char import[] = "import(file = \"none.off\");";
   plumb_solid* solid = NULL;
@@ -1982,6 +2414,18 @@ static void test_csg(void) {
                     &error));
   CHECK(set == NULL && has_volume(solid, "7") && notes != NULL);
   plumb_notes_free(notes);
+  plumb_solid_free(solid);
+  OK(plumb_csg_read(red, sizeof red - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL, NULL,
+                    &error));
+  {
+    plumb_mesh* mesh = NULL;
+    plumb_material material = PLUMB_MATERIAL_INIT;
+    OK(plumb_solid_to_mesh_with_attributes(solid, NULL, &mesh, NULL, NULL, &error));
+    CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_MATERIAL)[0] == 0);
+    OK(plumb_mesh_material(mesh, 0, &material, &error));
+    CHECK(material.has_color && material.color[0] == 1 && material.color[1] == 0);
+    plumb_mesh_free(mesh);
+  }
   plumb_solid_free(solid);
   OK(plumb_csg_read(flat, sizeof flat - 1, NULL, PLUMB_IMPORTS_NONE, &solid, &set, NULL, NULL,
                     &error));
@@ -2135,6 +2579,10 @@ int main(int count, char** arguments) {
   test_solid_changes();
   test_solid_files();
   test_solid_meshes();
+  test_attribute_arrays();
+  test_attributes_of_solids();
+  test_kept_attributes();
+  test_attribute_files();
   test_solid_pictures();
   test_plane_algebra();
   test_plane_makers();
@@ -2152,6 +2600,7 @@ int main(int count, char** arguments) {
   test_parts_and_maps();
   test_solid_offsets_and_distances();
   test_offsets();
+  test_simplify();
   test_triangles();
   test_csg();
   test_cells();

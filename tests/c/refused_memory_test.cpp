@@ -170,7 +170,7 @@ plumb_status questions() {
 }
 
 plumb_status plane_sets() {
-  PlaneSet a, b, both;
+  PlaneSet a, b, both, simple;
   Bytes bytes;
   Notes notes;
   Numbers area;
@@ -181,6 +181,7 @@ plumb_status plane_sets() {
   TRY(plumb_plane_set_read(kSecond, sizeof kSecond - 1, nullptr, b.out(), nullptr, nullptr,
                            report));
   TRY(plumb_plane_set_symmetric_difference(a, b, both.out(), nullptr, report));
+  TRY(plumb_plane_set_simplify(both, 0.01, 0, 1, simple.out(), nullptr, nullptr, report));
   TRY(plumb_plane_set_area(both, area.out(), nullptr, report));
   TRY(plumb_plane_set_write(both, "geojson", nullptr, bytes.out(), nullptr, nullptr, report));
   return PLUMB_OK;
@@ -272,6 +273,35 @@ plumb_status layers() {
   return PLUMB_OK;
 }
 
+plumb_status attributes() {
+  Mesh mesh, made, read;
+  Solid a, b, both, traced;
+  Bytes bytes, lost;
+  double numbers[36] = {};
+  plumb_material material = PLUMB_MATERIAL_INIT;
+  plumb_read_options reading = PLUMB_READ_OPTIONS_INIT;
+  std::uint32_t zeros[12] = {};
+  TRY(plumb_mesh_from_triangles(kCube, 8, kTriangles, 12, mesh.out(), report));
+  material.name = "a name that is longer than what a string has inside";
+  TRY(plumb_mesh_add_material(mesh, &material, nullptr, report));
+  TRY(plumb_mesh_add_group(mesh, material.name, nullptr, report));
+  TRY(plumb_mesh_set_face_values(mesh, PLUMB_FACE_MATERIAL, zeros, 12, report));
+  TRY(plumb_mesh_set_channel(mesh, "normal", 3, PLUMB_PER_POINT, kCube, 8, report));
+  TRY(plumb_mesh_set_channel(mesh, "normal", 1, PLUMB_PER_CORNER, numbers, 36, report));
+  TRY(plumb_mesh_material(mesh, 0, &material, report));
+  TRY(plumb_solid_from_mesh(mesh, nullptr, a.out(), nullptr, report));
+  TRY(plumb_solid_with_source(a, mesh, material.name, traced.out(), report));
+  TRY(plumb_solid_from_triangles(kOther, 8, kTriangles, 12, nullptr, b.out(), nullptr, report));
+  TRY(plumb_solid_difference(a, b, both.out(), nullptr, report));
+  TRY(plumb_solid_to_mesh_with_attributes(both, nullptr, made.out(), nullptr, nullptr, report));
+  TRY(plumb_mesh_lost_attributes(made, "ply", lost.out(), report));
+  TRY(plumb_mesh_write(made, "ply", bytes.out(), report));
+  reading.attributes = 1;
+  TRY(plumb_mesh_read(plumb_bytes_data(bytes), plumb_bytes_size(bytes), &reading, read.out(),
+                      nullptr, nullptr, report));
+  return plumb_mesh_channel_count(read) == 1 ? PLUMB_OK : PLUMB_INTERNAL;
+}
+
 /// Refuses each request of a scenario once. Returns whether all is well.
 bool survives(const char* name, plumb_status (*scenario)()) {
   constexpr std::uint64_t kMost = 100000;
@@ -331,6 +361,7 @@ int main() {
   is_well &= survives("maps", maps);
   is_well &= survives("surfaces", surfaces);
   is_well &= survives("models", models);
+  is_well &= survives("attributes", attributes);
   is_well &= survives("layers", layers);
   is_well &= reports_bugs();
   return is_well ? 0 : 1;

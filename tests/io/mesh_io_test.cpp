@@ -217,5 +217,24 @@ TEST(MeshIo, refuses_corners_that_are_no_points) {
   }
 }
 
+// Writers that split vertices look corners up.
+TEST(MeshIo, refuses_corners_that_are_no_points_with_attributes) {
+  const PolygonMesh mesh = testing::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, ~0U}});
+  MeshAttributes attributes;
+  attributes.channels = {{"texcoord_0", 2, std::vector<double>(6, 0.5)}};
+  for (const MeshFormat format :
+       {MeshFormat::Off, MeshFormat::ExactOff, MeshFormat::Obj, MeshFormat::Stl,
+        MeshFormat::StlBinary, MeshFormat::Ply, MeshFormat::PlyText, MeshFormat::Gltf}) {
+    std::ostringstream out;
+    try {
+      write_mesh(out, mesh, attributes, format);
+      ADD_FAILURE() << "written";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::BadIndex) << error.what();
+    }
+    EXPECT_EQ(out.str(), "");
+  }
+}
+
 }  // namespace
 }  // namespace plumb::mesh_io_test

@@ -1,9 +1,9 @@
 /* The C interface of plumb (C99, and C++). docs/c.md explains it with a complete example.
  *
  * Handles. Objects are opaque and are released by plumb_<type>_free(), which accepts a null
- * pointer. A set, a report and a mesh never change after they were made, so several threads may
- * read one object at the same time. What changes an object takes a pointer that is not const, and
- * then no other thread may use the object.
+ * pointer. A set and a report never change after they were made, so several threads may read one
+ * object at the same time. What changes an object, such as a mesh that gets attributes, takes a
+ * pointer that is not const, and then no other thread may use the object.
  *
  * Results. A function that can fail returns a plumb_status: PLUMB_OK, or the reason of the failure.
  * A result is written through a pointer. If the function fails, a handle that it should have made
@@ -226,9 +226,12 @@ typedef struct plumb_read_options {
    * choose it. Files that are read by path ignore it. */
   const char* name;
   bool exact_decimals; /**< Whether 0.1 means 1/10, not the nearest double. */
+  /** Whether a mesh gets the attributes of its file: 1, or 0. Solids have plumb_solid_options::keep
+   * instead. It is no bool, which would lie where older callers have padding. */
+  size_t attributes;
 } plumb_read_options;
 #define PLUMB_READ_OPTIONS_INIT \
-  { sizeof(plumb_read_options), NULL, false }
+  { sizeof(plumb_read_options), NULL, false, 0 }
 
 /** How a set is written as a file of doubles. */
 typedef struct plumb_write_options {
@@ -259,6 +262,18 @@ typedef struct plumb_repair_options {
 #define PLUMB_REPAIR_OPTIONS_INIT \
   { sizeof(plumb_repair_options), 0.0, 0, false, 0, 0.0 }
 
+/** Which attributes of a mesh its solid keeps. A solid that keeps attributes has the mesh as its
+ * source (plumb_solid_source_count()). */
+enum plumb_keep {
+  PLUMB_KEEP_DEFAULT = 0, /**< All attributes of a plumb_mesh that has any; none of a file. */
+  PLUMB_KEEP_NONE = 1,    /**< No attributes. Nothing is paid for them. */
+  PLUMB_KEEP_COLOURS = 2, /**< Materials, and the channel "color". */
+  PLUMB_KEEP_IDS = 3,     /**< Ids of faces, and groups. */
+  /** All attributes. A mesh in memory becomes a source even if it has no attributes, so that the
+   * faces of a result can be traced to the faces of the mesh. */
+  PLUMB_KEEP_ALL = 4
+};
+
 /** How a mesh becomes a solid. */
 typedef struct plumb_solid_options {
   size_t struct_size; /**< sizeof(plumb_solid_options). */
@@ -266,9 +281,12 @@ typedef struct plumb_solid_options {
   bool surface;       /**< Whether the set is the union of the facets; the mesh may be open. */
   bool may_be_empty;  /**< Whether a file of faces that enclose nothing is read as the empty set. */
   const plumb_repair_options* repair; /**< How the mesh is mended first; null: not at all. */
+  int keep;                           /**< A constant of plumb_keep. */
+  /** The name of a mesh in memory as a source; may be null. A file has its own name. */
+  const char* source_name;
 } plumb_solid_options;
 #define PLUMB_SOLID_OPTIONS_INIT \
-  { sizeof(plumb_solid_options), 0, false, false, NULL }
+  { sizeof(plumb_solid_options), 0, false, false, NULL, PLUMB_KEEP_DEFAULT, NULL }
 
 /* ---- meshes --------------------------------------------------------------------------------- */
 
@@ -297,10 +315,14 @@ PLUMB_API plumb_status plumb_mesh_read_file(const char* path, const plumb_read_o
                                             plumb_mesh** out, plumb_notes** notes,
                                             const plumb_context* context, plumb_error** error);
 /** Writes the mesh as "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb" or
- * "3mf". STL, GLB and 3MF need triangles. */
+ * "3mf". STL, GLB and 3MF need triangles. The bytes have those attributes of the mesh that the
+ * format holds; plumb_mesh_lost_attributes() names the others. Colours and textures of materials
+ * are not in "obj", which has only their names: they belong in a second file, which
+ * plumb_mesh_write_file() writes. */
 PLUMB_API plumb_status plumb_mesh_write(const plumb_mesh* mesh, const char* format,
                                         plumb_bytes** out, plumb_error** error);
-/** Writes a file, which is complete or absent. `format` may be null: the extension chooses it. */
+/** Writes a file, which is complete or absent. `format` may be null: the extension chooses it. If
+ * faces have materials, the material library of an OBJ file is written beside it as .mtl. */
 PLUMB_API plumb_status plumb_mesh_write_file(const plumb_mesh* mesh, const char* path,
                                              const char* format, plumb_error** error);
 PLUMB_API size_t plumb_mesh_point_count(const plumb_mesh* mesh);  /**< Returns the points. */
@@ -318,7 +340,8 @@ PLUMB_API const uint32_t* plumb_mesh_facets(const plumb_mesh* mesh);
 /** Returns the three exact coordinates of a point. */
 PLUMB_API plumb_status plumb_mesh_exact_point(const plumb_mesh* mesh, size_t point,
                                               plumb_numbers** out, plumb_error** error);
-/** Makes the mesh with every face of more than three corners cut into triangles. */
+/** Makes the mesh with every face of more than three corners cut into triangles, without
+ * attributes. */
 PLUMB_API plumb_status plumb_mesh_triangulate(const plumb_mesh* mesh, plumb_mesh** out,
                                               const plumb_context* context, plumb_error** error);
 /** What plumb_mesh_repair() did. */
@@ -340,7 +363,8 @@ typedef struct plumb_repair_report {
 } plumb_repair_report;
 #define PLUMB_REPAIR_REPORT_INIT \
   { sizeof(plumb_repair_report), 0, 0, 0.0, 0, 0, 0, 0, 0, 0, 0, 0, 0, false }
-/** Makes the mended mesh. `report` and `notes` may be null. */
+/** Makes the mended mesh, without attributes. (plumb_solid_options::repair mends a mesh whose
+ * attributes its solid keeps.) `report` and `notes` may be null. */
 PLUMB_API plumb_status plumb_mesh_repair(const plumb_mesh* mesh,
                                          const plumb_repair_options* options, plumb_mesh** out,
                                          plumb_repair_report* report, plumb_notes** notes,
@@ -355,7 +379,7 @@ PLUMB_API void plumb_mesh_free(plumb_mesh* mesh); /**< Releases a mesh. */
 /** What was found in a mesh. */
 typedef struct plumb_mesh_report plumb_mesh_report;
 /** Examines a mesh: is it closed, does it cross itself, which faces are degenerate? At most
- * max_listed crossings are listed; all are counted. */
+ * max_listed crossings are listed; all are counted. Crossings are sought in closed meshes only. */
 PLUMB_API plumb_status plumb_mesh_check(const plumb_mesh* mesh, uint64_t max_listed,
                                         plumb_mesh_report** out, const plumb_context* context,
                                         plumb_error** error);
@@ -391,6 +415,91 @@ PLUMB_API plumb_status plumb_mesh_convexity(const plumb_mesh* mesh, bool* is_con
                                             uint64_t* reflex_edges, plumb_indices** failing,
                                             const plumb_context* context, plumb_error** error);
 
+/* ---- attributes of meshes ------------------------------------------------------------------- */
+
+/* A mesh can carry materials, groups and ids of faces, and channels: numbers at corners, such as
+ * colours and texture coordinates. A solid that keeps them (plumb_solid_options::keep) has the mesh
+ * as a source, and so have all results of Booleans and affine maps of it.
+ * plumb_solid_to_mesh_with_attributes() finds for each face the source that it is a part of, and
+ * interpolates the channels. docs/attributes.md states the rules. */
+
+/** The entry of a face that has no material, group, id or source. */
+#define PLUMB_NONE 0xffffffffU
+
+/** A material that faces refer to. */
+typedef struct plumb_material {
+  size_t struct_size;  /**< sizeof(plumb_material). */
+  const char* name;    /**< Its name. Null stands for an empty name. */
+  bool has_color;      /**< Whether `color` has a meaning. */
+  double color[4];     /**< Red, green, blue and opacity, each from 0 to 1. */
+  const char* texture; /**< The name of a texture file. Null stands for none. */
+} plumb_material;
+#define PLUMB_MATERIAL_INIT \
+  { sizeof(plumb_material), NULL, false, {0.0, 0.0, 0.0, 1.0}, NULL }
+
+/** Appends a material to a mesh. `index` receives its index, and may be null. */
+PLUMB_API plumb_status plumb_mesh_add_material(plumb_mesh* mesh, const plumb_material* material,
+                                               uint32_t* index, plumb_error** error);
+/** Returns how many materials the mesh has. */
+PLUMB_API size_t plumb_mesh_material_count(const plumb_mesh* mesh);
+/** Fills `material` with material i. Its texts, which are never null, are valid until the mesh gets
+ * another material or is released. */
+PLUMB_API plumb_status plumb_mesh_material(const plumb_mesh* mesh, size_t i,
+                                           plumb_material* material, plumb_error** error);
+/** Appends a group of a name to a mesh. `index` receives its index, and may be null. */
+PLUMB_API plumb_status plumb_mesh_add_group(plumb_mesh* mesh, const char* name, uint32_t* index,
+                                            plumb_error** error);
+/** Returns how many groups the mesh has. */
+PLUMB_API size_t plumb_mesh_group_count(const plumb_mesh* mesh);
+/** Returns the name of group i. */
+PLUMB_API const char* plumb_mesh_group(const plumb_mesh* mesh, size_t i);
+
+/** Values that each face of a mesh has. */
+enum plumb_face_values {
+  PLUMB_FACE_MATERIAL = 0,    /**< The index of its material, or PLUMB_NONE. */
+  PLUMB_FACE_GROUP = 1,       /**< The index of its group, or PLUMB_NONE. */
+  PLUMB_FACE_ID = 2,          /**< An id that the caller chose, or PLUMB_NONE. */
+  PLUMB_FACE_SOURCE = 3,      /**< The source of the solid it comes from, or PLUMB_NONE. */
+  PLUMB_FACE_SOURCE_FACE = 4, /**< The face of this source, or PLUMB_NONE. */
+  PLUMB_FACE_IS_FLIPPED = 5   /**< 1 if it and this face have opposite sides, else 0. */
+};
+/** Sets the materials, the groups or the ids of all faces. `count` is the number of faces. If
+ * `values` is null and `count` is 0, they are removed. A value that is no index of a material or a
+ * group of the mesh gives PLUMB_BAD_INDEX. The other constants are results only. */
+PLUMB_API plumb_status plumb_mesh_set_face_values(plumb_mesh* mesh, int which,
+                                                  const uint32_t* values, size_t count,
+                                                  plumb_error** error);
+/** Returns plumb_mesh_face_count() values of a constant of plumb_face_values; null if the mesh has
+ * none. Those from PLUMB_FACE_SOURCE on belong to meshes that
+ * plumb_solid_to_mesh_with_attributes() made. */
+PLUMB_API const uint32_t* plumb_mesh_face_values(const plumb_mesh* mesh, int which);
+
+/** What a channel has numbers for. */
+enum plumb_channel_place {
+  PLUMB_PER_CORNER = 0, /**< For each corner of each face, in the order of plumb_mesh_corners(). */
+  PLUMB_PER_POINT = 1   /**< For each point: all corners at it have the same numbers. */
+};
+/** Sets the channel of a name: `width` numbers for each of `count` corners or points, as `place`
+ * says. `count` is the number of all corners or of all points. A channel of this name is replaced;
+ * if `values` is null and `count` is 0, it is removed. Files use the names "color" (3 or 4 numbers
+ * from 0 to 1), "normal" (3), "texcoord_0", "texcoord_1" and so on (2). */
+PLUMB_API plumb_status plumb_mesh_set_channel(plumb_mesh* mesh, const char* name, uint32_t width,
+                                              int place, const double* values, size_t count,
+                                              plumb_error** error);
+/** Returns how many channels the mesh has. */
+PLUMB_API size_t plumb_mesh_channel_count(const plumb_mesh* mesh);
+/** Returns the name of channel i. */
+PLUMB_API const char* plumb_mesh_channel_name(const plumb_mesh* mesh, size_t i);
+/** Returns how many numbers channel i has for each corner. */
+PLUMB_API uint32_t plumb_mesh_channel_width(const plumb_mesh* mesh, size_t i);
+/** Returns the numbers of channel i: its width times plumb_mesh_corner_count(), in the order of
+ * plumb_mesh_corners(). */
+PLUMB_API const double* plumb_mesh_channel_values(const plumb_mesh* mesh, size_t i);
+/** Returns a sentence that names the attributes of the mesh that a file of this format does not
+ * hold; an empty text if it holds all of them. The formats are those of plumb_mesh_write(). */
+PLUMB_API plumb_status plumb_mesh_lost_attributes(const plumb_mesh* mesh, const char* format,
+                                                  plumb_bytes** out, plumb_error** error);
+
 /* ---- solids --------------------------------------------------------------------------------- */
 
 /** A Nef polyhedron: any set of space that is made from half-spaces by unions, intersections and
@@ -422,7 +531,8 @@ PLUMB_API plumb_status plumb_solid_from_polygons(const double* xyz, size_t point
                                                  const plumb_solid_options* options,
                                                  plumb_solid** out, const plumb_context* context,
                                                  plumb_error** error);
-/** Makes the solid that a mesh bounds. */
+/** Makes the solid that a mesh bounds. If the mesh has attributes, the solid keeps them, unless
+ * options->keep says otherwise. */
 PLUMB_API plumb_status plumb_solid_from_mesh(const plumb_mesh* mesh,
                                              const plumb_solid_options* options, plumb_solid** out,
                                              const plumb_context* context, plumb_error** error);
@@ -470,12 +580,14 @@ PLUMB_API plumb_status plumb_solid_read_file(const char* path, const plumb_read_
                                              plumb_error** error);
 /** Writes "off", "off-exact", "obj", "stl", "stl-binary", "ply", "ply-text", "glb", "3mf" or
  * "nef". Only .nef holds every set; `notes` tells what else a file does not hold. Equal sets give
- * the same .nef only after plumb_solid_canonical(). */
+ * the same .nef only after plumb_solid_canonical(). Meshes have those attributes of the sources
+ * that the format holds; see plumb_mesh_write(). */
 PLUMB_API plumb_status plumb_solid_write(const plumb_solid* solid, const char* format,
                                          const plumb_write_options* options, plumb_bytes** out,
                                          plumb_notes** notes, const plumb_context* context,
                                          plumb_error** error);
-/** Writes a file, which is complete or absent. `format` may be null: the extension chooses it. */
+/** Writes a file, which is complete or absent. `format` may be null: the extension chooses it. If
+ * sources have materials, the material library of an OBJ file is written beside it as .mtl. */
 PLUMB_API plumb_status plumb_solid_write_file(const plumb_solid* solid, const char* path,
                                               const char* format,
                                               const plumb_write_options* options,
@@ -527,6 +639,43 @@ PLUMB_API plumb_status plumb_solid_to_mesh(const plumb_solid* solid,
                                            const plumb_to_mesh_options* options, plumb_mesh** out,
                                            plumb_to_mesh_report* report,
                                            const plumb_context* context, plumb_error** error);
+
+/** How the parts of faces of sources become faces of a mesh. */
+enum plumb_pieces {
+  /** Parts of a facet are one face if they have the same source, material, group and id, and if
+   * each channel is the same affine function on them. */
+  PLUMB_PIECES_SAME_ATTRIBUTES = 0,
+  PLUMB_PIECES_APART = 1,    /**< Each face lies in one triangle of a source. */
+  PLUMB_PIECES_SAME_FACE = 2 /**< As the first, and each face lies in one face of a source. */
+};
+/** How a solid becomes a mesh with attributes. */
+typedef struct plumb_attribute_options {
+  size_t struct_size; /**< sizeof(plumb_attribute_options). */
+  int pieces;         /**< A constant of plumb_pieces. */
+  bool polygons;      /**< Whether planar parts stay polygons; otherwise all are triangles. */
+  bool floats;        /**< Whether coordinates become floats, stored as doubles. */
+} plumb_attribute_options;
+#define PLUMB_ATTRIBUTE_OPTIONS_INIT \
+  { sizeof(plumb_attribute_options), 0, false, false }
+/** Makes the mesh of the boundary of the solid, valid after rounding, with the attributes of the
+ * sources of the solid. Materials and groups of all sources follow each other. Faces are in
+ * ascending order of PLUMB_FACE_SOURCE; those without a source are last. Channels of the same name
+ * become one, of the greatest width; numbers that a source does not have are 0, and 1 in the
+ * channel "color". Fails with PLUMB_BAD_ARGUMENT if the solid is unbounded. `options` and `report`
+ * may be null. */
+PLUMB_API plumb_status plumb_solid_to_mesh_with_attributes(
+    const plumb_solid* solid, const plumb_attribute_options* options, plumb_mesh** out,
+    plumb_to_mesh_report* report, const plumb_context* context, plumb_error** error);
+/** Makes the same solid with one source, in place of those that it has: a mesh with attributes,
+ * whose faces lie where the boundary of the solid lies. `name` may be null. */
+PLUMB_API plumb_status plumb_solid_with_source(const plumb_solid* solid, const plumb_mesh* mesh,
+                                               const char* name, plumb_solid** out,
+                                               plumb_error** error);
+/** Returns how many sources the solid has: the meshes with attributes from which it was made, in
+ * the order of the operands. */
+PLUMB_API size_t plumb_solid_source_count(const plumb_solid* solid);
+/** Returns the name of source i: that of its file, or plumb_solid_options::source_name. */
+PLUMB_API const char* plumb_solid_source_name(const plumb_solid* solid, size_t i);
 
 /** Makes the set of an operation of two sets; see plumb_operation. */
 PLUMB_API plumb_status plumb_solid_combine(const plumb_solid* a, const plumb_solid* b,
@@ -1543,6 +1692,14 @@ PLUMB_API plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double
                                               const plumb_offset_options* options,
                                               plumb_plane_set** out, const plumb_context* context,
                                               plumb_error** error);
+/** Makes the closure of a bounded set with fewer corners. Corners are removed while their triangle
+ * has at most the area `tolerance`, while more than the part `kept` of the corners is left, and while
+ * no point of a border moves farther than `within`. Infinity sets no bound. Coordinates become
+ * doubles. If `moved` is not null, it receives a bound for how far borders have moved. */
+PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, double tolerance,
+                                                double kept, double within, plumb_plane_set** out,
+                                                double* moved, const plumb_context* context,
+                                                plumb_error** error);
 /** Finds nearest points of the closures of two sets. Returns five numbers: the square of the
  * distance, the point of a, the point of b. Sets cells[0] and cells[1] to the cells of a and b with
  * these points; `cells` may be null. */
@@ -1573,7 +1730,8 @@ enum plumb_imports {
   PLUMB_IMPORTS_ANYWHERE = 2 /**< Anywhere. */
 };
 /** Evaluates a flattened model of OpenSCAD (.csg) in memory. *solid becomes its set of space, or
- * *set its set of the plane, and the other becomes null; both do if the model has no geometry. */
+ * *set its set of the plane, and the other becomes null; both do if the model has no geometry.
+ * The colours of a solid model are materials of its sources. */
 PLUMB_API plumb_status plumb_csg_read(const char* bytes, size_t size,
                                       const plumb_read_options* options, int imports,
                                       plumb_solid** solid, plumb_plane_set** set,

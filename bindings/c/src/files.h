@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "handles.h"
+#include "plumb/io/mesh_io.h"
 #include "plumb/io/text/files.h"
 
 namespace plumb::c {
@@ -25,5 +26,8 @@ void write_file(const std::string& path, const Write& write) {
   file.finish();
   file.commit();
 }
+
+/// Returns the format of meshes of this name. Throws Error{UnknownFormat} unless it can be written.
+MeshFormat written_format(const std::string& name);
 
 }  // namespace plumb::c

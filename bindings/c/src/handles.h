@@ -33,6 +33,7 @@
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rational_point.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/mesh_attributes.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/repair_mesh.h"
 #include "plumb/sphere/nef_sphere.h"
@@ -74,6 +75,10 @@ struct plumb_numbers {
 struct plumb_mesh {
   plumb::PolygonMesh mesh;
   std::vector<std::uint32_t> facets = {};  // Empty unless the mesh was made from a solid.
+  plumb::MeshAttributes attributes = {};   // Always complete, and with indices in range.
+  // The source of each face, its face, and whether it is flipped. Empty unless the mesh was made
+  // with the attributes of a solid.
+  std::array<std::vector<std::uint32_t>, 3> sources = {};
 };
 
 struct plumb_solid {

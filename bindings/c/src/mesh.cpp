@@ -20,6 +20,15 @@ struct plumb_mesh_report {
 };
 
 namespace plumb::c {
+
+MeshFormat written_format(const std::string& name) {
+  const std::optional<MeshFormat> format = mesh_format_named(name);
+  if (!format || name == "gltf") {
+    fail_format(name, "off, off-exact, obj, stl, stl-binary, ply, ply-text, glb, 3mf");
+  }
+  return *format;
+}
+
 namespace {
 
 PolygonMesh checked_mesh(const MeshView& view) {
@@ -76,16 +85,7 @@ plumb_mesh_report report_of(const MeshReport& found) {
 plumb_mesh mesh_of_file(MeshFile file, plumb_notes& notes) {
   add_notes(notes, file.notes);
   add_warnings(notes, file.warnings);
-  return {std::move(file.mesh), {}};
-}
-
-/// Throws unless meshes of the format can be written.
-MeshFormat written_format(const std::string& name) {
-  const std::optional<MeshFormat> format = mesh_format_named(name);
-  if (!format || name == "gltf") {
-    fail_format(name, "off, off-exact, obj, stl, stl-binary, ply, ply-text, glb, 3mf");
-  }
-  return *format;
+  return {std::move(file.mesh), {}, std::move(file.attributes)};
 }
 
 plumb_repair_report report_of(const RepairReport& found) {
@@ -158,7 +158,10 @@ plumb_status plumb_mesh_write(const plumb_mesh* mesh, const char* format, plumb_
   return make(out, error, [&] {
     const MeshFormat wanted = written_format(text(format, "format"));
     need(mesh, "mesh");
-    return written([&](std::ostream& stream) { write_mesh(stream, mesh->mesh, wanted); }).bytes;
+    return written([&](std::ostream& stream) {
+             write_mesh(stream, mesh->mesh, mesh->attributes, wanted);
+           })
+        .bytes;
   });
 }
 
@@ -167,7 +170,8 @@ plumb_status plumb_mesh_write_file(const plumb_mesh* mesh, const char* path, con
   return guarded(error, [&] {
     std::optional<MeshFormat> wanted;
     if (format != nullptr) wanted = written_format(format);
-    write_mesh_file(text(path, "path"), need(mesh, "mesh").mesh, wanted);
+    const plumb_mesh& written = need(mesh, "mesh");
+    write_mesh_file(text(path, "path"), written.mesh, written.attributes, wanted);
   });
 }
 

@@ -18,6 +18,7 @@
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_offset.h"
 #include "plumb/plane/plane_rounding.h"
+#include "plumb/plane/plane_simplify.h"
 #include "sets.h"
 
 namespace plumb::c {
@@ -357,6 +358,17 @@ plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double distance,
     const OffsetOptions chosen{join_of(asked.join), asked.mitre_limit, asked.chord_error,
                                asked.circle_segments};
     return offset(need(set, "set").set, distance, chosen, call);
+  });
+}
+
+plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, double tolerance, double kept,
+                                      double within, plumb_plane_set** out, double* moved,
+                                      const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    SimplifiedSet made = simplify_borders(need(set, "set").set, {tolerance, kept, within}, call);
+    if (moved != nullptr) *moved = made.borders_moved;
+    return std::move(made.set);
   });
 }
 

@@ -20,12 +20,31 @@
 #include "plumb/space/canonical.h"
 #include "plumb/space/half_space_list.h"
 #include "plumb/space/repair_mesh.h"
+#include "plumb/space/source_mesh.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/space/valid_mesh.h"
+#include "plumb/space/weld_points.h"
 #include "sets.h"
+#include "solids.h"
 
 namespace plumb::c {
 namespace {
+
+KeptAttributes kept_attributes(int keep) {
+  switch (keep) {
+    case PLUMB_KEEP_DEFAULT:
+    case PLUMB_KEEP_NONE:
+      return KeptAttributes::None;
+    case PLUMB_KEEP_COLOURS:
+      return KeptAttributes::Colours;
+    case PLUMB_KEEP_IDS:
+      return KeptAttributes::Ids;
+    case PLUMB_KEEP_ALL:
+      return KeptAttributes::All;
+    default:
+      fail_argument("keep is no constant of plumb_keep");
+  }
+}
 
 SolidReadOptions solid_options(const plumb_solid_options* options,
                                const plumb_read_options* reading = nullptr) {
@@ -36,19 +55,38 @@ SolidReadOptions solid_options(const plumb_solid_options* options,
   result.may_be_empty = asked.may_be_empty;
   result.repair = repair_options(asked.repair);
   result.exact_decimals = reads_exact_decimals(reading);
+  result.attributes = kept_attributes(asked.keep);
   return result;
 }
 
 /// The view is read in place unless it is to be mended.
-Nef3 solid_of(const MeshView& mesh, const SolidReadOptions& options, Context& context) {
+Nef3 set_of(const MeshView& mesh, const SolidReadOptions& options, Context& context) {
   const FromMeshOptions making{.rule = options.rule, .surface = options.surface};
   if (!options.repair.asks()) return Nef3::from_mesh(mesh, making, context);
-  PolygonMesh mended;
-  for (std::size_t i = 0; i < mesh.point_count(); ++i) mended.points.push_back(mesh.point(i));
-  mended.exact.assign(mesh.exact.begin(), mesh.exact.end());
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) mended.add_face(mesh.face(f));
+  PolygonMesh mended = copied_mesh(mesh);
   repair_mesh(mended, options.repair, context);
   return Nef3::from_mesh(mended, making, context);
+}
+
+/// Returns the solid of a mesh. The mesh becomes its source if attributes are to be kept. Welding
+/// moves faces into other planes, so the source has its points where the weld will move them.
+Nef3 solid_of(const MeshView& mesh, const plumb_solid_options* options, Context& context,
+              const MeshAttributes& attributes = {}) {
+  const plumb_solid_options asked = options_of(options, PLUMB_SOLID_OPTIONS_INIT);
+  const SolidReadOptions reading = solid_options(options);
+  const bool is_wanted = asked.keep == PLUMB_KEEP_DEFAULT || asked.keep > PLUMB_KEEP_NONE;
+  const KeptAttributes kept =
+      asked.keep == PLUMB_KEEP_DEFAULT ? KeptAttributes::All : reading.attributes;
+  Nef3 set = set_of(mesh, reading, context);
+  if (!is_wanted) return set;
+  MeshSource source;
+  source.name = text_or_empty(asked.source_name);
+  source.attributes = attributes;
+  keep_only(kept, source.attributes);
+  if (source.attributes.empty() && asked.keep != PLUMB_KEEP_ALL) return set;
+  source.mesh = copied_mesh(mesh);
+  if (reading.repair.weld > 0) weld_points(source.mesh, reading.repair.weld, context);
+  return set.with_source(std::make_shared<const MeshSource>(std::move(source)));
 }
 
 Plane3 plane_of(const plumb_numbers* numbers) {
@@ -78,14 +116,16 @@ const SolidFormat& format_of(const std::string& path) {
 }
 
 SolidText prepared(const plumb_solid* solid, const SolidFormat& format,
-                   const plumb_write_options* options, plumb_notes& notes, Context& context) {
+                   const plumb_write_options* options, plumb_notes& notes, Context& context,
+                   std::string library = {}) {
   const plumb_write_options asked = options_of(options, PLUMB_WRITE_OPTIONS_INIT);
   if (asked.grid != nullptr) {
     throw Error(ErrorCode::Usage, "solids are not rounded to a grid");
   }
   const OutputRounding rounding = asked.raw ? OutputRounding::Nearest : OutputRounding::Valid;
-  SolidText prepared(need(solid, "solid").set, format, rounding, context);
+  SolidText prepared(need(solid, "solid").set, format, rounding, context, std::move(library));
   add_notes(notes, prepared.changes());
+  if (!prepared.dropped().empty()) add_notes(notes, {prepared.dropped()});
   add_warnings(notes, prepared.losses());
   return prepared;
 }
@@ -118,13 +158,7 @@ MeshOfComplex rounded_mesh(const Nef3& set, const plumb_to_mesh_options& asked,
                            Context& context) {
   ValidMesh valid = valid_mesh(
       set, options, asked.floats ? CoordinateType::Float : CoordinateType::Double, context);
-  report = report_of(valid.made.report);
-  report.rounded_vertices = valid.repair.rounded_vertices;
-  report.rounds = valid.repair.rounds;
-  report.coarse_rounds = valid.repair.coarse_rounds;
-  report.damaged_faces = valid.repair.damaged_faces;
-  report.changes_topology = valid.repair.changes_topology;
-  report.largest_move = valid.repair.largest_move;
+  report = to_mesh_report(valid.made.report, valid.repair);
   return std::move(valid.made);
 }
 
@@ -198,6 +232,18 @@ std::optional<std::vector<Rational>> coordinates(const std::optional<RationalPoi
 }
 
 }  // namespace
+
+plumb_to_mesh_report to_mesh_report(const ToMeshReport& made, const RoundingRepair& repair) {
+  plumb_to_mesh_report report = report_of(made);
+  report.rounded_vertices = repair.rounded_vertices;
+  report.rounds = repair.rounds;
+  report.coarse_rounds = repair.coarse_rounds;
+  report.damaged_faces = repair.damaged_faces;
+  report.changes_topology = repair.changes_topology;
+  report.largest_move = repair.largest_move;
+  return report;
+}
+
 }  // namespace plumb::c
 
 using namespace plumb;
@@ -215,7 +261,7 @@ plumb_status plumb_solid_from_triangles(const double* xyz, std::size_t point_cou
     Call call(context);
     return solid_of(mesh_of_triangles(finite(xyz, point_count, "xyz", 3),
                                       array(triangles, triangle_count, "triangles", 3)),
-                    solid_options(options), call);
+                    options, call);
   });
 }
 
@@ -229,7 +275,7 @@ plumb_status plumb_solid_from_polygons(const double* xyz, std::size_t point_coun
     return solid_of(mesh_of_polygons(finite(xyz, point_count, "xyz", 3),
                                      offsets(face_begin, face_count, "face_begin"),
                                      array(corners, corner_count, "corners")),
-                    solid_options(options), call);
+                    options, call);
   });
 }
 
@@ -238,7 +284,8 @@ plumb_status plumb_solid_from_mesh(const plumb_mesh* mesh, const plumb_solid_opt
                                    plumb_error** error) {
   return make(out, error, [&] {
     Call call(context);
-    return solid_of(need(mesh, "mesh").mesh, solid_options(options), call);
+    const plumb_mesh& given = need(mesh, "mesh");
+    return solid_of(given.mesh, options, call, given.attributes);
   });
 }
 
@@ -359,8 +406,8 @@ plumb_status plumb_solid_write_file(const plumb_solid* solid, const char* path, 
     auto told = std::make_unique<plumb_notes>();
     const std::string file = text(path, "path");
     const SolidFormat& wanted = format != nullptr ? format_named(format) : format_of(file);
-    const SolidText ready = prepared(solid, wanted, options, *told, own);
-    write_file(file, [&](std::ostream& stream) { ready.write(stream, own); });
+    const SolidText ready = prepared(solid, wanted, options, *told, own, material_library_of(file));
+    ready.write_file(file, own);
     if (notes != nullptr) *notes = told.release();
   });
 }

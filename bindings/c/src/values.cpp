@@ -109,7 +109,10 @@ std::size_t checked_size(std::size_t stated, std::size_t known) {
 }
 
 ReadOptions read_options(const plumb_read_options* options, const std::string& name) {
-  return {name, reads_exact_decimals(options)};
+  const plumb_read_options asked = options_of(options, PLUMB_READ_OPTIONS_INIT);
+  ReadOptions reading{name, asked.exact_decimals};
+  reading.attributes = asked.attributes != 0;
+  return reading;
 }
 
 std::string name_of(const plumb_read_options* options) {

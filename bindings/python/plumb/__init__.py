@@ -10,6 +10,9 @@ Map, MapReport            Map, MapReport (check_map)             a planar map an
 overlay, MapOverlay       overlay_maps, MapOverlay               two maps on each other
 Layer, LayerReport        Layer, LayerReport (repair_layer)      features, and their repair
 Surface, SurfaceDivision  SurfaceMesh, SurfaceDivision           polygons on a surface
+Mesh, MeshReport          PolygonMesh, MeshReport                polygons, and what is in them
+MeshAttributes, Material  MeshAttributes, MeshMaterial           what belongs to faces
+MeshWithAttributes        MeshWithAttributes                     a mesh and its attributes
 read_csg, parse_csg       read_csg, evaluate                     models of OpenSCAD
 Error, ErrorCode          Error, ErrorCode                       what goes wrong
 ========================  =====================================  ============================
@@ -17,6 +20,7 @@ Error, ErrorCode          Error, ErrorCode                       what goes wrong
 Operators of sets: `a | b` and `a + b` unite, `a & b` and `a * b` intersect, `a - b`, `a ^ b`, `~a`.
 """
 
+from plumb._attributes import Material, MeshAttributes, MeshWithAttributes
 from plumb._core import (
     VERSION,
     Cell,
@@ -43,8 +47,20 @@ from plumb._core import (
     read_csg,
 )
 from plumb._errors import BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh
+from plumb._mesh import Mesh, MeshReport
 
-for _class in (BrokenInvariant, Error, ErrorCode, FileWarning, OpenMesh):
+for _class in (
+    BrokenInvariant,
+    Error,
+    ErrorCode,
+    FileWarning,
+    Material,
+    Mesh,
+    MeshAttributes,
+    MeshReport,
+    MeshWithAttributes,
+    OpenMesh,
+):
     _class.__module__ = "plumb"
 del _class
 
@@ -66,6 +82,11 @@ __all__ = [
     "MapOverlay",
     "MapRegion",
     "MapReport",
+    "Material",
+    "Mesh",
+    "MeshAttributes",
+    "MeshReport",
+    "MeshWithAttributes",
     "OpenMesh",
     "PlaneSet",
     "RayHit",

@@ -243,6 +243,7 @@ void bind_map(nb::module_& m);
 void bind_surface(nb::module_& m);
 void bind_models(nb::module_& m);
 void bind_layer(nb::module_& m);
+void bind_meshes(nb::module_& m);
 /// Add the methods of model.cpp to the classes.
 void def_models(nb::class_<Nef3>& c);
 void def_models(nb::class_<Nef2>& c);

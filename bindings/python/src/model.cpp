@@ -19,6 +19,7 @@
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_offset.h"
 #include "plumb/plane/plane_rounding.h"
+#include "plumb/plane/plane_simplify.h"
 
 namespace plumb::python {
 namespace {
@@ -254,6 +255,16 @@ void def_plane_models(nb::class_<Nef2>& c) {
       c, "convex_hull",
       +[](Context& k, const Nef2& set) { return convex_hull(std::span<const Nef2>(&set, 1), k); },
       "Return the convex hull of the closure of a bounded set.");
+  def_run(
+      c, "simplified",
+      +[](Context& k, const Nef2& set, double tolerance, double kept, double within) {
+        return simplify_borders(set, {tolerance, kept, within}, k).set;
+      },
+      "Return the closure of a bounded set with fewer corners. Corners are removed while their "
+      "triangle has at most the area `tolerance`, while more than the part `kept` of them is left, "
+      "and while no point of a border moves farther than `within`. Coordinates become doubles.",
+      "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0,
+      "within"_a = std::numeric_limits<double>::infinity());
   def_run(c, "offset", &offset_of,
           "Return the closure of the set grown by a distance, or shrunk by a negative one. join: "
           "'round', 'mitre', 'square' or 'bevel'. An arc differs from its chords by `chord_error`, "

@@ -67,6 +67,7 @@ NB_MODULE(_core, m) {
   bind_surface(m);
   bind_models(m);
   bind_layer(m);
+  bind_meshes(m);
 }
 
 }  // namespace plumb::python

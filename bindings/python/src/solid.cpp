@@ -2,10 +2,15 @@
 //
 // The grammar of all sets is in set_grammar.h. Files are read by read_solid() and written by
 // SolidText, as the program does, so that both say the same of what a file does not hold.
-// Tests: tests/test_solid.py, tests/test_laws.py.
-#include <filesystem>
+// Tests: tests/test_solid.py, tests/test_attributes.py, tests/test_laws.py.
+#include <nanobind/stl/map.h>
 
+#include <filesystem>
+#include <map>
+
+#include "attributes.h"
 #include "page.h"
+#include "plumb/base/set_expression.h"
 #include "plumb/convex/convexity.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/minkowski.h"
@@ -78,21 +83,52 @@ CountsOut counts_of(const Nef3& set) {
 
 // --- meshes -----------------------------------------------------------------------------------
 
-Nef3 from_mesh(Context& context, const Coordinates3& vertices, const Triangles& triangles,
-               const std::optional<std::string>& rule, bool surface) {
+Nef3 from_view(Context& context, const MeshView& mesh, const std::optional<std::string>& rule,
+               bool surface, const AttributesIn& attributes) {
   FromMeshOptions options;
   options.rule = winding_rule(rule);
   options.surface = surface;
-  return Nef3::from_mesh(vertices.span(), triangles.span(), options, context);
+  return with_attributes(Nef3::from_mesh(mesh, options, context), mesh, attributes);
+}
+
+Nef3 from_mesh(Context& context, const Coordinates3& vertices, const Triangles& triangles,
+               const std::optional<std::string>& rule, bool surface,
+               const AttributesIn& attributes) {
+  return from_view(context, mesh_of_triangles(vertices.span(), triangles.span()), rule, surface,
+                   attributes);
 }
 
 Nef3 from_polygons(Context& context, const Coordinates3& vertices, const Indices& face_begin,
-                   const Indices& corners, const std::optional<std::string>& rule, bool surface) {
-  FromMeshOptions options;
-  options.rule = winding_rule(rule);
-  options.surface = surface;
-  const MeshView mesh = mesh_of_polygons(vertices.span(), face_begin.span(), corners.span());
-  return Nef3::from_mesh(mesh, options, context);
+                   const Indices& corners, const std::optional<std::string>& rule, bool surface,
+                   const AttributesIn& attributes) {
+  return from_view(context, mesh_of_polygons(vertices.span(), face_begin.span(), corners.span()),
+                   rule, surface, attributes);
+}
+
+PieceJoin join_of(const std::string& pieces) {
+  if (pieces == "same-attributes") return PieceJoin::SameAttributes;
+  if (pieces == "same-face") return PieceJoin::SameFace;
+  if (pieces == "apart") return PieceJoin::None;
+  throw Error(ErrorCode::BadArgument,
+              "pieces must be 'same-attributes', 'same-face' or 'apart', not '" + pieces + "'");
+}
+
+MeshOut to_mesh_with_attributes(Context& context, const Nef3& set, const std::string& pieces,
+                                bool polygons, bool floats) {
+  if (polygons && floats) {
+    throw Error(ErrorCode::BadArgument, "meshes of floats consist of triangles");
+  }
+  AttributeOptions options;
+  options.join = join_of(pieces);
+  options.faces = polygons ? MeshFaces::PlanarPolygons : MeshFaces::Triangles;
+  options.type = floats ? CoordinateType::Float : CoordinateType::Double;
+  return {mesh_with_attributes(set, options, context)};
+}
+
+std::vector<std::string> source_names(const Nef3& set) {
+  std::vector<std::string> names;
+  for (const PlacedSource& placed : set.sources()) names.push_back(placed.source->name);
+  return names;
 }
 
 OutputRounding rounding_of(const std::string& name) {
@@ -148,9 +184,19 @@ ArrayOut<bool, 1> contains_points(Context& context, const Nef3& set, const Coord
 
 // --- files ------------------------------------------------------------------------------------
 
+KeptAttributes kept_attributes(const std::string& keep) {
+  if (keep == "none") return KeptAttributes::None;
+  if (keep == "colours") return KeptAttributes::Colours;
+  if (keep == "ids") return KeptAttributes::Ids;
+  if (keep == "all") return KeptAttributes::All;
+  throw Error(ErrorCode::BadArgument,
+              "keep must be 'none', 'colours', 'ids' or 'all', not '" + keep + "'");
+}
+
 SolidReadOptions read_options(const std::optional<std::string>& rule, bool surface,
                               bool exact_decimals, const std::optional<double>& weld, bool reorient,
-                              std::uint32_t fill_holes, double fill_holes_below) {
+                              std::uint32_t fill_holes, double fill_holes_below,
+                              const std::string& keep) {
   SolidReadOptions options;
   options.rule = winding_rule(rule);
   options.surface = surface;
@@ -159,6 +205,7 @@ SolidReadOptions read_options(const std::optional<std::string>& rule, bool surfa
   options.repair.reorient = reorient;
   options.repair.fill_holes = fill_holes;
   options.repair.fill_holes_below = fill_holes_below;
+  options.attributes = kept_attributes(keep);
   return options;
 }
 
@@ -179,17 +226,16 @@ const SolidFormat& format_of(const std::string& path, const std::optional<std::s
 
 struct WrittenSolid {
   std::vector<std::string> losses;
-  std::vector<std::string> changes;
+  std::vector<std::string> remarks;
 };
 
 WrittenSolid write_solid(Context& context, const Nef3& set, const std::string& path,
                          const SolidFormat& format, OutputRounding rounding) {
-  const SolidText text(set, format, rounding, context);
-  OutputFile file(path);
-  text.write(file.stream(), context);
-  file.finish();
-  file.commit();
-  return {text.losses(), text.changes()};
+  const SolidText text(set, format, rounding, context, material_library_of(path));
+  text.write_file(path, context);
+  WrittenSolid said{text.losses(), text.changes()};
+  if (!text.dropped().empty()) said.remarks.push_back(text.dropped());
+  return said;
 }
 
 std::string canonical_bytes(Context& context, const Nef3& set) {
@@ -242,6 +288,58 @@ Nef3 box(Context& context, const Exact<3>& low, const Exact<3>& high, bool close
   return Nef3::intersection(sides, context);
 }
 
+// --- sections and expressions -------------------------------------------------------------------
+
+Section side_of(const std::string& name) {
+  if (name == "closed") return Section::ClosedHalfSpace;
+  if (name == "open") return Section::OpenHalfSpace;
+  if (name == "plane") return Section::PlaneOnly;
+  throw Error(ErrorCode::BadArgument,
+              "side must be 'closed', 'open' or 'plane', not '" + name + "'");
+}
+
+Nef3 section_of(Context& context, const Nef3& set, const Exact<4>& plane, const std::string& side,
+                const std::string& keep) {
+  if (keep != "inside" && keep != "outside") {
+    throw Error(ErrorCode::BadArgument, "keep must be 'inside' or 'outside', not '" + keep + "'");
+  }
+  const MarkFunction f = keep == "inside" ? kIntersection : kDifference;
+  return boolean_op(set, plane_of(plane), side_of(side), f, context);
+}
+
+MarkFunction function_of(SetOperator op) {
+  switch (op) {
+    case SetOperator::Union:
+      return kUnion;
+    case SetOperator::Intersection:
+      return kIntersection;
+    case SetOperator::Difference:
+      return kDifference;
+    default:
+      return kSymmetricDifference;
+  }
+}
+
+using NamedSolids = std::map<std::string, Nef3>;
+
+Nef3 value_of(Context& context, const std::string& expression, const NamedSolids& solids) {
+  const SetExpression parsed = parse_set_expression(expression);
+  std::vector<Nef3> operands;
+  for (const std::string& name : parsed.names) {
+    const auto found = solids.find(name);
+    if (found == solids.end()) {
+      throw Error(ErrorCode::BadArgument, "there is no solid called '" + name + "'");
+    }
+    operands.push_back(found->second);
+  }
+  return plumb::evaluate<Nef3>(
+      parsed, [&](std::uint32_t name) { return operands[name]; },
+      [&](const Nef3& a) { return a.complement(context); },
+      [&](SetOperator op, const Nef3& a, const Nef3& b) {
+        return boolean_op(a, b, function_of(op), context);
+      });
+}
+
 // --- the class --------------------------------------------------------------------------------
 
 void def_makers(nb::class_<Nef3>& c) {
@@ -251,13 +349,20 @@ void def_makers(nb::class_<Nef3>& c) {
       "uint32 (m, 3), counter-clockwise seen from outside. The mesh may cross itself. "
       "`rule` names the winding numbers that are inside: 'positive', 'nonzero', "
       "'evenodd'; None turns components that are inside out first. Raise OpenMesh if the "
-      "mesh is not closed, unless `surface` asks for the set of its faces.",
-      "vertices"_a, "triangles"_a, "rule"_a = nb::none(), "surface"_a = false);
+      "mesh is not closed, unless `surface` asks for the set of its faces. `attributes` (what "
+      "belongs to faces and corners) stay with the solid through all operations:\n\n"
+      "    paint = plumb.MeshAttributes(face_id=range(len(triangles)))\n"
+      "    solid = plumb.Solid.from_mesh(vertices, triangles, attributes=paint)\n"
+      "    (solid - other).to_mesh_with_attributes().face_id",
+      "vertices"_a, "triangles"_a, "rule"_a = nb::none(), "surface"_a = false,
+      "attributes"_a = nb::none());
   def_run_static(
       c, "from_polygons", &from_polygons,
       "Return the solid that polygons bound. vertices: float64 (n, 3). face_begin: uint32 "
-      "(faces + 1,), where the corners of each face begin in `corners`: uint32 (k,).",
-      "vertices"_a, "face_begin"_a, "corners"_a, "rule"_a = nb::none(), "surface"_a = false);
+      "(faces + 1,), where the corners of each face begin in `corners`: uint32 (k,). The other "
+      "parameters are those of from_mesh().",
+      "vertices"_a, "face_begin"_a, "corners"_a, "rule"_a = nb::none(), "surface"_a = false,
+      "attributes"_a = nb::none());
   def_run_static(c, "half_spaces", &half_spaces,
                  "Return the intersection of half-spaces a x + b y + c z + d <= 0, or < 0 if not "
                  "`closed`. Each plane is (a, b, c, d), exact.",
@@ -318,6 +423,20 @@ void def_reading(nb::class_<Nef3>& c) {
       c, "to_polygons", &to_polygons,
       "Return the boundary of regularization() as polygons: vertices float64 (n, 3), face_begin "
       "uint32 (faces + 1,), corners uint32 (k,), facet uint32 (faces,).");
+  def_run(
+      c, "to_mesh_with_attributes", &to_mesh_with_attributes,
+      "Return the boundary of regularization(), valid after rounding, as MeshWithAttributes: for "
+      "each face the source that it is a part of, its material, group and id, and interpolated "
+      "numbers at its corners. pieces: parts of a facet are joined with 'same-attributes', joined "
+      "within each face of a source with 'same-face', or each in one triangle of a source with "
+      "'apart'. With `polygons`, planar parts stay polygons; with `floats`, coordinates are "
+      "float32 numbers, stored as float64.\n\n"
+      "    made = (red - blue).to_mesh_with_attributes()\n"
+      "    from_blue = made.triangles[made.source == 1]",
+      "pieces"_a = "same-attributes", "polygons"_a = false, "floats"_a = false);
+  c.def("sources", &source_names,
+        "Return the names of the meshes with attributes from which the solid was made, in the "
+        "order of the operands. Bytes and pickles have no sources.");
   def_run(c, "contains_points", &contains_points,
           "Return for each point, a row of a float64 array (n, 3), whether it belongs to the set: "
           "bool (n,).",
@@ -341,6 +460,16 @@ void def_operations(nb::class_<Nef3>& c) {
         return set.translated(SetTraits<Nef3>::point_of(by), k);
       },
       "Return the set moved by an exact vector.", "by"_a);
+  def_run(c, "section", &section_of,
+          "Return the points of the set on one side of the plane a x + b y + c z + d = 0, given as "
+          "(a, b, c, d), exact. side: 'closed' (<= 0), 'open' (< 0) or 'plane' (= 0). With "
+          "keep='outside', return the other points of the set.",
+          "plane"_a, "side"_a = "closed", "keep"_a = "inside");
+  def_run_static(c, "evaluate", &value_of,
+                 "Return the value of an expression such as '(A + B) * !C': + union, * "
+                 "intersection, - difference, ^ symmetric difference, ! complement. `solids` has "
+                 "the solid of each name.",
+                 "expression"_a, "solids"_a);
   def_run(c, "decompose", &pieces_of,
           "Return the convex parts of the set. method: 'best', 'cuts' or 'walls'. If `closed`, "
           "return their closures.",
@@ -368,11 +497,11 @@ void def_files(nb::class_<Nef3>& c) {
       "read",
       [](const Path& path, const std::optional<std::string>& rule, bool surface,
          bool exact_decimals, const std::optional<double>& weld, bool reorient,
-         std::uint32_t fill_holes, double fill_holes_below, unsigned threads,
-         std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
+         std::uint32_t fill_holes, double fill_holes_below, const std::string& keep,
+         unsigned threads, std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
          nb::object progress) {
         const SolidReadOptions options = read_options(rule, surface, exact_decimals, weld, reorient,
-                                                      fill_holes, fill_holes_below);
+                                                      fill_holes, fill_holes_below, keep);
         SolidRead read =
             run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
                 [&](Context& k) { return read_solid_file(path.string(), options, k); });
@@ -381,11 +510,12 @@ void def_files(nb::class_<Nef3>& c) {
       },
       "path"_a, "rule"_a = nb::none(), "surface"_a = false, "exact_decimals"_a = false,
       "weld"_a = nb::none(), "reorient"_a = false, "fill_holes"_a = 0U, "fill_holes_below"_a = 0.0,
-      nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
-      "progress"_a = nb::none(),
+      nb::kw_only(), "keep"_a = "none", "threads"_a = 1U, "timeout"_a = nb::none(),
+      "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
       with_limits("Read a solid from OFF, OBJ, STL, PLY, glTF, 3MF or .nef. weld, reorient, "
-                  "fill_holes (edges) and fill_holes_below (diameter) mend a mesh first. Geometry "
-                  "that the set does not hold is a FileWarning."));
+                  "fill_holes (edges) and fill_holes_below (diameter) mend a mesh first. keep: "
+                  "which attributes of the mesh stay with the solid: 'none', 'colours', 'ids' or "
+                  "'all'. Geometry that the set does not hold is a FileWarning."));
   c.def(
       "write",
       [](const Nef3& set, const Path& path, const std::optional<std::string>& format,
@@ -397,13 +527,15 @@ void def_files(nb::class_<Nef3>& c) {
             run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
                 [&](Context& k) { return write_solid(k, set, path.string(), chosen, mode); });
         warn(said.losses);
-        note(said.changes);
+        note(said.remarks);
       },
       "path"_a, "format"_a = nb::none(), "rounding"_a = "valid", nb::kw_only(), "threads"_a = 1U,
       "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
       with_limits(
           "Write the solid as a mesh, or exactly as .nef. The extension or `format` chooses. "
-          "The file is complete or absent. What it does not hold is a FileWarning."));
+          "The file is complete or absent. What it does not hold is a FileWarning. A mesh has the "
+          "attributes of the sources that the format holds; OBJ has its materials in a file .mtl "
+          "beside it."));
 }
 
 }  // namespace

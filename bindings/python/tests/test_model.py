@@ -140,6 +140,23 @@ def test_models_of_openscad(tmp_path: Path) -> None:
         plumb.read_csg(path)
 
 
+def test_colours_of_models_of_openscad() -> None:
+    text = (
+        "difference() { color([1, 0, 0, 1]) { cube(size = 2); } "
+        "color([0, 0, 1, 0.5]) { cube(size = 1); } }"
+    )
+    model = plumb.parse_csg(text)
+    assert isinstance(model, plumb.Solid)
+    made = model.to_mesh_with_attributes()
+    assert made.face_material is not None
+    of_notch = (made.vertices[made.triangles].max(axis=(1, 2)) <= 1) & (
+        made.vertices[made.triangles] == 1
+    ).all(axis=1).any(axis=1)
+    colours = [made.materials[i].color for i in made.face_material]
+    assert {c for c, inner in zip(colours, of_notch, strict=True) if inner} == {(0, 0, 1, 0.5)}
+    assert {c for c, inner in zip(colours, of_notch, strict=True) if not inner} == {(1, 0, 0, 1)}
+
+
 def test_triangulations() -> None:
     ring = plumb.PlaneSet.box((0, 0), (3, 3)) - plumb.PlaneSet.box((1, 1), (2, 2))
     points, triangles = ring.triangulated()

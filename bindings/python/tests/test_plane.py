@@ -84,3 +84,17 @@ def test_repr_and_views():
     )
     assert make.whole().to_html(title="x").startswith("<!")
     assert make.box((0, 0), (1, 1))._repr_html_().startswith("<iframe")
+
+
+def test_fewer_corners():
+    toothed = plumb.PlaneSet.polygon(
+        [(0, 0), (8, 0), (8, 8), (5, 8), (4, Fraction(17, 2)), (3, 8), (0, 8)]
+    )
+    square = plumb.PlaneSet.box((0, 0), (8, 8))
+    assert toothed.simplified(tolerance=0.5) == square
+    assert toothed.simplified(tolerance=0.5, within=0.25) == toothed
+    assert toothed.simplified(tolerance=0.0) == toothed
+    with pytest.raises(plumb.Error):
+        toothed.simplified(tolerance=-1.0)
+    with pytest.raises(plumb.Error, match="unbounded|bounded"):
+        (~toothed).simplified()

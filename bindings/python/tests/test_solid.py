@@ -239,3 +239,32 @@ def test_other_sets():
     assert make.ball(1.0, 0).volume() == Fraction(4, 3)
     with pytest.raises(plumb.Error):
         make.facet([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 1)])
+
+
+def test_sections_are_those_of_half_spaces():
+    cube = plumb.Solid.box((0, 0, 0), (3, 3, 3))
+    plane = (1, 2, 3, Fraction(-9, 2))
+    closed, opened = (plumb.Solid.half_space(plane, closed=c) for c in (True, False))
+    assert cube.section(plane) == cube & closed
+    assert cube.section(plane, side="open") == cube & opened
+    assert cube.section(plane, side="plane") == cube & plumb.Solid.plane(plane)
+    assert cube.section(plane, keep="outside") == cube - closed
+    assert cube.section(plane) | cube.section(plane, keep="outside") == cube
+    for wrong in ({"side": "left"}, {"keep": "none"}):
+        with pytest.raises(plumb.Error, match="must be"):
+            cube.section(plane, **wrong)
+
+
+def test_expressions():
+    a, b, c = (plumb.Solid.box((i, 0, 0), (i + 2, 2, 2)) for i in range(3))
+    solids = {"A": a, "B": b, "C": c, "unused": a}
+    assert plumb.Solid.evaluate("(A + B) * !C", solids) == (a | b) & ~c
+    assert plumb.Solid.evaluate("A - B ^ C", {"A": a, "B": b, "C": c}) in (
+        (a - b) ^ c,
+        a - (b ^ c),
+    )
+    with pytest.raises(plumb.Error, match="no solid called 'D'"):
+        plumb.Solid.evaluate("A + D", solids)
+    with pytest.raises(plumb.Error) as caught:
+        plumb.Solid.evaluate("A + ", solids)
+    assert caught.value.code == plumb.ErrorCode.SYNTAX

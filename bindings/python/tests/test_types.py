@@ -18,7 +18,7 @@ def test_mypy_accepts_the_example_and_the_package(tmp_path):
     package = pathlib.Path(plumb.__file__).parent
     command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path)]
     command += ["--config-file", "", "--ignore-missing-imports"]
-    names = ["__init__.py", "_arrays.py", "_errors.py", "_core.pyi"]
+    names = ["__init__.py", "_arrays.py", "_attributes.py", "_errors.py", "_core.pyi"]
     targets = [str(HERE / "typed_example.py")]
     if "site-packages" not in str(package):
         targets += [str(package / name) for name in names]

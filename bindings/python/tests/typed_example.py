@@ -47,6 +47,16 @@ def select(surface: plumb.Surface) -> float:
     return division.select("A", rule="nonzero").area
 
 
+def traced(solid: plumb.Solid) -> npt.NDArray[np.int64]:
+    """Return the face of `solid` that each face of its lower half is a part of, or -1."""
+    vertices, triangles = solid.to_mesh()
+    attributes = plumb.MeshAttributes(name="solid", face_id=range(len(triangles)))
+    whole = plumb.Solid.from_mesh(vertices, triangles, attributes=attributes)
+    made = (whole & plumb.Solid.half_space((0, 0, 1, -1))).to_mesh_with_attributes()
+    return made.source_face
+
+
 if __name__ == "__main__":
     assert volume(corner()) == 7
+    assert -1 in traced(corner())
     assert first_hit(corner()) == (Fraction(0), Fraction(1, 2), Fraction(1, 3))

@@ -226,6 +226,7 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
 
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes,
                 MeshFormat format, const std::string& library) {
+  require_corners(mesh);
   require_complete(attributes, mesh);
   switch (format) {
     case MeshFormat::Off:

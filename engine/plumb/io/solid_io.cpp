@@ -128,12 +128,24 @@ void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& na
 
 namespace {
 
-/// Returns the mesh and those of its attributes that are kept; null if there are none.
-/// The source has its points where a weld will move them, since faces are found by their planes.
+/// Returns the mesh and those of its attributes that are kept; null if there are none. The source has its points where a weld will move them, since faces are found by their planes.
 std::shared_ptr<const MeshSource> source_of(MeshFile& file, KeptAttributes kept, double weld,
                                             const std::string& name, Context& context) {
   MeshAttributes& attributes = file.attributes;
-  if (kept == KeptAttributes::Colours) {
+  keep_only(kept, attributes);
+  if (attributes.empty()) return nullptr;
+  PolygonMesh mesh = file.mesh;
+  if (weld > 0) weld_points(mesh, weld, context);
+  return std::make_shared<const MeshSource>(
+      MeshSource{name, std::move(mesh), std::move(attributes)});
+}
+
+}  // namespace
+
+void keep_only(KeptAttributes kept, MeshAttributes& attributes) {
+  if (kept == KeptAttributes::None) {
+    attributes = {};
+  } else if (kept == KeptAttributes::Colours) {
     attributes.face_id.clear();
     attributes.face_group.clear();
     attributes.groups.clear();
@@ -144,14 +156,7 @@ std::shared_ptr<const MeshSource> source_of(MeshFile& file, KeptAttributes kept,
     attributes.materials.clear();
     attributes.channels.clear();
   }
-  if (attributes.empty()) return nullptr;
-  PolygonMesh mesh = file.mesh;
-  if (weld > 0) weld_points(mesh, weld, context);
-  return std::make_shared<const MeshSource>(
-      MeshSource{name, std::move(mesh), std::move(attributes)});
 }
-
-}  // namespace
 
 bool is_nef_file(const std::string& path, std::string_view bytes) {
   if (std::filesystem::path(path).extension() == ".nef") return true;

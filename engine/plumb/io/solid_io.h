@@ -18,6 +18,7 @@
 #include "plumb/io/read_options.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/half_space_list.h"
+#include "plumb/space/mesh_attributes.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/repair_mesh.h"
 
@@ -31,6 +32,9 @@ enum class KeptAttributes : std::uint8_t {
   Ids,      ///< Ids of faces, and groups.
   All,      ///< All attributes.
 };
+
+/// Removes those attributes that are not kept.
+void keep_only(KeptAttributes kept, MeshAttributes& attributes);
 
 /// Options of the conversion of a file to a set.
 struct SolidReadOptions {

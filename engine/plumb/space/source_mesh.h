@@ -34,6 +34,9 @@ struct MeshSource {
   std::optional<Plane3> plane = {};
 };
 
+/// Returns the mesh that a view shows, for a source of arrays. O(n).
+[[nodiscard]] PolygonMesh copied_mesh(const MeshView& mesh);
+
 /// A source and its place.
 struct PlacedSource {
   std::shared_ptr<const MeshSource> source;  ///< The mesh; not null.

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "plumb/io/solid/solid_text.h"
 #include "plumb/picture/png/encode_png.h"
 #include "plumb/predicates/error.h"
 
@@ -19,16 +20,7 @@ std::string SetOutput::title() const {
   return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
 }
 
-/// A device or a pipe has no file beside it, and a mesh that is called .mtl has none of its own.
-std::string SetOutput::material_library() const {
-  std::error_code error;
-  const std::filesystem::path path(path_);
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  const bool is_other =
-      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-  if (path.extension() == ".mtl" || is_other) return "";
-  return title().empty() ? "" : std::filesystem::path(title()).replace_extension(".mtl").string();
-}
+std::string SetOutput::material_library() const { return material_library_of(path_); }
 
 void SetOutput::open_streams(Session& session) {
   const CommonOptions& common = session.options();

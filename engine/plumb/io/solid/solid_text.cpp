@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,6 +22,7 @@
 #include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/glb.h"
 #include "plumb/io/nef3_writer.h"
+#include "plumb/io/text/files.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/mesh_with_attributes.h"
@@ -153,6 +156,16 @@ bool holds_any(const MeshAttributes& outline, MeshFormat format) {
 
 std::span<const SolidFormat> solid_formats() { return kFormats; }
 
+std::string material_library_of(const std::string& path) {
+  const std::filesystem::path file(path);
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  const bool is_other =
+      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (path == "-" || is_other || file.filename().empty() || file.extension() == ".mtl") return {};
+  return file.filename().replace_extension(".mtl").string();
+}
+
 SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding,
                      Context& context, std::string library)
     : set_(set), format_(format), library_(std::move(library)) {
@@ -239,6 +252,20 @@ void SolidText::require_faces(const PolygonMesh& mesh) const {
   if (format_.mesh == MeshFormat::Gltf && mesh.face_count() == 0) {
     throw Error(ErrorCode::CannotWrite, "the set has no volume: a .glb file cannot hold it");
   }
+}
+
+void SolidText::write_file(const std::string& path, Context& context) const {
+  std::optional<OutputFile> library;
+  if (has_library()) {
+    library.emplace(std::filesystem::path(path).replace_filename(library_).string());
+    write_library(library->stream());
+    library->finish();
+  }
+  OutputFile file(path);
+  write(file.stream(), context);
+  file.finish();
+  if (library) library->commit();
+  file.commit();
 }
 
 void SolidText::write(std::ostream& out, Context& context) const {

@@ -31,6 +31,10 @@ struct SolidFormat {
 /// Returns the formats in the order of preference.
 std::span<const SolidFormat> solid_formats();
 
+/// Returns the name of the material library beside the file `path`. It is empty if the path is "-",
+/// a device or a pipe, which have no file beside them, or if the file itself is called .mtl.
+std::string material_library_of(const std::string& path);
+
 /// A set prepared for a format: all work and all checks are done before the first byte is written.
 class SolidText {
  public:
@@ -55,6 +59,8 @@ class SolidText {
   void write_library(std::ostream& out) const { write_material_library(out, attributes_); }
   /// Writes the set; `.nef` with checkpoints.
   void write(std::ostream& out, Context& context) const;
+  /// Writes a file and, if it has one, the material library beside it: both or none.
+  void write_file(const std::string& path, Context& context) const;
 
  private:
   void make_mesh(MeshFormat format, OutputRounding rounding, Context& context);

@@ -72,6 +72,17 @@ void require_plane(const MeshSource& source) {
 
 }  // namespace
 
+PolygonMesh copied_mesh(const MeshView& mesh) {
+  PolygonMesh copy;
+  copy.points.reserve(mesh.point_count());
+  for (std::size_t i = 0; i < mesh.point_count(); ++i) copy.points.push_back(mesh.point(i));
+  copy.exact.assign(mesh.exact.begin(), mesh.exact.end());
+  copy.face_begin.reserve(mesh.face_count() + 1);
+  copy.corners.reserve(mesh.corners.size());
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) copy.add_face(mesh.face(f));
+  return copy;
+}
+
 void require_consistent(const MeshSource& source) {
   const MeshAttributes& attributes = source.attributes;
   if (source.plane) require_plane(source);

@@ -26,6 +26,9 @@
 namespace plumb {
 namespace {
 
+// A moved point takes some microseconds, and the plane of three of them as well.
+constexpr std::size_t kStepsOfCheckpoint = 1024;
+
 RationalPoint3 image(const AffineMap3& map, const RationalPoint3& p) {
   const auto row = [&](std::size_t i) {
     const auto& m = map.matrix[i];
@@ -44,7 +47,7 @@ Rational determinant_of(const AffineMap3& map) {
 /// Returns the places of the points of a mesh. Points that are doubles and were not moved have no
 /// valid place yet.
 std::vector<SpacePoint> places_of(const PolygonMesh& mesh, const AffineMap3& map,
-                                  SpaceTables& tables) {
+                                  SpaceTables& tables, Context& context) {
   std::vector<SpacePoint> places(mesh.points.size());
   if (is_identity(map)) {
     for (const auto& [i, p] : mesh.exact) places[i] = add_point(tables, p);
@@ -52,6 +55,7 @@ std::vector<SpacePoint> places_of(const PolygonMesh& mesh, const AffineMap3& map
   }
   std::size_t next_exact = 0;
   for (std::uint32_t i = 0; i < places.size(); ++i) {
+    if (i % kStepsOfCheckpoint == 0) context.checkpoint("place sources", i, places.size());
     const bool is_exact = next_exact < mesh.exact.size() && mesh.exact[next_exact].first == i;
     const Point3& p = mesh.points[i];
     const RationalPoint3 at =
@@ -100,11 +104,11 @@ SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, SpaceTab
     : sources_(sources), tables_(tables) {
   const PlanesByCorners known(tables.planes);
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
-    context.checkpoint("place sources", s, sources.size());
+    context.check_limits("place sources");
     is_mirrored_.push_back(determinant_of(sources[s].map) < 0 ? 1 : 0);
     const std::size_t first = triangles_.size();
     add_triangles(s, context);
-    find_planes(s, first, known);
+    find_planes(s, first, known, context);
   }
   sort_by_plane(tables.planes.size());
 }
@@ -116,7 +120,7 @@ void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
     triangles_.push_back({source, 0, {0, 1, 2}, {}, false});
     return;
   }
-  places_.push_back(places_of(mesh_source->mesh, map, tables_));
+  places_.push_back(places_of(mesh_source->mesh, map, tables_, context));
   triangles_.reserve(triangles_.size() + mesh_source->mesh.face_count());
   for (const FaceTriangle& t : triangles_of_faces(mesh_source->mesh, context)) {
     triangles_.push_back({source, t.face, t.corner, {}, false});
@@ -126,7 +130,7 @@ void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
 /// Most planes of a set are defined by the corners of the source triangle itself. A plane that is
 /// found in this way needs no arithmetic. The others are interned.
 void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
-                                  const PlanesByCorners& known) {
+                                  const PlanesByCorners& known, Context& context) {
   std::vector<std::uint32_t> hash(places_[source].size(), 0);
   std::vector<std::uint8_t> has_doubles(hash.size(), 0);
   for (std::uint32_t p = 0; p < hash.size(); ++p) {
@@ -152,7 +156,7 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
       unknown.push_back(t);
     }
   }
-  intern_planes(unknown);
+  intern_planes(unknown, context);
 }
 
 void SourceTriangles::set_plane(SourceTriangle& t, OrientedPlane plane) const {
@@ -162,10 +166,14 @@ void SourceTriangles::set_plane(SourceTriangle& t, OrientedPlane plane) const {
   t.is_opposite = plane.is_opposite() != (is_mirrored_[t.source] != 0);
 }
 
-void SourceTriangles::intern_planes(std::span<const std::uint32_t> triangles) {
+void SourceTriangles::intern_planes(std::span<const std::uint32_t> triangles, Context& context) {
   std::vector<std::uint32_t> by_inputs;
   std::vector<std::array<InputPointId, 3>> corners;
-  for (const std::uint32_t t : triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (i % kStepsOfCheckpoint == 0) {
+      context.checkpoint("planes of sources", i, triangles.size());
+    }
+    const std::uint32_t t = triangles[i];
     SourceTriangle& triangle = triangles_[t];
     const std::array<SpacePoint, 3> at{place(triangle, 0), place(triangle, 1), place(triangle, 2)};
     if (at[0].is_input() && at[1].is_input() && at[2].is_input()) {
@@ -174,7 +182,7 @@ void SourceTriangles::intern_planes(std::span<const std::uint32_t> triangles) {
       continue;
     }
     std::array<RationalPoint3, 3> exact_corners;
-    for (std::size_t i = 0; i < 3; ++i) exact_corners[i] = exact(tables_.points, at[i]);
+    for (std::size_t k = 0; k < 3; ++k) exact_corners[k] = exact(tables_.points, at[k]);
     set_plane(triangle, plane_through(tables_.planes, exact_corners));
   }
   std::vector<OrientedPlane> planes(by_inputs.size());

@@ -86,8 +86,9 @@ class SourceTriangles {
     return known;
   }
   void add_triangles(std::uint32_t source, Context& context);
-  void find_planes(std::uint32_t source, std::size_t first, const PlanesByCorners& known);
-  void intern_planes(std::span<const std::uint32_t> triangles);
+  void find_planes(std::uint32_t source, std::size_t first, const PlanesByCorners& known,
+                   Context& context);
+  void intern_planes(std::span<const std::uint32_t> triangles, Context& context);
   void set_plane(SourceTriangle& t, OrientedPlane plane) const;
   void sort_by_plane(std::size_t planes);
   bool has_same_face_attributes(const SourceTriangle& s, const SourceTriangle& t) const;
