@@ -57,6 +57,23 @@ class OnWindows(unittest.TestCase):
         self.run_plumb("solid", "union", "a.off", ".\\b.off", "-o", f"{LETTERS}\\c.off")
         self.assertTrue((self.folder / LETTERS / "c.off").is_file())
 
+    def test_folders_and_titles_have_letters_of_all_scripts(self):
+        (self.folder / LETTERS).mkdir()
+        self.run_plumb("solid", "make", "box", "-o", f"{LETTERS}/c.obj")
+        self.run_plumb("solid", "make", "box", "-o", f"{LETTERS}.off")
+        self.run_plumb("view", f"{LETTERS}/c.obj", "-o", f"{LETTERS}.svg")
+        self.run_plumb("view", f"{LETTERS}.off", "-o", f"{LETTERS}/{LETTERS}.html")
+        self.run_plumb("convex", "decompose", f"{LETTERS}/c.obj", "-o", f"{LETTERS}/pieces")
+        made = sorted(path.relative_to(self.folder).as_posix() for path in self.folder.rglob("*") if path.is_file())
+        inside = sorted(f"{LETTERS}/{name}" for name in (f"{LETTERS}.html", "c.obj", "pieces/piece_0001.off"))
+        self.assertEqual(made, sorted([f"{LETTERS}.off", f"{LETTERS}.svg", *inside]))
+        self.assertIn(LETTERS, (self.folder / LETTERS / f"{LETTERS}.html").read_text(encoding="utf-8"))
+
+    def test_a_name_that_is_not_utf8_is_not_found(self):
+        (self.folder / "a.obj").write_bytes(b"mtllib W\xfcrfel.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                            b"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
+        self.run_plumb("solid", "info", "a.obj")
+
     def test_standard_output_is_bytes(self):
         self.make_boxes()
         for kind in ("off", "stl"):

@@ -10,24 +10,25 @@
 #include <string>
 #include <utility>
 
+#include "plumb/io/text/file_names.h"
 #include "plumb/picture/png/encode_png.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
 
 std::string SetOutput::title() const {
-  return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
+  return path_ == "-" ? "" : file_name_of(path_of(path_).filename());
 }
 
 /// A device or a pipe has no file beside it, and a mesh that is called .mtl has none of its own.
 std::string SetOutput::material_library() const {
   std::error_code error;
-  const std::filesystem::path path(path_);
+  const std::filesystem::path path = path_of(path_);
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   const bool is_other =
       std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
   if (path.extension() == ".mtl" || is_other) return "";
-  return title().empty() ? "" : std::filesystem::path(title()).replace_extension(".mtl").string();
+  return title().empty() ? "" : file_name_of(path_of(title()).replace_extension(".mtl"));
 }
 
 void SetOutput::open_streams(Session& session) {
@@ -56,8 +57,8 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
     throw Error(error.code(), error.message(), {name()});
   }
   if (file_.write_library && !material_library().empty()) {
-    const auto path = std::filesystem::path(path_).replace_extension(".mtl");
-    session.outputs().add(path.string(), file_.write_library);
+    const auto path = path_of(path_).replace_extension(".mtl");
+    session.outputs().add(file_name_of(path), file_.write_library);
   }
   if (!strict) return;
   for (const std::vector<std::string>* const told : {&file_.losses, &file_.changes}) {
