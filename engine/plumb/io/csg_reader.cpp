@@ -20,6 +20,7 @@
 #include "plumb/io/plane/dxf.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/predicates/error.h"
 
@@ -144,7 +145,7 @@ class ModelReader {
   }
 
   fs::path folder() const {
-    const fs::path parent = path_ == "-" ? fs::path() : fs::path(path_).parent_path();
+    const fs::path parent = path_ == "-" ? fs::path() : path_of(path_).parent_path();
     return parent.empty() ? fs::path(".") : parent;
   }
 
@@ -153,14 +154,14 @@ class ModelReader {
     if (options_.imports == CsgImports::None) {
       fail_at(node, ErrorCode::CannotOpen, "imports are not allowed");
     }
-    const fs::path file = folder() / name;
-    if (options_.imports == CsgImports::Anywhere) return file.string();
-    if (!lies_below(folder().string(), file.string())) {
+    const fs::path file = folder() / path_of(name);
+    if (options_.imports == CsgImports::Anywhere) return file_name_of(file);
+    if (!lies_below(file_name_of(folder()), file_name_of(file))) {
       fail_at(node, ErrorCode::CannotOpen,
               "the imported file " + plumb::quoted(name) +
                   " does not lie in the folder of the model or below it");
     }
-    return file.string();
+    return file_name_of(file);
   }
 
   /// Reads an imported file. Nodes that import the same part of a file share it.

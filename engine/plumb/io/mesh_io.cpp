@@ -24,6 +24,7 @@
 #include "plumb/io/mesh/ply.h"
 #include "plumb/io/mesh/stl.h"
 #include "plumb/io/mesh/threemf.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/input_cursors.h"
@@ -319,9 +320,9 @@ void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
   std::optional<OutputFile> library;
   std::string name;
   if (has_library) {
-    const std::filesystem::path file = std::filesystem::path(path).replace_extension(".mtl");
-    name = file.filename().string();
-    library.emplace(file.string());
+    const std::filesystem::path file = path_of(path).replace_extension(".mtl");
+    name = file_name_of(file.filename());
+    library.emplace(file_name_of(file));
     write_material_library(library->stream(), attributes);
     library->finish();
   }

@@ -34,6 +34,7 @@
 #include "plumb/convex/sum/volume_sum.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid/solid_text.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/picture/nef2_svg.h"
 #include "plumb/picture/svg/sheet.h"
@@ -100,7 +101,7 @@ std::size_t piece_number(const std::string& name, const std::vector<std::string_
 PieceFiles::PieceFiles(std::string directory) : directory_(std::move(directory)) {
   if (directory_.empty()) return;
   if (directory_ == "-") throw Error(ErrorCode::Usage, "-o needs a directory");
-  made_.emplace(directory_);
+  made_.emplace(path_of(directory_));
 }
 
 void PieceFiles::add(std::string_view extension, const std::vector<std::string>& losses,
@@ -111,8 +112,8 @@ void PieceFiles::add(std::string_view extension, const std::vector<std::string>&
     worst_ = name;
     worst_losses_ = losses;
   }
-  const auto path = std::filesystem::path(directory_) / name;
-  files_.push_back(std::make_unique<OutputFile>(path.string()));
+  const auto path = path_of(directory_) / name;
+  files_.push_back(std::make_unique<OutputFile>(file_name_of(path)));
   write(files_.back()->stream());
   files_.back()->finish();
 }
@@ -123,8 +124,8 @@ void PieceFiles::open_picture(const std::string& path,
   if (path == "-") throw Error(ErrorCode::Usage, "--svg needs a file");
   if (is_wanted()) {
     std::error_code ignored;  // What is no path cannot be opened either.
-    const fs::path picture = fs::weakly_canonical(path, ignored);
-    const bool is_beside = fs::equivalent(picture.parent_path(), directory_, ignored);
+    const fs::path picture = fs::weakly_canonical(path_of(path), ignored);
+    const bool is_beside = fs::equivalent(picture.parent_path(), path_of(directory_), ignored);
     if (is_beside && piece_number(picture.filename().string(), extensions) > 0) {
       throw Error(ErrorCode::Usage, "--svg has the name of a piece", {.file = path});
     }
@@ -151,12 +152,12 @@ void PieceFiles::commit(const std::vector<std::string_view>& extensions, const s
   if (!is_wanted()) return;
   made_->keep();
   std::error_code failed;
-  std::filesystem::directory_iterator at(directory_, failed);
+  std::filesystem::directory_iterator at(path_of(directory_), failed);
   for (; !failed && at != std::filesystem::directory_iterator(); at.increment(failed)) {
     std::error_code ignored;
     if (piece_number(at->path().filename().string(), extensions) <= pieces) continue;
     if (!at->is_regular_file(ignored)) continue;
-    if (std::filesystem::equivalent(at->path(), input, ignored)) continue;
+    if (std::filesystem::equivalent(at->path(), path_of(input), ignored)) continue;
     std::filesystem::remove(at->path(), ignored);
   }
 }
@@ -253,7 +254,7 @@ class Decomposition : public CommandBody {
     for (const auto& format : formats) all.push_back(format.extension);
     return all;
   }
-  std::string title() const { return std::filesystem::path(input_name(file_)).filename().string(); }
+  std::string title() const { return file_name_of(path_of(input_name(file_)).filename()); }
   Error cannot(const std::string& what) const {
     return {ErrorCode::Usage, "--method " + method_ + " is for " + what};
   }

@@ -22,6 +22,7 @@
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/layer_io.h"
 #include "plumb/io/layer_properties.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/plane/layer_dissolve.h"
 #include "plumb/plane/layer_overlay.h"
 #include "plumb/plane/layer_simplify.h"
@@ -239,9 +240,9 @@ bool is_layer_file(const std::string& path) {
   require_layer_format(path);
   // Only the beginning is read, so a pipe that has a name would lose it.
   std::error_code error;
-  if (extension == ".map" || !std::filesystem::is_regular_file(path, error)) return false;
+  if (extension == ".map" || !std::filesystem::is_regular_file(path_of(path), error)) return false;
   std::string begin(256, '\0');
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(path_of(path), std::ios::binary);
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(in.gcount()));
   return begins_like_layer(begin);

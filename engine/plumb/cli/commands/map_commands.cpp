@@ -25,6 +25,7 @@
 #include "plumb/io/map_report_io.h"
 #include "plumb/io/plane/map_overlay_writer.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/picture/layer_svg.h"
 #include "plumb/picture/map_svg.h"
@@ -160,7 +161,7 @@ void MapCheck::declare(CLI::App& app) {
 ExitCode MapCheck::run(Session& session) {
   open_outputs(session);
   Context& context = session.context();
-  checked_.title = std::filesystem::path(input_name(file_)).filename().string();
+  checked_.title = file_name_of(path_of(input_name(file_)).filename());
   session.expect({reading_map(), checking_map(), writing()});
   session.begin("read");
   require_layer_format(file_);
@@ -240,7 +241,7 @@ std::unique_ptr<CommandBody> make_map_check() { return std::make_unique<MapCheck
 namespace {
 
 std::string short_name(const std::string& file) {
-  return std::filesystem::path(input_name(file)).filename().string();
+  return file_name_of(path_of(input_name(file)).filename());
 }
 
 /// Returns the names of regions, which are called by the listed cycle around them.

@@ -24,6 +24,7 @@
 #include "plumb/convex/plane_minkowski.h"
 #include "plumb/io/layer_io.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/picture/nef2_svg.h"
@@ -158,9 +159,7 @@ ReadyFile Plane::ready(const Nef2& set, const PlaneFeatures& features, const Set
 
 namespace {
 
-std::string name_of_file(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
+std::string name_of_file(const std::string& path) { return file_name_of(path_of(path).filename()); }
 
 /// The Minkowski sum of two sets.
 class PlaneSum : public PlaneOperation {

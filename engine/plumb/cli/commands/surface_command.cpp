@@ -22,6 +22,7 @@
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/surface_writer.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/picture/scene_glb.h"
@@ -70,10 +71,10 @@ constexpr std::array kResultFormats{
 std::string model_beside(const std::string& model, const std::string& out) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path folder = out == "-" ? fs::path() : fs::path(out).parent_path();
+  const fs::path folder = out == "-" ? fs::path() : path_of(out).parent_path();
   const fs::path absolute = fs::absolute(folder.empty() ? fs::path(".") : folder, error);
-  const fs::path beside = fs::proximate(fs::absolute(model, error), absolute, error);
-  return error || beside.empty() ? model : beside.string();
+  const fs::path beside = fs::proximate(fs::absolute(path_of(model), error), absolute, error);
+  return error || beside.empty() ? model : file_name_of(beside);
 }
 
 /// A command with an answer and optionally a file, of triangles for example.
@@ -134,9 +135,7 @@ class SurfaceCommand : public CommandBody {
   }
 
  private:
-  std::string title() const {
-    return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
-  }
+  std::string title() const { return path_ == "-" ? "" : file_name_of(path_of(path_).filename()); }
 
   std::string path_;
   std::optional<SurfaceFile> format_;
@@ -304,7 +303,7 @@ class DrawCommand : public CommandBody {
     session.begin("result");
     std::optional<SurfaceResult> result;
     if (input_.has_expression()) result = input_.evaluate(in.division, session.context());
-    const std::string title = std::filesystem::path(input_name(input_.file())).filename().string();
+    const std::string title = file_name_of(path_of(input_name(input_.file())).filename());
     picture_ = picture_of(in.division, result ? &*result : nullptr, layer(),
                           picture(format.picture, title), session.context());
     if (session.options().json) {

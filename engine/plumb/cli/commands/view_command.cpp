@@ -18,6 +18,7 @@
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/map_io.h"
 #include "plumb/io/plane_io.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/plane/map_check.h"
 
@@ -80,7 +81,7 @@ class View : public CommandBody {
   }
 
   static std::string title_of(const std::string& file) {
-    return std::filesystem::path(input_name(file)).filename().string();
+    return file_name_of(path_of(input_name(file)).filename());
   }
 
   FileKind draw_file(PictureFormat format, Session& session) {

@@ -32,6 +32,7 @@
 #include "plumb/io/solid/solid_text.h"
 #include "plumb/io/solid_io.h"
 #include "plumb/io/surface_writer.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/picture/space_svg.h"
 #include "plumb/picture/surface_scene.h"
@@ -224,14 +225,14 @@ DemoBook::DemoBook(fs::path directory, Session& session)
     : directory_(std::move(directory)), session_(session) {
   std::error_code error;
   fs::create_directories(directory_, error);
-  if (error) throw Error(ErrorCode::CannotWrite, error.message(), {directory_.string()});
+  if (error) throw Error(ErrorCode::CannotWrite, error.message(), {file_name_of(directory_)});
 }
 
 /// The file is in $PLUMB_ROOT if that is set, else in the sources that this program was built from
 /// if they exist, else where `cmake --install` and the packages put it.
 std::string DemoBook::bundled(const std::string& file) {
   const char* const root = std::getenv("PLUMB_ROOT");
-  if (root != nullptr && *root != '\0') return (fs::path(root) / "corpus" / file).string();
+  if (root != nullptr && *root != '\0') return file_name_of(path_of(root) / "corpus" / file);
   const fs::path in_sources = fs::path(PLUMB_SOURCE_DIR) / "corpus" / file;
   std::error_code error;
   if (fs::exists(in_sources, error)) return in_sources.string();
@@ -251,7 +252,7 @@ void DemoBook::step(const std::string& what) {
 }
 
 void DemoBook::write(const std::string& name, std::string bytes) {
-  session_.outputs().add((directory_ / name).string(),
+  session_.outputs().add(file_name_of(directory_ / name),
                          [bytes = std::move(bytes)](std::ostream& out) { out << bytes; });
 }
 
@@ -271,10 +272,10 @@ std::string in_full(const Rational& value) {
 }
 
 void DemoBook::finish() {
-  session_.outputs().add((directory_ / "index.html").string(),
+  session_.outputs().add(file_name_of(directory_ / "index.html"),
                          [this](std::ostream& out) { write_demo_page(out, chapters_); });
   session_.outputs().add("-", [this](std::ostream& out) {
-    const std::string page = (directory_ / "index.html").string();
+    const std::string page = file_name_of(directory_ / "index.html");
     if (session_.options().json) {
       out << demo_json(page, chapters_).dump() << '\n';
       return;

@@ -19,6 +19,7 @@
 #include "plumb/io/map_io.h"
 #include "plumb/io/map_report_io.h"
 #include "plumb/io/plane/map_overlay_writer.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/picture/overlay_svg.h"
 #include "plumb/plane/map_check.h"
@@ -188,7 +189,7 @@ class Demo : public CommandBody {
   ExitCode run(Session& session) override {
     const std::string& out = session.options().out;
     session.expect(stages_of_demo());
-    DemoBook book(out.empty() ? "plumb-demo" : out, session);
+    DemoBook book(path_of(out.empty() ? "plumb-demo" : out), session);
     PlaneDemo plane(book);
     plane.check_defective();
     plane.build_dcel();

@@ -11,13 +11,14 @@
 #include <utility>
 
 #include "plumb/io/solid/solid_text.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/picture/png/encode_png.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
 
 std::string SetOutput::title() const {
-  return path_ == "-" ? "" : std::filesystem::path(path_).filename().string();
+  return path_ == "-" ? "" : file_name_of(path_of(path_).filename());
 }
 
 std::string SetOutput::material_library() const { return material_library_of(path_); }
@@ -48,8 +49,8 @@ void SetOutput::prepare(const std::function<nlohmann::ordered_json()>& info,
     throw Error(error.code(), error.message(), {name()});
   }
   if (file_.write_library && !material_library().empty()) {
-    const auto path = std::filesystem::path(path_).replace_extension(".mtl");
-    session.outputs().add(path.string(), file_.write_library);
+    const auto path = path_of(path_).replace_extension(".mtl");
+    session.outputs().add(file_name_of(path), file_.write_library);
   }
   if (!strict) return;
   for (const std::vector<std::string>* const told : {&file_.losses, &file_.changes}) {

@@ -77,6 +77,7 @@ CommandApp::CommandApp(const Command& command)
   std::string footer = "JSON: docs/schema/" + std::string(command.schema) + ".schema.json\n";
   footer += "Example:\n  " + std::string(command.example);
   app.footer(footer);
+  app.allow_windows_style_options(false);  // /tmp/a.off is a file there, too.
   app.formatter(std::make_shared<Formatter>());
   body->declare(app);
   common.declare(app);

@@ -22,6 +22,7 @@
 #include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/glb.h"
 #include "plumb/io/nef3_writer.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
@@ -157,13 +158,13 @@ bool holds_any(const MeshAttributes& outline, MeshFormat format) {
 std::span<const SolidFormat> solid_formats() { return kFormats; }
 
 std::string material_library_of(const std::string& path) {
-  const std::filesystem::path file(path);
+  const std::filesystem::path file = path_of(path);
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   const bool is_other =
       std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
   if (path == "-" || is_other || file.filename().empty() || file.extension() == ".mtl") return {};
-  return file.filename().replace_extension(".mtl").string();
+  return file_name_of(file.filename().replace_extension(".mtl"));
 }
 
 SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding,

@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/system_files.h"
 #include "plumb/predicates/error.h"
@@ -131,26 +132,26 @@ std::string read_input(const std::string& path, Context& context) {
 bool lies_below(const std::string& folder, const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path base = fs::canonical(folder.empty() ? "." : folder, error);
+  const fs::path base = fs::canonical(path_of(folder.empty() ? "." : folder), error);
   if (error) return false;
   // A relative path whose first part does not exist would stay relative.
-  const fs::path place = fs::weakly_canonical(fs::absolute(file, error), error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(path_of(file), error), error);
   return !error &&
          std::mismatch(base.begin(), base.end(), place.begin(), place.end()).first == base.end();
 }
 
 std::string named_file(const std::string& input, const std::string& name, NamedFiles named_files) {
   namespace fs = std::filesystem;
-  const fs::path folder = input == "-" ? fs::path() : fs::path(input).parent_path();
-  const std::string file = (folder / name).string();
+  const fs::path folder = input == "-" ? fs::path() : path_of(input).parent_path();
+  const std::string file = file_name_of(folder / path_of(name));
   const auto refuse = [&](const char* why) {
     throw Error(ErrorCode::CannotOpen, plumb::quoted(name) + why, {input_name(input)});
   };
-  if (named_files == NamedFiles::Below && !lies_below(folder.string(), file)) {
+  if (named_files == NamedFiles::Below && !lies_below(file_name_of(folder), file)) {
     refuse(" does not lie in the folder of the file that names it, nor below");
   }
   std::error_code error;
-  const fs::file_status status = fs::status(file, error);
+  const fs::file_status status = fs::status(path_of(file), error);
   if (!error && fs::exists(status) && !fs::is_regular_file(status)) refuse(" is no ordinary file");
   return file == "-" ? "./-" : file;
 }
@@ -285,13 +286,13 @@ void OutputFile::open_directly() {
 }
 
 void OutputFile::open_temporary() {
-  const std::filesystem::path target(target_);
+  const std::filesystem::path target = path_of(target_);
   // The longest name that file systems accept has 255 bytes, and a temporary name has 8 more.
   constexpr std::size_t kMost = 255, kMore = 8;
   std::string name = ".";
-  name += target.filename().string().substr(0, kMost - kMore);
+  name += file_name_of(target.filename()).substr(0, kMost - kMore);
   name += ".XXXXXX";
-  temporary_ = (target.parent_path() / name).string();
+  temporary_ = file_name_of(target.parent_path() / "") + name;
   descriptor_ = system_files::create_temporary(temporary_);
   if (descriptor_ < 0) {
     temporary_.clear();
@@ -354,9 +355,9 @@ OutputDirectory::OutputDirectory(const std::filesystem::path& path) {
     if (!std::filesystem::create_directory(at, failed)) {
       if (!failed) failed = std::make_error_code(std::errc::not_a_directory);
       remove_made();
-      throw Error(ErrorCode::CannotWrite, path.string() + ": " + failed.message());
+      throw Error(ErrorCode::CannotWrite, file_name_of(path) + ": " + failed.message());
     }
-    made_.insert(made_.begin(), at.string());
+    made_.insert(made_.begin(), file_name_of(at));
   }
   for (const std::string& made : made_) made_directories.add(made.c_str());
 }
@@ -374,7 +375,7 @@ void OutputDirectory::keep() {
 void OutputDirectory::remove_made() {
   for (const std::string& made : made_) {
     std::error_code not_empty;
-    if (!std::filesystem::remove(made, not_empty)) return;
+    if (!std::filesystem::remove(path_of(made), not_empty)) return;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "plumb/io/text/file_names.h"
 #ifdef _WIN32
 #include <io.h>
 #include <windows.h>
@@ -47,9 +49,9 @@ bool replace_file(const std::string& from, const std::string& to) {
 
 std::string resolve_links(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::is_symlink(path, error)) return path;
-  const std::filesystem::path real = std::filesystem::canonical(path, error);
-  return error ? path : real.string();
+  if (!std::filesystem::is_symlink(path_of(path), error)) return path;
+  const std::filesystem::path real = std::filesystem::canonical(path_of(path), error);
+  return error ? path : file_name_of(real);
 }
 
 #else

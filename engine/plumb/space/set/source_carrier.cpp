@@ -156,7 +156,7 @@ std::span<const PlacedSource> Nef3::sources() const {
   return *sources_;
 }
 
-SourceCarrier::List SourceCarrier::joined(const List& first, const List& second) {
+SourceLists::List SourceLists::joined(const List& first, const List& second) {
   if (second == nullptr || first == second) return first;
   if (first == nullptr) return second;
   auto both = std::make_shared<std::vector<PlacedSource>>(*first);
@@ -169,7 +169,7 @@ SourceCarrier::List SourceCarrier::joined(const List& first, const List& second)
   return both;
 }
 
-SourceCarrier::List SourceCarrier::joined(std::span<const Nef3> sets) {
+SourceLists::List SourceLists::joined(std::span<const Nef3> sets) {
   List list;
   std::shared_ptr<std::vector<PlacedSource>> all;  // If several sets have sources.
   std::unordered_multimap<const MeshSource*, std::size_t> known;
@@ -182,7 +182,7 @@ SourceCarrier::List SourceCarrier::joined(std::span<const Nef3> sets) {
     all->push_back(placed);
   };
   for (const Nef3& set : sets) {
-    const List own = of(set);
+    const List own = SourceCarrier::of(set);
     if (own == nullptr || own == list) continue;
     if (list == nullptr) {
       list = own;
@@ -197,7 +197,7 @@ SourceCarrier::List SourceCarrier::joined(std::span<const Nef3> sets) {
   return all == nullptr ? list : List(all);
 }
 
-SourceCarrier::List SourceCarrier::mapped(const List& list, const AffineMap3& map) {
+SourceLists::List SourceLists::mapped(const List& list, const AffineMap3& map) {
   if (list == nullptr) return list;
   auto result = std::make_shared<std::vector<PlacedSource>>(*list);
   for (PlacedSource& placed : *result) placed.map = composed(map, placed.map);

@@ -11,10 +11,21 @@
 
 namespace plumb {
 
-/// Reads and sets the sources of a set. A null list means that there are none.
-struct SourceCarrier {
+/// What is done with lists of sources. A null list means that there are none.
+struct SourceLists {
   using List = std::shared_ptr<const std::vector<PlacedSource>>;  ///< The list of a set.
 
+  /// Returns the sources of the first list and then those of the second one that are not in it.
+  static List joined(const List& first, const List& second);
+  /// Returns the sources of sets in their order.
+  static List joined(std::span<const Nef3> sets);
+  /// Returns the list after a map has been applied to the set.
+  static List mapped(const List& list, const AffineMap3& map);
+};
+
+/// Reads and sets the sources of a set. nef3.h, which names this struct as a friend, gives it the
+/// visibility of what it exports; what is compiled in a file of its own is therefore in the base.
+struct SourceCarrier : SourceLists {
   /// Returns the list of a set.
   static const List& of(const Nef3& set) { return set.sources_; }
   /// Returns the set with another list.
@@ -22,14 +33,6 @@ struct SourceCarrier {
     set.sources_ = std::move(list);
     return set;
   }
-  // nef3.h, which names this struct as a friend, gives it the visibility of what it exports.
-
-  /// Returns the sources of the first list and then those of the second one that are not in it.
-  [[gnu::visibility("hidden")]] static List joined(const List& first, const List& second);
-  /// Returns the sources of sets in their order.
-  [[gnu::visibility("hidden")]] static List joined(std::span<const Nef3> sets);
-  /// Returns the list after a map has been applied to the set.
-  [[gnu::visibility("hidden")]] static List mapped(const List& list, const AffineMap3& map);
 };
 
 }  // namespace plumb
