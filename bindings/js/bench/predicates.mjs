@@ -1,10 +1,12 @@
-// The time of a call of each predicate beside robust-predicates, in nanoseconds, both in this process and in turn:
+// The time of a call of each predicate beside robust-predicates, in nanoseconds, both in this
+// process and in turn:
 //
 //   bindings/js/build && npm install --no-save --prefix build/peers robust-predicates
 //   PLUMB_JS_PEERS=build/peers node bindings/js/bench/predicates.mjs [--rounds N]
 //
-// The figure is the smallest of N rounds (default 9) over 4096 inputs. `grid` are integers below 4, of which many are degenerate;
-// `near` are points near a line, plane, circle or sphere, by a unit in the last place.
+// The figure is the smallest of N rounds (default 9) over 4096 inputs. `grid` are integers below 4,
+// of which many are degenerate; `near` are points near a line, plane, circle or sphere, by a unit
+// in the last place.
 import {createRequire} from 'node:module';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
@@ -13,7 +15,8 @@ const here = dirname(fileURLToPath(import.meta.url));
 const dist = process.env.PLUMB_JS_DIST ?? join(here, '../dist');
 const plumb = await import(pathToFileURL(join(dist, 'predicates.js')));
 const peers = resolve(process.env.PLUMB_JS_PEERS ?? 'build/peers');
-const robust = await import(pathToFileURL(createRequire(join(peers, 'x.js')).resolve('robust-predicates')));
+const robust =
+    await import(pathToFileURL(createRequire(join(peers, 'x.js')).resolve('robust-predicates')));
 const at = process.argv.indexOf('--rounds');
 const rounds = at < 0 ? 9 : Number(process.argv[at + 1]);
 const inputs = 4096, repeats = 8;
@@ -47,9 +50,11 @@ for (const [name, count] of Object.entries(counts)) {
     const ours = make(), theirs = make();
     let best = [Infinity, Infinity];
     for (let round = -2; round < rounds; ++round) {
-      const times = [nanoseconds(ours, plumb[name], numbers), nanoseconds(theirs, robust[name], numbers)];
+      const times =
+          [nanoseconds(ours, plumb[name], numbers), nanoseconds(theirs, robust[name], numbers)];
       if (round >= 0) best = best.map((time, i) => Math.min(time, times[i]));
     }
-    console.log(`${name.padEnd(9)} ${family.padEnd(7)} ${best[0].toFixed(1).padStart(7)}  ${best[1].toFixed(1).padStart(17)}  ${(best[0] / best[1]).toFixed(2).padStart(5)}`);
+    console.log(`${name.padEnd(9)} ${family.padEnd(7)} ${best[0].toFixed(1).padStart(7)}  ${
+        best[1].toFixed(1).padStart(17)}  ${(best[0] / best[1]).toFixed(2).padStart(5)}`);
   }
 }

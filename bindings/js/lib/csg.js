@@ -2,7 +2,7 @@
 import {wrap} from './handle.js';
 import {inFrame} from './memory.js';
 import {PlaneSet} from './plane_set.js';
-import {readOptions, tell, withFiles} from './sets.js';
+import {readOptions, withFiles} from './sets.js';
 import {Solid} from './solid.js';
 
 /**
@@ -17,7 +17,7 @@ export function readCsg(data, {name = 'model.csg', files = {}, ...options} = {})
                  frame.check(
                      'plumb_csg_read_file', frame.text(`${folder}/${name}`, 'name'),
                      readOptions(frame, options), below, solid, set, notes, frame.context());
-                 tell(frame.notes(notes), options);
+                 frame.tell(frame.notes(notes));
                  if (frame.u32(solid) !== 0) return wrap(Solid, frame.u32(solid));
                  return frame.u32(set) !== 0 ? wrap(PlaneSet, frame.u32(set)) : null;
                }));

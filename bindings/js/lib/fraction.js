@@ -1,6 +1,6 @@
 // Exact numbers: fractions of BigInts, and lists of exact numbers in the engine's memory.
 import {PlumbError} from './error.js';
-import {badArgument, engine, shown, textAt} from './memory.js';
+import {badArgument, engine, shown, taken, textAt} from './memory.js';
 
 const gcd = (a, b) => {
   while (b !== 0n) [a, b] = [b, a % b];
@@ -162,10 +162,8 @@ export function vectors(points, width, what) {
 
 /** The fractions of a list, which is released. */
 export function takeNumbers(list) {
-  const result = [];
-  const length = engine()._plumb_numbers_count(list) >>> 0;
-  for (let i = 0; i < length; ++i)
-    result.push(ofText(textAt(engine()._plumb_numbers_exact(list, i))));
-  engine()._plumb_numbers_free(list);
-  return result;
+  return taken(list, 'plumb_numbers_free', () => {
+    const length = engine()._plumb_numbers_count(list) >>> 0;
+    return Array.from({length}, (_, i) => ofText(textAt(engine()._plumb_numbers_exact(list, i))));
+  });
 }

@@ -237,6 +237,16 @@ export interface RayHit<Kind extends string> {
   point: Fraction[];
 }
 
+/** Nearest points of the closures of two sets. */
+export interface Distance<Kind extends string> {
+  /** The square of the distance, exact. */
+  squared: Fraction;
+  /** The point of the first set, and that of the second one, exact. */
+  points: [Fraction[], Fraction[]];
+  /** The cells that have these points. */
+  cells: [Cell<Kind>, Cell<Kind>];
+}
+
 /** What sets of space, of the plane and of the sphere have in common. All are immutable. */
 export abstract class PointSet<Self, Vector, Kind extends string> extends Handle {
   /** Another object with the same set; costs no time. */
@@ -394,6 +404,11 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
    */
   resized(size: Vector3, options?: Options&{automatic?: readonly[boolean, boolean, boolean]}):
       Solid;
+  /**
+   * The closure grown by a distance, or shrunk by a negative one. An octahedron whose faces are
+   * divided `rounds` times, at most 7, stands for the ball; by default 3 times.
+   */
+  offset(distance: number, options?: Options&{rounds?: number}): Solid;
   minkowskiSum(other: Solid, options?: Options): Solid;
   /** The vectors by which the other solid can be moved so that it lies in this one. */
   minkowskiErosion(other: Solid, options?: Options): Solid;
@@ -418,6 +433,8 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   isConvex(): boolean;
   /** `failing`: pairs of a facet and a vertex on its outer side. */
   convexity(options?: Options): {isConvex: boolean; reflexEdges: number; failing: Uint32Array};
+  /** The nearest points of the closures; an error (BAD_ARGUMENT) if a set is empty. */
+  distance(other: Solid, options?: Options): Distance<'vertex'|'edge'|'facet'|'volume'>;
   /** The exact volume; null if it is infinite. */
   volume(options?: Options): Fraction|null;
   /** The exact centroid; null if the volume is 0 or infinite. */
@@ -485,7 +502,8 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   static fromBytes(data: FileData): PlaneSet;
 
   /** `grid`: coordinates become its multiples. */
-  write(format: 'wkt'|'wkb'|'geojson'|'dxf'|'nef2', options?: RoundingOptions&{grid?: Exact}): Uint8Array;
+  write(format: 'wkt'|'wkb'|'geojson'|'dxf'|'nef2', options?: RoundingOptions&{grid?: Exact}):
+      Uint8Array;
   /** The .nef2 file, which holds the set exactly. */
   toBytes(options?: Options): Uint8Array;
   toWkt(options?: RoundingOptions&{grid?: Exact}): string;
@@ -538,6 +556,8 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   isBounded(): boolean;
   isConvex(options?: Options): boolean;
   convexity(options?: Options): {isConvex: boolean; reflexCorners: number; parts: number};
+  /** The nearest points of the closures; an error (BAD_ARGUMENT) if a set is empty. */
+  distance(other: PlaneSet, options?: Options): Distance<'vertex'|'edge'|'face'>;
   /** The exact area; null if it is infinite. */
   area(options?: Options): Fraction|null;
 }

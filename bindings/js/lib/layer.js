@@ -11,10 +11,11 @@ import {
   inFrame,
   real,
   takeBytes,
-  takeIndices
+  takeIndices,
+  taken,
 } from './memory.js';
 import {PlaneSet} from './plane_set.js';
-import {readOptions, self, tell} from './sets.js';
+import {readOptions, self} from './sets.js';
 
 const owners = ['longest border', 'largest', 'smallest', 'first'];
 const kinds = ['overlap', 'gap', 'hole'];
@@ -35,7 +36,7 @@ export class Layer extends Handle {
       const {address, notes} = frame.makeWithNotes(
           'plumb_layer_read', bytes.address, bytes.count, readOptions(frame, options),
           frame.text(options.object, 'object'));
-      tell(notes, options);
+      frame.tell(notes);
       return wrap(Layer, address);
     });
   }
@@ -98,7 +99,13 @@ export class Layer extends Handle {
       frame.check(
           'plumb_layer_repair', self(this), constant(owners, owner, 'owner'),
           real(gapsBelow, 'gapsBelow'), out, report, frame.context());
-      return {layer: wrap(Layer, frame.u32(out)), report: reportOf(frame.u32(report), this, frame)};
+      const layer = wrap(Layer, frame.u32(out));
+      try {
+        return {layer, report: reportOf(frame.u32(report), this, frame)};
+      } catch (error) {
+        layer.dispose();
+        throw error;
+      }
     });
   }
   /** `groups` has a group for each feature; null leaves a feature out. */
@@ -149,6 +156,10 @@ function jsonOfFeatures(layer, name) {
 
 /** A report as an object; it is released. */
 function reportOf(report, layer, frame) {
+  return taken(report, 'plumb_layer_report_free', () => factsOf(report, layer, frame));
+}
+
+function factsOf(report, layer, frame) {
   const length = frame.block(4);
   const regions = Array.from({length: engine()._plumb_layer_report_count(report) >>> 0}, (_, i) => {
     const features = engine()._plumb_layer_report_features(report, i, length);
@@ -163,12 +174,10 @@ function reportOf(report, layer, frame) {
   });
   const write = (format) => decode(takeBytes(
       frame.make('plumb_layer_report_write', report, self(layer), frame.text(format, 'format'))));
-  const result = {
+  return {
     hasDefects: engine()._plumb_layer_report_has_defects(report) !== 0,
     regions,
     text: write('text'),
     geoJson: JSON.parse(write('geojson')),
   };
-  engine()._plumb_layer_report_free(report);
-  return result;
 }

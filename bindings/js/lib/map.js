@@ -13,10 +13,11 @@ import {
   shown,
   Struct,
   takeBytes,
+  taken,
   textAt,
 } from './memory.js';
 import {PlaneSet} from './plane_set.js';
-import {isRaw, readOptions, self, tell, withFiles, writeOptions} from './sets.js';
+import {isRaw, readOptions, self, withFiles, writeOptions} from './sets.js';
 
 const optionsLayout =
     new Struct({outer: 'i32', merge_vertices: 'bool', name_places: 'bool', max_defects: 'u64'});
@@ -84,7 +85,7 @@ export class Map extends Handle {
                    frame.check(
                        'plumb_map_read_file', frame.text(`${folder}/${name}`, 'name'),
                        readOptions(frame, options), out, isPolygons, notes, frame.context());
-                   tell(frame.notes(notes), options);
+                   frame.tell(frame.notes(notes));
                    return wrap(Map, frame.u32(out));
                  }));
   }
@@ -210,11 +211,13 @@ function defectOf({
 }
 
 /** The arrays of a half-edge structure, which is released. The twin of half-edge h is h ^ 1. */
-function takeDcel(dcel) {
+function takeDcel(dcel) { return taken(dcel, 'plumb_dcel_free', arraysOf); }
+
+function arraysOf(dcel) {
   const number = (name) => engine()[`_plumb_dcel_${name}_count`](dcel) >>> 0;
   const array = (Type, name, length) => copyOf(Type, engine()[`_plumb_dcel_${name}`](dcel), length);
   const vertices = number('vertex'), halfedges = number('halfedge');
-  const result = {
+  return {
     faceCount: number('face'),
     points: array(Float64Array, 'points', 2 * vertices),
     origin: array(Uint32Array, 'origin', halfedges),
@@ -223,8 +226,6 @@ function takeDcel(dcel) {
     face: array(Uint32Array, 'face', halfedges),
     leaving: array(Uint32Array, 'leaving', vertices),
   };
-  engine()._plumb_dcel_free(dcel);
-  return result;
 }
 
 /** The subdivision of the plane by the edges of two valid maps. */

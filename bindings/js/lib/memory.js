@@ -2,8 +2,9 @@
 //
 // A Frame holds what one call needs: copies of arrays and texts, places for results, and the
 // context. release() frees all of it, so that a call leaves nothing behind but the objects that it
-// made. Every function of the C interface that can fail takes the address of an error as its last
-// parameter; Frame.check() passes one and turns an error into an exception.
+// made. If a callback of the caller throws when they are made, inFrame() releases them, too. Every
+// function of the C interface that can fail takes the address of an error as its last parameter;
+// Frame.check() passes one and turns an error into an exception.
 //
 // Structs have the layout of C on wasm32: members follow each other, each at a multiple of its
 // size. tests/structs.test.mjs compares the layouts with the header plumb.h.
@@ -150,6 +151,7 @@ export class Frame {
   #context = 0;
   #options = null;
   #stop = null;  // Why the operation shall stop: {error}, or null.
+  #notes = [];   // What onNote of the options will be told.
 
   /** `options`: {timeout, memoryLimit, onProgress, signal}, or undefined. */
   constructor(options) {
@@ -245,6 +247,9 @@ export class Frame {
   /** The notes that a function left at an address; they are released. */
   notes(address) { return takeNotes(this.u32(address)); }
 
+  /** Keeps notes of a file for onNote of the options, which finish() calls. */
+  tell(notes) { this.#notes.push(...notes); }
+
   // -- calls
 
   /** The context for what the options ask for; 0 for nothing. */
@@ -321,6 +326,17 @@ export class Frame {
     if (this.#stop !== null) engine()._plumb_context_cancel(this.#context);
   }
 
+  /**
+   * What is left to do when the results are made: an exception of a progress callback that came
+   * too late to stop the operation is thrown, and onNote is told.
+   */
+  finish() {
+    if (this.#stop !== null) throw this.#stop.error;
+    const onNote = this.#options?.onNote;
+    if (typeof onNote !== 'function') return;
+    for (const note of this.#notes) onNote.call(this.#options, note);
+  }
+
   #call(name, inputs) {
     const error = this.block(4);
     const status = statusOf(name, inputs, error);
@@ -362,13 +378,39 @@ function statusOf(name, inputs, error) {
   }
 }
 
-/** Runs a body with a frame, and releases the frame. */
+/**
+ * Runs a body with a frame, and releases the frame. If a callback of the options throws when the
+ * result is made, the result is disposed of.
+ */
 export function inFrame(options, body) {
   const frame = new Frame(options);
   try {
-    return body(frame);
+    const result = body(frame);
+    try {
+      frame.finish();
+    } catch (error) {
+      disposeOf(result);
+      throw error;
+    }
+    return result;
   } finally {
     frame.release();
+  }
+}
+
+/** Disposes of the objects of the engine in a result: of itself, or of what its members are. */
+function disposeOf(result) {
+  if (typeof result !== 'object' || result === null || ArrayBuffer.isView(result)) return;
+  if (typeof result.dispose === 'function') return result.dispose();
+  Object.values(result).forEach(disposeOf);
+}
+
+/** What `read` takes from an object of the engine, which is released even if `read` fails. */
+export function taken(object, free, read) {
+  try {
+    return read(object);
+  } finally {
+    if (isReady()) engine()[`_${free}`](object);
   }
 }
 
@@ -412,11 +454,7 @@ function takeError(status, error) {
 }
 
 /** The texts of notes and which are warnings; the notes are released. */
-export function takeNotes(notes) {
-  const result = notesOf(notes);
-  engine()._plumb_notes_free(notes);
-  return result;
-}
+export function takeNotes(notes) { return taken(notes, 'plumb_notes_free', notesOf); }
 
 export function notesOf(notes) {
   const result = [];
@@ -432,19 +470,19 @@ export function notesOf(notes) {
 
 /** A copy of bytes, which are released. */
 export function takeBytes(bytes) {
-  const result = copyOf(
-      Uint8Array, engine()._plumb_bytes_data(bytes), engine()._plumb_bytes_size(bytes) >>> 0);
-  engine()._plumb_bytes_free(bytes);
-  return result;
+  return taken(
+      bytes, 'plumb_bytes_free',
+      () => copyOf(
+          Uint8Array, engine()._plumb_bytes_data(bytes), engine()._plumb_bytes_size(bytes) >>> 0));
 }
 
 /** A copy of indices, which are released. */
 export function takeIndices(indices) {
-  const result = copyOf(
-      Uint32Array, engine()._plumb_indices_data(indices),
-      engine()._plumb_indices_count(indices) >>> 0);
-  engine()._plumb_indices_free(indices);
-  return result;
+  return taken(
+      indices, 'plumb_indices_free',
+      () => copyOf(
+          Uint32Array, engine()._plumb_indices_data(indices),
+          engine()._plumb_indices_count(indices) >>> 0));
 }
 
 export const decode = (bytes) => new TextDecoder().decode(bytes);

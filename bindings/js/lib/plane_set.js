@@ -12,11 +12,13 @@ import {
   real,
   shown,
   Struct,
-  takeBytes
+  takeBytes,
+  taken,
 } from './memory.js';
 import {
   containsPoints,
   describe,
+  distanceBetween,
   isRaw,
   measure,
   PointSet,
@@ -24,7 +26,6 @@ import {
   ruleOf,
   self,
   takeSets,
-  tell,
   transformed,
   translated,
   writeOptions,
@@ -172,14 +173,14 @@ export class PlaneSet extends PointSet {
       const bytes = frame.bytes(data, 'the file');
       const {address, notes} = frame.makeWithNotes(
           'plumb_plane_set_read', bytes.address, bytes.count, readOptions(frame, options));
-      tell(notes, options);
+      frame.tell(notes);
       return wrap(PlaneSet, address);
     });
   }
   static fromBytes(data) { return PlaneSet.read(data, {name: 'data.nef2'}); }
   write(format, options = {}) {
     const write = (frame, grid) => written(
-        frame, options, 'plumb_plane_set_write', self(this), frame.text(format, 'format'),
+        frame, 'plumb_plane_set_write', self(this), frame.text(format, 'format'),
         writeOptions(frame, isRaw(options.rounding), grid));
     return inFrame(
         options,
@@ -202,23 +203,7 @@ export class PlaneSet extends PointSet {
   shapes(options) {
     return inFrame(options, (frame) => {
       const shapes = frame.make('plumb_plane_set_shapes', self(this));
-      const number = (name) => engine()[`_plumb_shapes_${name}_count`](shapes) >>> 0;
-      const array = (Type, name, length) =>
-          copyOf(Type, engine()[`_plumb_shapes_${name}`](shapes), length);
-      const polygons = number('polygon'), rings = number('ring'), lines = number('line');
-      const ringBegin = array(Uint32Array, 'ring_begin', rings + 1),
-            lineBegin = array(Uint32Array, 'line_begin', lines + 1);
-      const result = {
-        points: array(Float64Array, 'points', 2 * number('point')),
-        polygonBegin: array(Uint32Array, 'polygon_begin', polygons + 1),
-        ringBegin,
-        ringCorners: array(Uint32Array, 'ring_corners', ringBegin[rings]),
-        lineBegin,
-        lineCorners: array(Uint32Array, 'line_corners', lineBegin[lines]),
-        singles: array(Uint32Array, 'singles', number('single')),
-      };
-      engine()._plumb_shapes_free(shapes);
-      return result;
+      return taken(shapes, 'plumb_shapes_free', arraysOf);
     });
   }
   rounded({step, ...options} = {}) {
@@ -327,5 +312,26 @@ export class PlaneSet extends PointSet {
       };
     });
   }
+  /** Nearest points of the closures of this set and another one. */
+  distance(other, options) { return distanceBetween(this, other, options); }
   area(options) { return measure(this, 'area', options); }
+}
+
+/** The arrays of shapes of the engine. */
+function arraysOf(shapes) {
+  const number = (name) => engine()[`_plumb_shapes_${name}_count`](shapes) >>> 0;
+  const array = (Type, name, length) =>
+      copyOf(Type, engine()[`_plumb_shapes_${name}`](shapes), length);
+  const polygons = number('polygon'), rings = number('ring'), lines = number('line');
+  const ringBegin = array(Uint32Array, 'ring_begin', rings + 1),
+        lineBegin = array(Uint32Array, 'line_begin', lines + 1);
+  return {
+    points: array(Float64Array, 'points', 2 * number('point')),
+    polygonBegin: array(Uint32Array, 'polygon_begin', polygons + 1),
+    ringBegin,
+    ringCorners: array(Uint32Array, 'ring_corners', ringBegin[rings]),
+    lineBegin,
+    lineCorners: array(Uint32Array, 'line_corners', lineBegin[lines]),
+    singles: array(Uint32Array, 'singles', number('single')),
+  };
 }

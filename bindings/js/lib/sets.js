@@ -195,6 +195,23 @@ export function measure(set, name, options) {
           takeNumbers(frame.make(`${set.constructor.prefix}_${name}`, self(set)))[0] ?? null);
 }
 
+/** Nearest points of the closures of two sets, and the cells that have them. */
+export function distanceBetween(set, other, options) {
+  const Class = set.constructor, {prefix, width} = Class;
+  return inFrame(options, (frame) => {
+    const out = frame.block(4), cells = frame.block(24);
+    frame.check(
+        `${prefix}_distance`, self(set), addressOf(other, Class, 'other'), out, cells,
+        frame.context());
+    const numbers = takeNumbers(frame.u32(out));
+    return {
+      squared: numbers[0],
+      points: [numbers.slice(1, 1 + width), numbers.slice(1 + width)],
+      cells: [cellAt(set, cells), cellAt(other, cells + 12)],
+    };
+  });
+}
+
 /** The sets of a list, which is released. */
 export function takeSets(Class, list) {
   const length = engine()[`_${Class.prefix}_list_count`](list) >>> 0;
@@ -256,15 +273,10 @@ export function isRaw(rounding) {
   throw badArgument(`rounding must be 'valid' or 'nearest', not ${shown(rounding)}`);
 }
 
-/** Hands the notes of a file to options.onNote. */
-export function tell(notes, options) {
-  if (typeof options?.onNote === 'function') notes.forEach((note) => options.onNote(note));
-}
-
 /** The bytes that a writing function with notes makes. */
-export function written(frame, options, name, ...inputs) {
+export function written(frame, name, ...inputs) {
   const {address, notes} = frame.makeWithNotes(name, ...inputs);
-  tell(notes, options);
+  frame.tell(notes);
   return takeBytes(address);
 }
 

@@ -13,12 +13,14 @@ import {
   Struct,
   takeBytes,
   takeIndices,
+  taken,
 } from './memory.js';
 import {PlaneSet} from './plane_set.js';
 import {
   containsPoints,
   derived,
   describe,
+  distanceBetween,
   isRaw,
   measure,
   operations,
@@ -27,7 +29,6 @@ import {
   ruleOf,
   self,
   takeSets,
-  tell,
   transformed,
   translated,
   withFiles,
@@ -148,9 +149,7 @@ export function withMesh(frame, mesh, body) {
 export function takeMesh(mesh) {
   const isTriangles = (engine()._plumb_mesh_corner_count(mesh) >>> 0) ===
       3 * (engine()._plumb_mesh_face_count(mesh) >>> 0);
-  const arrays = arraysOf(mesh, isTriangles);
-  engine()._plumb_mesh_free(mesh);
-  return arrays;
+  return taken(mesh, 'plumb_mesh_free', () => arraysOf(mesh, isTriangles));
 }
 
 /** Reads a mesh as it stands in a file. */
@@ -168,7 +167,7 @@ export function readMesh(data, options = {}) {
       return frame.makeWithNotes('plumb_mesh_read', bytes.address, bytes.count, reading);
     };
     const {address, notes} = read();
-    tell(notes, options);
+    frame.tell(notes);
     return takeMesh(address);
   });
 }
@@ -204,15 +203,15 @@ export function checkMesh(mesh, options = {}) {
               {length: Math.max(offsets.length, 1) - 1},
               (_, i) => vertices.slice(offsets[i], offsets[i + 1]));
         };
-        const result = {
-          isClosed: engine()._plumb_mesh_report_is_closed(report) !== 0,
-          crossingCount: Number(engine()._plumb_mesh_report_crossing_count(report)),
-          ...Object.fromEntries(meshLists.map((name, which) => [name, list(which)])),
-          borders: chains(9),
-          holes: chains(10),
-        };
-        engine()._plumb_mesh_report_free(report);
-        return result;
+        return taken(
+            report, 'plumb_mesh_report_free',
+            () => ({
+              isClosed: engine()._plumb_mesh_report_is_closed(report) !== 0,
+              crossingCount: Number(engine()._plumb_mesh_report_crossing_count(report)),
+              ...Object.fromEntries(meshLists.map((name, which) => [name, list(which)])),
+              borders: chains(9),
+              holes: chains(10),
+            }));
       }));
 }
 
@@ -325,7 +324,12 @@ export class Solid extends PointSet {
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
         (i) => [0, 1, 2].map((axis) => ((i >> axis) & 1 ? to : from)[axis]));
     const box = Solid.hull(corners, options);
-    return options?.closed === false ? box.interior(options) : box;
+    if (options?.closed !== false) return box;
+    try {
+      return box.interior(options);
+    } finally {
+      box.dispose();
+    }
   }
   static ball(radius, rounds = 3) {
     return inFrame(
@@ -407,7 +411,7 @@ export class Solid extends PointSet {
         return frame.makeWithNotes('plumb_solid_read', bytes.address, bytes.count, reading, making);
       };
       const {address, notes} = read();
-      tell(notes, options);
+      frame.tell(notes);
       return wrap(Solid, address);
     });
   }
@@ -429,7 +433,7 @@ export class Solid extends PointSet {
     return inFrame(
         options,
         (frame) => written(
-            frame, options, 'plumb_solid_write', self(this), frame.text(format, 'format'),
+            frame, 'plumb_solid_write', self(this), frame.text(format, 'format'),
             writeOptions(frame, isRaw(options.rounding))));
   }
   toBytes(options) {
@@ -509,6 +513,19 @@ export class Solid extends PointSet {
         }));
   }
 
+  /**
+   * The closure grown by a distance, or shrunk by a negative one. An octahedron whose faces are
+   * divided `rounds` times, at most 7, stands for the ball.
+   */
+  offset(distance, {rounds = 3, ...options} = {}) {
+    return inFrame(
+        options,
+        (frame) => wrap(
+            Solid,
+            frame.make(
+                'plumb_solid_offset', self(this), real(distance, 'distance'),
+                count(rounds, 'rounds'))));
+  }
   minkowskiSum(other, options) { return withOther(this, 'minkowski_sum', other, options); }
   minkowskiErosion(other, options) { return withOther(this, 'minkowski_erosion', other, options); }
   decompose({method = 'best', closed = false, ...options} = {}) {
@@ -558,6 +575,8 @@ export class Solid extends PointSet {
       };
     });
   }
+  /** Nearest points of the closures of this set and another one. */
+  distance(other, options) { return distanceBetween(this, other, options); }
   volume(options) { return measure(this, 'volume', options); }
   centroid(options) {
     return inFrame(options, (frame) => {
@@ -625,9 +644,7 @@ function meshOf(solid, options, isTriangles) {
     });
     const out = frame.block(4), report = frame.struct(reportLayout);
     frame.check('plumb_solid_to_mesh', self(solid), settings, out, report, frame.context());
-    const mesh = frame.u32(out);
-    const arrays = arraysOf(mesh, isTriangles);
-    engine()._plumb_mesh_free(mesh);
+    const arrays = taken(frame.u32(out), 'plumb_mesh_free', (mesh) => arraysOf(mesh, isTriangles));
     return {...arrays, report: camel(reportLayout.read(report))};
   });
 }

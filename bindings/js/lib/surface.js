@@ -11,9 +11,10 @@ import {
   shown,
   Struct,
   takeBytes,
-  takeIndices
+  takeIndices,
+  taken,
 } from './memory.js';
-import {readOptions, ruleOf, self, tell, withFiles} from './sets.js';
+import {readOptions, ruleOf, self, withFiles} from './sets.js';
 import {takeMesh} from './solid.js';
 
 const infoLayout = new Struct({
@@ -48,7 +49,7 @@ export class Scene extends Handle {
                               const {address, notes} = frame.makeWithNotes(
                                   'plumb_scene_read_file', frame.text(`${folder}/${name}`, 'name'),
                                   readOptions(frame, options));
-                              tell(notes, options);
+                              frame.tell(notes);
                               return wrap(Scene, address);
                             }));
   }
@@ -108,14 +109,15 @@ export class Scene extends Handle {
       const path = frame.make(
           'plumb_scene_trace', self(this), count(from, 'from'), count(to, 'to'),
           options?.shortest ? 1 : 0);
-      const length = engine()._plumb_path_count(path) >>> 0;
-      const result = length === 0 ? null : {
-        length: engine()._plumb_path_length(path),
-        points: copyOf(Float64Array, engine()._plumb_path_points(path), 3 * length),
-        faces: copyOf(Uint32Array, engine()._plumb_path_faces(path), length - 1),
-      };
-      engine()._plumb_path_free(path);
-      return result;
+      return taken(path, 'plumb_path_free', () => {
+        const length = engine()._plumb_path_count(path) >>> 0;
+        if (length === 0) return null;
+        return {
+          length: engine()._plumb_path_length(path),
+          points: copyOf(Float64Array, engine()._plumb_path_points(path), 3 * length),
+          faces: copyOf(Uint32Array, engine()._plumb_path_faces(path), length - 1),
+        };
+      });
     });
   }
   divide(options) {

@@ -200,7 +200,9 @@ function layerPage(features, defects) {
   const marks = defects.features.map(
       ({geometry}) =>
           `<path d="${pathOf(geometry)}" fill="#e31a1c" stroke="#e31a1c" stroke-width="3"/>`);
-  return `<!doctype html><style>body{margin:0}svg{display:block;width:100%;height:100vh;background:#fff}path{vector-effect:non-scaling-stroke;fill-rule:evenodd}
+  return `<!doctype html><style>body{margin:0}
+    svg{display:block;width:100%;height:100vh;background:#fff}
+    path{vector-effect:non-scaling-stroke;fill-rule:evenodd}
     </style><svg viewBox="${x0 - margin} ${- y1 - margin} ${x1 - x0 + 2 * margin} ${
       y1 - y0 + 2 * margin}">${shapes.join('')}${marks.join('')}</svg>`;
 }

@@ -29,9 +29,9 @@ function withDeterminant(det, sign) {
   return magnitude > 0 && magnitude < Infinity ? det : sign * Number.MIN_VALUE;
 }
 
-// The exact stages of each predicate are called in functions of their own. Without them the exported
-// functions are so small that engines compile them into their callers, which passes coordinates
-// without boxes. A number times 0 is 0 if the number is finite, and NaN otherwise.
+// The exact stages of each predicate are called in functions of their own. Without them the
+// exported functions are so small that engines compile them into their callers, which passes
+// coordinates without boxes. A number times 0 is 0 if the number is finite, and NaN otherwise.
 
 function orient2dBeyondFilter(det, ax, ay, bx, by, cx, cy) {
   if (ax * 0 + ay * 0 + bx * 0 + by * 0 + cx * 0 + cy * 0 !== 0) return NaN;

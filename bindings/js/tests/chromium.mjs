@@ -48,7 +48,9 @@ export async function serve(page, receive = () => {}) {
 export async function shownBy(page) {
   const watch = `<script>
     for (const name of ['error', 'unhandledrejection']) {
-      addEventListener(name, (event) => fetch('/shown', {method: 'POST', body: String(event.message ?? event.reason)}));
+      addEventListener(name, (event) => {
+        fetch('/shown', {method: 'POST', body: String(event.message ?? event.reason)});
+      });
     }</script>`;
   let receive;
   const shown = new Promise((resolve) => (receive = resolve));

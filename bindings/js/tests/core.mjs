@@ -237,7 +237,7 @@ export const cases = {
 
   'files of plane sets hold them'({PlaneSet}) {
     const set = PlaneSet.box([0, 0], [4, 4]).difference(PlaneSet.box([1, 1], [2, 3])).closure();
-    for (const format of ['wkt', 'geojson', 'nef2']) {
+    for (const format of ['wkt', 'wkb', 'geojson', 'nef2']) {
       check(PlaneSet.read(set.write(format), {name: `a.${format}`}).equals(set), format);
       check(PlaneSet.read(set.write(format)).equals(set), `${format} by its content`);
     }
@@ -386,6 +386,42 @@ export const cases = {
     check(best.length === 2 && PlaneSet.unionOf(best).equals(bend));
     check(PlaneSet.unionOf(ring.decompose()).equals(ring));
     check(ring.minkowskiSum(PlaneSet.box([0, 0], [1, 1])).area().equals(49 - 1));
+  },
+
+  'distances are those of boxes'(plumb) {
+    const {Solid, PlaneSet} = plumb, random = randomNumbers(5);
+    const gap = (a, b, i) => BigInt(Math.max(0, a.low[i] - b.high[i], b.low[i] - a.high[i]));
+    let apart = 0;
+    for (let round = 0; round < 20; ++round) {
+      const [a, b] = [boxAt(plumb, random), boxAt(plumb, random)];
+      const p = a.solid.interior(), found = p.distance(b.solid);
+      const expected = [0, 1, 2].reduce((sum, i) => sum + gap(a, b, i) ** 2n, 0n);
+      check(found.squared.equals(expected), 'of solids');
+      check(p.closure().contains(found.points[0]) && b.solid.contains(found.points[1]), 'points');
+      checkEqual(p.locate(found.points[0]).index, found.cells[0].index, 'the first cell:');
+      checkEqual(b.solid.locate(found.points[1]), found.cells[1], 'the second cell:');
+      const flat = ({low, high}) => PlaneSet.box(low.slice(0, 2), high.slice(0, 2));
+      const inPlane = flat(a).distance(flat(b));
+      check(inPlane.squared.equals(gap(a, b, 0) ** 2n + gap(a, b, 1) ** 2n), 'of plane sets');
+      check(flat(a).contains(inPlane.points[0]) && flat(b).contains(inPlane.points[1]));
+      apart += expected > 0n ? 1 : 0;
+    }
+    check(apart > 3 && apart < 20, 'the boxes do not test anything');
+    failure(plumb, 'BAD_ARGUMENT', () => Solid.whole().distance(Solid.empty()));
+    failure(plumb, 'BAD_ARGUMENT', () => PlaneSet.empty().distance(PlaneSet.whole()));
+    failure(plumb, 'BAD_ARGUMENT', () => Solid.whole().distance(PlaneSet.whole()));
+  },
+
+  'offsets of solids are sums with a ball'(plumb) {
+    const {Solid} = plumb, box = Solid.box([0, 0, 0], [4, 5, 6]);
+    for (const rounds of [0, 2]) {
+      const ball = Solid.ball(1, rounds);
+      check(box.offset(1, {rounds}).equals(box.minkowskiSum(ball)), 'grown');
+      check(box.offset(-1, {rounds}).equals(box.minkowskiErosion(ball)), 'shrunk');
+    }
+    check(box.offset(-1).equals(Solid.box([1, 1, 1], [3, 4, 5])), 'faces move by the distance');
+    failure(plumb, 'BAD_ARGUMENT', () => box.offset(1, {rounds: 8}));
+    failure(plumb, 'NOT_FINITE', () => box.offset(NaN));
   },
 
   'models'({Solid, PlaneSet, readCsg}) {

@@ -47,6 +47,158 @@ test('objects that are disposed of leave no memory behind', {skip}, () => {
   assert.ok(growth < 2 ** 20, `${growth} bytes more after 10000 objects`);
 });
 
+/**
+ * Runs a body and returns how many objects and blocks of the engine it made, and which are left.
+ * The functions that make objects are given with the places of these among their parameters,
+ * counted from the end, and with the functions that release them.
+ */
+async function liveObjects(makers, body) {
+  const {engine} = await import(join(dist, 'memory.js'));
+  const module = engine(), originals = {}, live = new Set();
+  let made = 0;
+  const replace = (name, wrapper) => {
+    originals[name] ??= module[name];
+    module[name] = wrapper(module[name]);
+  };
+  const note = (free, address) => {
+    if (address === 0) return;
+    live.add(`${free} ${address}`);
+    ++made;
+  };
+  for (const [maker, results] of Object.entries(makers)) {
+    replace(`_${maker}`, (call) => (...inputs) => {
+      const status = call(...inputs);
+      for (const [place, free] of Object.entries(results))
+        if (status === 0) note(free, module.HEAPU32[inputs.at(-place) >>> 2]);
+      return status;
+    });
+    for (const free of Object.values(results)) {
+      replace(`_${free}`, (call) => (address) => {
+        live.delete(`${free} ${address}`);
+        call(address);
+      });
+    }
+  }
+  replace('_malloc', (call) => (size) => {
+    const address = call(size);
+    note('free', address >>> 0);
+    return address;
+  });
+  replace('_free', (call) => (address) => {
+    live.delete(`free ${address >>> 0}`);
+    call(address);
+  });
+  try {
+    body();
+  } finally {
+    Object.assign(module, originals);
+  }
+  return {made, left: [...live]};
+}
+
+const solidFree = 'plumb_solid_free', notesFree = 'plumb_notes_free';
+
+test('what the last report of progress throws is thrown, and nothing is left', {skip}, async () => {
+  const {Solid} = plumb, ball = Solid.ball(1, 5), other = ball.translated([0.5, 0.25, 0.125]);
+  let reports = 0;
+  ball.union(other, {onProgress: () => ++reports}).dispose();
+  const reason = new RangeError('enough');
+  const {engine} = await import(join(dist, 'memory.js')), report = engine().onProgress;
+  assert.equal(typeof report, 'function');
+  const original = engine()._plumb_solid_union;
+  // A report after the operation is done is what no cancelling can stop any more.
+  engine()._plumb_solid_union = (...inputs) => {
+    const status = original(...inputs);
+    report('last', 1, 1);
+    return status;
+  };
+  try {
+    const makers = {
+      plumb_solid_union: {3: solidFree},
+      plumb_context_new: {2: 'plumb_context_free'},
+    };
+    const {made, left} = await liveObjects(makers, () => {
+      const onProgress = (phase) => {
+        if (phase === 'last') throw reason;
+      };
+      assert.throws(() => ball.union(other, {onProgress}), reason);
+    });
+    assert.ok(made >= 3, 'the union was not made');
+    assert.deepEqual(left, []);
+  } finally {
+    engine()._plumb_solid_union = original;
+  }
+});
+
+/** What tells notes, and the functions of C that make objects meanwhile. */
+const noting = {
+  'Solid.read': {
+    makers: {plumb_solid_read: {4: solidFree, 3: notesFree}},
+    call: ({Solid}, options) => Solid.read(
+        'COFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n',
+        {name: 'a.off', ...options}),
+  },
+  'readMesh': {
+    makers: {plumb_mesh_read: {4: 'plumb_mesh_free', 3: notesFree}},
+    call: ({readMesh}, options) =>
+        readMesh('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n', {name: 'a.obj', ...options}),
+  },
+  'Solid.write': {
+    makers: {plumb_solid_write: {4: 'plumb_bytes_free', 3: notesFree}},
+    call: ({Solid}, options) => {
+      const inner = Solid.hull(new Float64Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1])).interior();
+      inner.write('off', options);
+    },
+  },
+  'PlaneSet.read': {
+    makers: {plumb_plane_set_read: {4: 'plumb_plane_set_free', 3: notesFree}},
+    call: ({PlaneSet}, options) => PlaneSet.read('POINT Z(3 3 5)', options),
+  },
+  'Layer.read': {
+    makers: {plumb_layer_read: {4: 'plumb_layer_free', 3: notesFree}},
+    call: ({Layer}, options) => Layer.read(
+        'GEOMETRYCOLLECTION(POLYGON((0 0,1 0,0 1,0 0)),POINT(3 3))', options),
+  },
+};
+
+for (const [name, {makers, call}] of Object.entries(noting)) {
+  test(`${name}: an exception of onNote is thrown, and nothing is left`, {skip}, async () => {
+    const reason = new RangeError('enough');
+    const onNote = () => {
+      throw reason;
+    };
+    const {made, left} =
+        await liveObjects(makers, () => assert.throws(() => call(plumb, {onNote}), reason));
+    assert.ok(made > 2, 'nothing was made');
+    assert.deepEqual(left, []);
+  });
+}
+
+test('a report that cannot be written leaves nothing behind', {skip}, async () => {
+  const cannotWrite = 101;  // PLUMB_CANNOT_WRITE of plumb.h.
+  const {Layer} = plumb;
+  const layer = Layer.read('GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0)),' +
+      'POLYGON((3 0,7 0,7 4,3 4,3 0)))');
+  const makers = {
+    plumb_layer_repair: {4: 'plumb_layer_free', 3: 'plumb_layer_report_free'},
+    plumb_layer_check: {3: 'plumb_layer_report_free'},
+    plumb_layer_report_area: {2: 'plumb_numbers_free'},
+  };
+  const {engine} = await import(join(dist, 'memory.js'));
+  const original = engine()._plumb_layer_report_write;
+  engine()._plumb_layer_report_write = () => cannotWrite;
+  try {
+    for (const use of ['repaired', 'check']) {
+      const {made, left} =
+          await liveObjects(makers, () => failure(plumb, 'CANNOT_WRITE', () => layer[use]()));
+      assert.ok(made > 3, 'nothing was made');
+      assert.deepEqual(left, [], use);
+    }
+  } finally {
+    engine()._plumb_layer_report_write = original;
+  }
+});
+
 test('objects that nobody disposed of are released by the garbage collector', {skip}, async () => {
   const {Solid} = plumb;
   const {setFlagsFromString} = await import('node:v8');
@@ -133,7 +285,8 @@ test(
 test('the worker loads the engine from where it is told', {skip, timeout: 120000}, async () => {
   const {connect} = await import(join(dist, 'worker.js'));
   const bytes = readFileSync(join(dist, 'engine.wasm'));
-  const places = [await WebAssembly.compile(bytes), bytes, pathToFileURL(join(dist, 'engine.wasm'))];
+  const file = pathToFileURL(join(dist, 'engine.wasm'));
+  const places = [await WebAssembly.compile(bytes), bytes, file];
   for (const wasm of places) {
     const remote = await connect({wasm});
     assert.match(await remote.version(), /^\d/);
@@ -144,7 +297,8 @@ test('the worker loads the engine from where it is told', {skip, timeout: 120000
 
 test('after a trap, everything says that the engine has stopped', {skip}, () => {
   const script = `
-    const {init, isReady, Solid} = await import('./index.js'), {engine} = await import('./memory.js');
+    const {init, isReady, Solid} = await import('./index.js');
+    const {engine} = await import('./memory.js');
     await init();
     const solid = Solid.ball(1), codes = [];
     engine()._plumb_solid_volume = () => { throw new WebAssembly.RuntimeError('unreachable'); };

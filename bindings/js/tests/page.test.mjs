@@ -14,24 +14,30 @@ const skip = !hasChromium || !existsSync(join(dist, 'page/index.html'));
  * JSON.
  */
 const driver = (steps) =>
-    `<iframe id="page" src="/page/index.html" style="width:900px;height:700px"></iframe><script type="module">
+    `<iframe id="page" src="/page/index.html" style="width:900px;height:700px"></iframe>
+    <script type="module">
 const frame = document.getElementById('page');
 const at = (id) => frame.contentDocument?.getElementById(id);
 const until = async (condition) => {
   while (!condition()) await new Promise((resume) => setTimeout(resume, 20));
 };
 const said = (start) => until(() => at('status')?.textContent.startsWith(start));
-const facts = () => Object.fromEntries([...at('facts').querySelectorAll('dt')].map((dt) => [dt.textContent, dt.nextSibling.textContent]));
+const facts = () => Object.fromEntries([...at('facts').querySelectorAll('dt')].map(
+    (dt) => [dt.textContent, dt.nextSibling.textContent]));
 const lines = (id) => [...at(id).children].map(({textContent}) => textContent);
 const give = (files) => {
   const transfer = new frame.contentWindow.DataTransfer();
-  for (const [name, text] of Object.entries(files)) transfer.items.add(new frame.contentWindow.File([text], name));
+  for (const [name, text] of Object.entries(files))
+    transfer.items.add(new frame.contentWindow.File([text], name));
   at('files').files = transfer.files;
   at('files').dispatchEvent(new frame.contentWindow.Event('change'));
 };
 const again = () => (at('status').textContent = '');
-const box = (x, n) => 'OFF\\n8 ' + n + ' 0\\n' + [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [x + (i & 1), (i >> 1) & 1, i >> 2].join(' ')).join('\\n') +
-    '\\n4 0 2 3 1\\n4 4 5 7 6\\n4 0 1 5 4\\n4 2 6 7 3\\n4 0 4 6 2\\n' + (n === 6 ? '4 1 3 7 5\\n' : '');
+const corner = (x, i) => [x + (i & 1), (i >> 1) & 1, i >> 2].join(' ');
+const box = (x, n) => 'OFF\\n8 ' + n + ' 0\\n' +
+    [0, 1, 2, 3, 4, 5, 6, 7].map((i) => corner(x, i)).join('\\n') +
+    '\\n4 0 2 3 1\\n4 4 5 7 6\\n4 0 1 5 4\\n4 2 6 7 3\\n4 0 4 6 2\\n' +
+    (n === 6 ? '4 1 3 7 5\\n' : '');
 await said('Ready');
 const result = await (async () => {${steps}})();
 await fetch('/shown', {method: 'POST', body: JSON.stringify(result)});
@@ -58,7 +64,13 @@ test(
     });
     at('format').value = 'off';
     at('download').click();
-    return {union, difference: facts(), names: lines('names'), file: await saved, picture: at('picture').srcdoc.length};`);
+    return {
+      union,
+      difference: facts(),
+      names: lines('names'),
+      file: await saved,
+      picture: at('picture').srcdoc.length
+    };`);
       assert.equal(found.union.volume, '1.5');
       assert.deepEqual(
           [found.difference.volume, found.difference.vertices, found.difference.convex],

@@ -1,8 +1,11 @@
-// The predicates of the package beside exact determinants of integers: node --test bindings/js/tests
+// The predicates of the package beside exact determinants of integers:
 //
-// PLUMB_JS_DIST is the folder that bindings/js/build wrote (default bindings/js/dist). The oracle scales all coordinates by
-// 2^1074, where every double is an integer, and expands the determinant with a column of ones: no differences, no filters, no
-// code in common. robust-predicates is compared where it can be imported from PLUMB_JS_PEERS, a folder with node_modules.
+//   node --test bindings/js/tests
+//
+// PLUMB_JS_DIST is the folder that bindings/js/build wrote (default bindings/js/dist). The oracle
+// scales all coordinates by 2^1074, where every double is an integer, and expands the determinant
+// with a column of ones: no differences, no filters, no code in common. robust-predicates is
+// compared where it can be imported from PLUMB_JS_PEERS, a folder with node_modules.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
@@ -16,7 +19,8 @@ const plumb = await import(pathToFileURL(join(dist, 'predicates.js')));
 
 async function peer() {
   if (!process.env.PLUMB_JS_PEERS) return null;
-  const found = createRequire(join(process.env.PLUMB_JS_PEERS, 'x.js')).resolve('robust-predicates');
+  const found =
+      createRequire(join(process.env.PLUMB_JS_PEERS, 'x.js')).resolve('robust-predicates');
   return import(pathToFileURL(found));
 }
 const robust = await peer();
@@ -47,8 +51,8 @@ function determinant(rows) {
 
 const signOf = (value) => (value > 0n ? 1 : value < 0n ? -1 : 0);
 
-// Each predicate by the determinant of rows [coordinates, their squares if lifted, 1], whose sign in our convention is `turn`
-// times that of the determinant.
+// Each predicate by the determinant of rows [coordinates, their squares if lifted, 1], whose sign
+// in our convention is `turn` times that of the determinant.
 const shapes = {
   orient2d: {points: 3, dimension: 2, isLifted: false, turn: -1},
   incircle: {points: 4, dimension: 2, isLifted: true, turn: 1},
@@ -94,7 +98,8 @@ function nudged(value, random) {  // by up to two units in the last place
   return Number.isFinite(next) ? next : value;
 }
 
-// Points of a small grid have many equal signs of 0; nearly so are those that are moved by a unit in the last place.
+// Points of a small grid have many equal signs of 0; nearly so are those that are moved by a unit
+// in the last place.
 const families = {
   grid: (random) => Math.floor(random() * 4),
   random: (random) => random() - 0.5,
@@ -125,21 +130,27 @@ for (const [name, shape] of Object.entries(shapes)) {
     for (const family of ['grid', 'random', 'near grid']) {
       const random = generator(7);
       for (let i = 0; i < 5000; ++i) {
-        const numbers = Array.from({length: shape.points * shape.dimension}, () => families[family](random));
-        assert.equal(Math.sign(plumb[name](...numbers)) + 0, Math.sign(robust[name](...numbers)) + 0, `${name}(${numbers})`);
-        // Only of small integers are the determinants in doubles exact; others depend on the order of operations.
+        const numbers =
+            Array.from({length: shape.points * shape.dimension}, () => families[family](random));
+        assert.equal(
+            Math.sign(plumb[name](...numbers)) + 0, Math.sign(robust[name](...numbers)) + 0,
+            `${name}(${numbers})`);
+        // Only of small integers are the determinants in doubles exact; others depend on the order
+        // of operations.
         if (family !== 'grid') continue;
         assert.equal(plumb[`${name}fast`](...numbers) + 0, robust[`${name}fast`](...numbers) + 0);
       }
     }
   });
 
-  // The reason to have these predicates: if robust-predicates mends this, the documents have to be changed.
+  // The reason to have these predicates: if robust-predicates mends this, the documents have to be
+  // changed.
   test(`${name}: robust-predicates is wrong near underflow`, {skip: robust === null}, () => {
     const random = generator(11);
     let wrong = 0;
     for (let i = 0; i < 2000; ++i) {
-      const numbers = Array.from({length: shape.points * shape.dimension}, () => families['subnormal grid'](random));
+      const numbers = Array.from(
+          {length: shape.points * shape.dimension}, () => families['subnormal grid'](random));
       if (Math.sign(robust[name](...numbers)) + 0 !== oracle(name, numbers)) ++wrong;
     }
     assert.ok(wrong > 0);
@@ -148,7 +159,8 @@ for (const [name, shape] of Object.entries(shapes)) {
   test(`${name}: a coordinate that is not finite gives NaN`, () => {
     for (const bad of [NaN, Infinity, -Infinity]) {
       for (let at = 0; at < shape.points * shape.dimension; ++at) {
-        const numbers = Array.from({length: shape.points * shape.dimension}, (_, i) => (i === at ? bad : i * i % 7));
+        const numbers = Array.from(
+            {length: shape.points * shape.dimension}, (_, i) => (i === at ? bad : i * i % 7));
         assert.ok(Number.isNaN(plumb[name](...numbers)), `${name}(${numbers})`);
       }
     }
@@ -169,31 +181,38 @@ test('a magnitude approximates the determinant', () => {
 test('calls of the exact stages keep no memory', async () => {
   const text = readFileSync(join(dist, 'predicates.wasm.js'), 'utf8');
   const {instance} = await WebAssembly.instantiate(Buffer.from(text.match(/'(.*)'/)[1], 'base64'));
-  const far = [1e300, 1e-300, 3e-310, 7, 5e299, 1e-200, -1e300, 5e-324, 2, 9e15, 1e100, -1e-100, 4, 1e-5, 8e307];
+  const far = [
+    1e300, 1e-300, 3e-310, 7, 5e299, 1e-200, -1e300, 5e-324, 2, 9e15, 1e100, -1e-100, 4, 1e-5, 8e307
+  ];
   instance.exports.insphere(...far);
   const before = instance.exports.memory.buffer.byteLength;
   for (let i = 0; i < 1000; ++i) instance.exports.insphere(...far);
   assert.equal(instance.exports.memory.buffer.byteLength, before);
 });
 
-// L. Kettner et al., Classroom examples of robustness problems in geometric computations, ESA 2004: differences are rounded here,
-// which the error bound of orient2d is for.
+// L. Kettner et al., Classroom examples of robustness problems in geometric computations, ESA 2004:
+// differences are rounded here, which the error bound of orient2d is for.
 test('orient2d: points beside the diagonal', () => {
   for (let i = 0; i < 64; ++i) {
     for (let j = 0; j < 64; ++j) {
       const numbers = [12, 12, 24, 24, 0.5 + i * 2 ** -53, 0.5 + j * 2 ** -53];
-      assert.equal(Math.sign(plumb.orient2d(...numbers)) + 0, oracle('orient2d', numbers), `orient2d(${numbers})`);
+      assert.equal(
+          Math.sign(plumb.orient2d(...numbers)) + 0, oracle('orient2d', numbers),
+          `orient2d(${numbers})`);
     }
   }
 });
 
-// Inputs that need the floors are too rare to be drawn. The constants are proved in C++, and are to be the same here.
+// Inputs that need the floors are too rare to be drawn. The constants are proved in C++, and are to
+// be the same here.
 test('the filters have the constants of C++', () => {
-  const proved = readFileSync(join(here, '../../../predicates/plumb/predicates/input/input_filters.h'), 'utf8');
+  const proved = readFileSync(
+      join(here, '../../../predicates/plumb/predicates/input/input_filters.h'), 'utf8');
   const used = readFileSync(join(dist, 'predicates.js'), 'utf8');
   let count = 0;
   for (const [, name, factor] of proved.matchAll(/k(\w+Error) = (\d+) \* kEpsilon;/g)) {
-    assert.ok(used.includes(`${name[0].toLowerCase()}${name.slice(1)} = ${factor} * epsilon`), name);
+    assert.ok(
+        used.includes(`${name[0].toLowerCase()}${name.slice(1)} = ${factor} * epsilon`), name);
     ++count;
   }
   for (const [, name, exponent] of proved.matchAll(/k(\w+(?:Gate|Floor)) = 0x1p(-?\d+);/g)) {

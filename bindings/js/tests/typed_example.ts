@@ -26,6 +26,8 @@ const moved: number = (report satisfies ToMeshReport).largestMove;
 const again =
     Solid.fromMesh(vertices, triangles, {rule: 'nonzero', repair: {weld: 0.1, doubled: 'drop'}});
 const outline: PlaneSet = again.slice('1/3').offset(1, {join: 'mitre'});
+const near: Fraction[] = box.offset(1, {rounds: 2}).distance(box, {timeout: 1}).points[0];
+const flat: 'vertex'|'edge'|'face' = outline.distance(outline).cells[0].kind;
 const areas: Fraction[] =
     overlay(Map.read('').check(), Map.fromCycles([[0, 0]], [[0]]).check()).areas();
 const kind: 'vertex'|'edge'|'facet'|'volume' = box.locate(new Float64Array(3)).kind;
@@ -50,6 +52,8 @@ remote.terminate();
 
 // @ts-expect-error: sets of different spaces
 box.union(outline);
+// @ts-expect-error: sets of different spaces
+box.distance(outline);
 // @ts-expect-error: no such rule
 Solid.fromMesh(vertices, triangles, {rule: 'odd'});
 // @ts-expect-error: objects are made by static functions
@@ -65,9 +69,11 @@ export {
   direct,
   disposed,
   exact,
+  flat,
   kind,
   model,
   moved,
+  near,
   orient2d,
   owner,
   pieces,
