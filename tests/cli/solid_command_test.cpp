@@ -167,6 +167,27 @@ TEST_F(SolidProgram, canonical_files_of_equal_sets_are_the_same) {
   EXPECT_NE(canonical({"interior", file("either.nef")}, "open.nef"), either);
 }
 
+// The checkerboard has 8 * 8 squares on each side. A box cuts off 3 * 3 * 3 unit cubes at a corner.
+TEST_F(SolidProgram, faces_stay_apart_on_request) {
+  const std::string board = "corpus/solids/checkerboard.obj";
+  const std::string corner = made({"make", "box", "--size", "3,3,3"}, "corner.nef");
+  const auto faces = [&](const std::string& name, const Words& more) {
+    Words words{"difference", board, corner, "--keep", "none", "-q"};
+    words.insert(words.end(), more.begin(), more.end());
+    const std::string off = read_file(made(words, name));
+    std::size_t vertices = 0, count = 0;
+    std::istringstream(off.substr(off.find('\n'))) >> vertices >> count;
+    return count;
+  };
+  EXPECT_EQ(faces("joined.off", {}), 9U);
+  // Three squares of 9 are gone; the three walls of the corner have no faces of a mesh.
+  EXPECT_EQ(faces("apart.off", {"--keep-faces"}), 6 * 64 - 3 * 9 + 3U);
+  EXPECT_TRUE(is_equal(file("joined.off"), file("apart.off")));
+  for (const std::string command : {"slice", "project"}) {
+    EXPECT_FALSE(contains(run({"solid", command, "--help"}).out, "--keep")) << command;
+  }
+}
+
 TEST_F(SolidProgram, volumes_add_up) {
   const auto of = [](const std::string& command) {
     return volume(parsed(run({"solid", command, kBlock, kCorner, "--json"})));

@@ -128,14 +128,16 @@ void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& na
 
 namespace {
 
-/// Returns the mesh and those of its attributes that are kept; null if there are none. The source has its points where a weld will move them, since faces are found by their planes.
-std::shared_ptr<const MeshSource> source_of(MeshFile& file, KeptAttributes kept, double weld,
+/// Returns the mesh and those of its attributes that are kept; null if there are none and its faces
+/// are not kept. The source has its points where a weld will move them, since faces are found by
+/// their planes.
+std::shared_ptr<const MeshSource> source_of(MeshFile& file, const SolidReadOptions& options,
                                             const std::string& name, Context& context) {
   MeshAttributes& attributes = file.attributes;
-  keep_only(kept, attributes);
-  if (attributes.empty()) return nullptr;
+  keep_only(options.attributes, attributes);
+  if (attributes.empty() && !options.keeps_faces) return nullptr;
   PolygonMesh mesh = file.mesh;
-  if (weld > 0) weld_points(mesh, weld, context);
+  if (options.repair.weld > 0) weld_points(mesh, options.repair.weld, context);
   return std::make_shared<const MeshSource>(
       MeshSource{name, std::move(mesh), std::move(attributes)});
 }
@@ -174,7 +176,7 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
   refuse_without_faces(file, options.surface || options.may_be_empty, text.name, warnings);
   std::vector<std::string> notes = std::move(file.notes);
   const bool must_enclose = !options.surface && !options.may_be_empty && file.mesh.face_count() > 0;
-  const auto source = source_of(file, options.attributes, options.repair.weld, text.name, context);
+  const auto source = source_of(file, options, text.name, context);
   if (options.repair.asks()) mend(file.mesh, options.repair, text.name, notes, context);
   MeshReport report;
   const FromMeshOptions reading{

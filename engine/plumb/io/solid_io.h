@@ -54,6 +54,9 @@ struct SolidReadOptions {
   /// Which attributes of a mesh are kept. If the mesh has such attributes, the set has the mesh, as
   /// it was before it was mended, as its source (Nef3::sources()).
   KeptAttributes attributes = KeptAttributes::None;
+  /// Whether the set has the mesh as its source even if the mesh has no attributes, so that the
+  /// faces of the mesh can stay apart in a result (PieceJoin::SameFace).
+  bool keeps_faces = false;
 };
 
 /// The error that is thrown if a mesh has faces, but no volume belongs to its set. For example,

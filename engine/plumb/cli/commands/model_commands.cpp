@@ -298,6 +298,7 @@ Nef3 read_one_solid(const SolidInput& input, const std::string& file, Session& s
 
 class SliceSolid : public SetOperation<FlatPart> {
  private:
+  bool may_keep() const override { return false; }
   void declare_operands(CLI::App& app) override {
     declare_first<FlatPart>(app, a_);
     app.add_option("--z", height_, "Height of the slice")->required()->type_name("Z");
@@ -316,6 +317,7 @@ class SliceSolid : public SetOperation<FlatPart> {
 
 class ProjectSolid : public SetOperation<FlatPart> {
  private:
+  bool may_keep() const override { return false; }
   void declare_operands(CLI::App& app) override { declare_first<FlatPart>(app, a_); }
   ProgressStages stages() const override { return {Solid::reading(), Solid::combining()}; }
   Nef2 compute(Session& session) override {

@@ -144,6 +144,9 @@ class SetOperation : public CommandBody {
       if constexpr (requires { input_.declare_keep(app); }) {
         if (may_keep()) input_.declare_keep(app);
       }
+      if constexpr (requires { input_.declare_keep_faces(app); }) {
+        if (may_keep()) input_.declare_keep_faces(app);
+      }
     }
     app.add_flag("--strict", strict_, "Exit 2 if the file would differ from the result");
     rounding_.declare(app, kHasGrid);
@@ -155,6 +158,7 @@ class SetOperation : public CommandBody {
   ExitCode run(Session& session) override {
     output_.open(Kind::formats(), session);
     output_.set_rounding(rounding_.read(session));
+    if constexpr (requires { input_.keeps_faces(); }) output_.set_keeps_faces(input_.keeps_faces());
     session.expect(all_stages(session.options()));
     const Set result = numbered(compute(session), session);
     if constexpr (requires { result.sources(); }) {

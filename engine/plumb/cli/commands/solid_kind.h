@@ -65,7 +65,8 @@ struct Solid {
   static bool keeps_marks(const SetOutput& output) { return format_of(output).name == "nef"; }
   static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
     const auto text = std::make_shared<SolidText>(
-        set, format_of(output), output.rounding().rounding, context, output.material_library());
+        set, format_of(output), output.rounding().rounding, context, output.material_library(),
+        output.keeps_faces() ? PieceJoin::SameFace : PieceJoin::SameAttributes);
     ReadyFile file{[text, &context](std::ostream& out) { text->write(out, context); },
                    text->losses(), text->changes(), text->dropped()};
     if (text->has_library()) {

@@ -243,6 +243,10 @@ void SolidInput::declare_keep(CLI::App& app) {
              "What stays with the faces of meshes (default: all)");
 }
 
+void SolidInput::declare_keep_faces(CLI::App& app) {
+  app.add_flag("--keep-faces", keeps_faces_, "Faces of meshes in one plane stay apart");
+}
+
 KeptAttributes SolidInput::kept() const {
   return keep_ == "none"      ? KeptAttributes::None
          : keep_ == "colours" ? KeptAttributes::Colours
@@ -257,6 +261,7 @@ SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
   options.may_be_empty = allows_empty_;
   options.repair = repair_.options();
   options.attributes = kept();
+  options.keeps_faces = keeps_faces_;
   if (!rule_.empty()) {
     options.rule = rule_ == "odd"       ? WindingRule::EvenOdd
                    : rule_ == "nonzero" ? WindingRule::NonZero

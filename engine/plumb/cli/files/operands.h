@@ -110,8 +110,12 @@ class SolidInput {
   /// Declares --keep, for commands that write solids. Without it, attributes are passed over. Where
   /// a command has another option of this name, it is called --attributes.
   void declare_keep(CLI::App& app);
+  /// Declares --keep-faces, for commands that write solids.
+  void declare_keep_faces(CLI::App& app);
   /// Returns which attributes are kept.
   KeptAttributes kept() const;
+  /// Whether the faces of meshes stay apart in the result.
+  bool keeps_faces() const { return keeps_faces_; }
   /// Returns a set of the plane, if a command accepts both. Throws Error{Usage} if an option says
   /// how meshes are read.
   Nef2 read_plane(const std::string& file, const std::string& bytes, Session& session) const;
@@ -143,6 +147,7 @@ class SolidInput {
   bool surface_ = false;
   bool allows_empty_ = false;
   std::string keep_ = "none";
+  bool keeps_faces_ = false;
   RepairFlags repair_;
 };
 

@@ -124,6 +124,9 @@ class SetOutput {
   /// Sets how coordinates become doubles in shapes.
   void set_rounding(PlaneWriteOptions rounding) { rounding_ = std::move(rounding); }
   const PlaneWriteOptions& rounding() const { return rounding_; }
+  /// Sets whether the faces of input meshes stay apart.
+  void set_keeps_faces(bool keeps_faces) { keeps_faces_ = keeps_faces; }
+  bool keeps_faces() const { return keeps_faces_; }
   /// Returns which of the formats was asked for, if any.
   std::optional<std::ptrdiff_t> format() const { return format_; }
   /// Returns the name of a material library beside the file, without folders; empty for standard
@@ -147,6 +150,7 @@ class SetOutput {
   std::string path_;  // Empty if the set is not written.
   std::optional<std::ptrdiff_t> format_;
   PlaneWriteOptions rounding_;
+  bool keeps_faces_ = false;
   ReadyFile file_;
   nlohmann::ordered_json json_;
 };

@@ -79,6 +79,7 @@ CommandApp::CommandApp(const Command& command)
   app.footer(footer);
   app.allow_windows_style_options(false);  // /tmp/a.off is a file there, too.
   app.formatter(std::make_shared<Formatter>());
+  app.get_help_ptr()->group("");  // Who reads this page knows it.
   body->declare(app);
   common.declare(app);
 }

@@ -287,8 +287,10 @@ void ProgressBar::name_phase(std::string_view phase) {
 
 namespace {
 
-/// Whether the line of a bar is on the terminal. For signal handlers.
+/// Whether the line of a bar is on the terminal, or is about to be. For signal handlers.
 std::atomic<bool> is_bar_drawn = false;
+/// Whether a signal handler has wiped the bar for good.
+std::atomic<bool> is_bar_over = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 }  // namespace
@@ -301,15 +303,15 @@ void ProgressBar::draw_until(const std::stop_token& stop) {
 
 /// Draws the bar. Allocates nothing: a thread's own heap would count against --limit-memory.
 void ProgressBar::draw() {
-  if (is_hidden_ || phase_.empty()) return;
+  if (is_hidden_ || phase_.empty() || is_bar_over) return;
   const double now = seconds();
   const auto [part, left] = estimate_.at(now);
   const int filled = static_cast<int>(part * static_cast<double>(kFull.size()));
+  is_bar_drawn = true;
   std::fprintf(stderr, "\r\x1b[K%-12.34s [%.*s%.*s] %3.0f%%", phase_.c_str(), filled, kFull.data(),
                static_cast<int>(kEmpty.size()) - filled, kEmpty.data(), std::floor(part * 100));
   draw_time(now, left);
   on_line_ = true;
-  is_bar_drawn = true;
 }
 
 void ProgressBar::draw_time(double now, std::optional<double> left) {
@@ -336,6 +338,9 @@ void ProgressBar::wipe() {
   is_bar_drawn = false;
 }
 
-std::string_view wiping_text() { return is_bar_drawn ? "\r\x1b[K" : ""; }
+std::string_view wiping_text() {
+  is_bar_over = true;
+  return is_bar_drawn ? "\r\x1b[K" : "";
+}
 
 }  // namespace plumb::cli

@@ -188,7 +188,7 @@ class ProgressBar {
 };
 
 /// Returns what wipes the line of a bar, for signal handlers that end the process; empty if no bar
-/// is on the terminal. Async-signal-safe.
+/// is on the terminal. No bar is drawn afterwards. Async-signal-safe.
 std::string_view wiping_text();
 
 }  // namespace plumb::cli

@@ -167,30 +167,39 @@ std::string material_library_of(const std::string& path) {
   return file_name_of(file.filename().replace_extension(".mtl"));
 }
 
+namespace {
+
+bool has_floats(MeshFormat format) {
+  return format == MeshFormat::StlBinary || format == MeshFormat::Gltf;
+}
+
+}  // namespace
+
 SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding,
-                     Context& context, std::string library)
+                     Context& context, std::string library, PieceJoin join)
     : set_(set), format_(format), library_(std::move(library)) {
-  const bool has_attributes = !set.sources().empty() && writes_attributes(rounding);
+  const bool has_attributes = !set.sources().empty() && writes_attributes(rounding, join);
   // The mesh of an unbounded set is refused with the words for all meshes.
   if (format.mesh && !(has_attributes && set.is_bounded())) {
     make_mesh(*format.mesh, rounding, context);
   }
-  if (has_attributes) add_attributes(context);
+  if (has_attributes) add_attributes(join, context);
 }
 
 bool SolidText::has_library() const {
   return format_.mesh == MeshFormat::Obj && !library_.empty() && !attributes_.materials.empty();
 }
 
-/// Whether the format holds any of the attributes of the sources. Notes which it does not hold.
-bool SolidText::writes_attributes(OutputRounding rounding) {
+/// Whether the mesh is divided as the sources are: the format holds any of their attributes, or
+/// their faces stay apart. Notes which attributes the format does not hold.
+bool SolidText::writes_attributes(OutputRounding rounding, PieceJoin join) {
   const MeshAttributes outline = outline_of(set_);
   if (!format_.mesh) {
     dropped_ = lost_attributes(outline, MeshFormat::Stl);
     return false;
   }
   dropped_ = lost_attributes(outline, *format_.mesh);
-  if (!holds_any(outline, *format_.mesh)) return false;
+  if (!holds_any(outline, *format_.mesh) && join == PieceJoin::SameAttributes) return false;
   if (rounding == OutputRounding::Nearest || *format_.mesh == MeshFormat::ExactOff) {
     dropped_ = "colours, ids and other attributes are not written with --raw and in off-exact";
     return false;
@@ -199,10 +208,11 @@ bool SolidText::writes_attributes(OutputRounding rounding) {
 }
 
 /// Takes the mesh with the attributes of the sources.
-void SolidText::add_attributes(Context& context) {
+void SolidText::add_attributes(PieceJoin join, Context& context) {
   AttributeOptions options;
+  options.join = join;
   if (!lists_triangles(*format_.mesh)) options.faces = MeshFaces::PlanarPolygons;
-  if (*format_.mesh == MeshFormat::Gltf) options.type = CoordinateType::Float;
+  if (has_floats(*format_.mesh)) options.type = CoordinateType::Float;
   MeshWithAttributes made = mesh_with_attributes(set_, options, context);
   std::vector<std::string> losses, changes;
   describe(made.repair, losses, changes);
@@ -216,6 +226,7 @@ void SolidText::add_attributes(Context& context) {
   add_new(losses_, losses);
   add_new(changes_, changes);
   mesh_ = std::move(made.mesh);
+  if (!holds_any(made.attributes, *format_.mesh)) return;
   attributes_ = std::move(made.attributes);
   merge_equal_materials(attributes_);
 }
@@ -223,8 +234,7 @@ void SolidText::add_attributes(Context& context) {
 void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {
   ToMeshOptions options;
   options.faces = lists_triangles(format) ? MeshFaces::Triangles : MeshFaces::PlanarPolygons;
-  const bool has_floats = format == MeshFormat::StlBinary || format == MeshFormat::Gltf;
-  const CoordinateType type = has_floats ? CoordinateType::Float : CoordinateType::Double;
+  const CoordinateType type = has_floats(format) ? CoordinateType::Float : CoordinateType::Double;
   MeshOfComplex made;
   if (format == MeshFormat::ExactOff || rounding == OutputRounding::Nearest) {
     options.keeps_exact = true;

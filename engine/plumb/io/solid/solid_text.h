@@ -13,6 +13,7 @@
 #include "plumb/base/context.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/read_options.h"
+#include "plumb/space/mesh_with_attributes.h"
 #include "plumb/space/nef3.h"
 #include "plumb/space/space_complex.h"
 
@@ -40,10 +41,12 @@ class SolidText {
  public:
   /// Throws Error{CannotWrite} if a mesh is to hold a marked volume that reaches infinity, and
   /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double. If the set has sources
-  /// with attributes that the format holds, the mesh has them.
-  /// `library` is the name of the material library of OBJ; if it is empty, there is none.
+  /// with attributes that the format holds, the mesh has them. `join` says which pieces of facets
+  /// become one face; if it is not SameAttributes, the mesh is divided as the sources are, even if
+  /// they have no attributes. `library` is the name of the material library of OBJ; if it is empty,
+  /// there is none.
   SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding, Context& context,
-            std::string library = {});
+            std::string library = {}, PieceJoin join = PieceJoin::SameAttributes);
 
   /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
   /// each.
@@ -64,8 +67,8 @@ class SolidText {
 
  private:
   void make_mesh(MeshFormat format, OutputRounding rounding, Context& context);
-  bool writes_attributes(OutputRounding rounding);
-  void add_attributes(Context& context);
+  bool writes_attributes(OutputRounding rounding, PieceJoin join);
+  void add_attributes(PieceJoin join, Context& context);
   void require_faces(const PolygonMesh& mesh) const;
 
   Nef3 set_;
