@@ -105,8 +105,8 @@ TEST(SetFeatures, AreWhatTheCellsOfAGridSay) {
   EXPECT_GT(firsts_of_many, 1000U);
 }
 
-// Triangles in general position: the parts are a coverage, and their areas add up to that of the set
-// up to rounding.
+// Triangles in general position: the parts are a coverage, and their areas add up to that of the
+// set up to rounding.
 TEST(SetFeatures, AreACoverageOfTheSet) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);

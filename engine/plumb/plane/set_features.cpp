@@ -1,5 +1,6 @@
-// The set is one more feature of the layer, after all sources: a face belongs to the set if its list
-// of features ends with this feature, and its list begins with the first source that covers it.
+// The set is one more feature of the layer, after all sources: a face belongs to the set if its
+// list of features ends with this feature, and its list begins with the first source that covers
+// it.
 //
 // Tested by tests/plane/set_features_test.cpp.
 #include "plumb/plane/set_features.h"

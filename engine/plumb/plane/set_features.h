@@ -31,10 +31,10 @@ namespace plumb {
 
 /// A set, divided into the features from which its parts come.
 struct SetFeatures {
-  /// A feature for each source feature that has a part of the set, in the order of the sources, with
-  /// its id and its properties. If there are parts that no source feature covers, they are the last
-  /// feature, which has no id and no properties. The result is a coverage of the closure of the
-  /// set: polygons are valid, vertices are doubles, and features meet only in common edges and
+  /// A feature for each source feature that has a part of the set, in the order of the sources,
+  /// with its id and its properties. If there are parts that no source feature covers, they are the
+  /// last feature, which has no id and no properties. The result is a coverage of the closure of
+  /// the set: polygons are valid, vertices are doubles, and features meet only in common edges and
   /// vertices.
   Layer layer;
   /// For each feature of `layer`, the source feature; LayerRegion::kNobody for the last one if no
