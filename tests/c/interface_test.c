@@ -1062,7 +1062,7 @@ static void check_painted(const plumb_mesh* mesh, double first_area, double seco
   size_t f;
   uint32_t c, k;
   if (!source || !face || !flipped || !material || !group || !id || !place || !uv) {
-    CHECK(!"all arrays are there");
+    CHECK(false && "all arrays are there");
     return;
   }
   for (f = 0; f < plumb_mesh_face_count(mesh); ++f) {
