@@ -72,6 +72,6 @@ export async function shownBy(page) {
     await ended;
     server.closeAllConnections();
     server.close();
-    rmSync(profile, {recursive: true, force: true, maxRetries: 5});
+    rmSync(profile, {recursive: true, force: true, maxRetries: 20, retryDelay: 100});
   }
 }
