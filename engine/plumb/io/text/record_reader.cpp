@@ -169,7 +169,7 @@ NumberReader::NumberReader(const Limits& limits, bool exact_decimals, std::size_
     : max_digits_(limits.max_number_digits),
       max_exponent_(limits.max_decimal_exponent),
       exact_decimals_(exact_decimals),
-      expansion_left_(4 * static_cast<std::uint64_t>(file_bytes) + 32'000'000) {}
+      expansion_left_(4 * static_cast<std::uint64_t>(file_bytes) + 24'000'000) {}
 
 void NumberReader::read(const TextCursor& cursor, std::string_view token, ReadNumber& number) {
   if (token.size() > std::size_t{max_digits_} + 8) {

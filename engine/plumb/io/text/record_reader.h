@@ -57,7 +57,7 @@ void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y);
 
 /// Reads the numbers of one file. Numbers written with exponents can be far larger than their text;
 /// the reader counts the digits that they expand to, and stops at 4 digits for each byte of the
-/// file plus 32 million. Requires rounding to nearest (RoundToNearest).
+/// file plus 24 million. Requires rounding to nearest (RoundToNearest).
 class NumberReader {
  public:
   NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes);
