@@ -267,6 +267,22 @@ Work comb_mesh(std::size_t teeth) {
   return set_of_mesh(teeth, testing::comb_prism(static_cast<int>(teeth)));
 }
 
+/// Triangles of which no two share a vertex, with corners anywhere in a cube: every edge is a border,
+/// and its box contains many of the other vertices.
+Work triangle_soup(std::size_t triangles) {
+  Dice dice(7);
+  PolygonMesh mesh;
+  const auto draw = [&] { return static_cast<double>(dice.between(-1'000'000, 1'000'000)); };
+  for (std::uint32_t i = 0; i < 3 * triangles; ++i) mesh.points.push_back({draw(), draw(), draw()});
+  for (std::uint32_t i = 0; i < mesh.points.size(); i += 3) {
+    mesh.add_face(std::array{i, i + 1, i + 2});
+  }
+  return measured(static_cast<double>(triangles), [mesh = std::move(mesh)] {
+    Context context;
+    return complex_of_mesh(mesh, {}, context).report.borders.size();
+  });
+}
+
 /// The largest coefficient of a plane of the set, in bits.
 std::size_t most_bits(const Nef3& set) {
   std::size_t most = 0;
@@ -392,6 +408,12 @@ const std::vector<Family> kFamilies{
      {40, 100, 250, 630, 1600, 4000},
      comb_mesh,
      1.25},
+    {"triangle-soup",
+     "large triangles that share no vertex: a mesh refused with all its borders",
+     "triangles",
+     {1.34, 0},
+     {160, 400, 1000, 2500, 6400, 16000},
+     triangle_soup},
     {"complement-interior",
      "complement and interior, O(n) in the note on Nef polyhedra",
      "items",

@@ -14,6 +14,7 @@
 
 #include "generate/meshes.h"
 #include "generate/voxel_mesh.h"
+#include "plumb/predicates/error.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::mesh_topology_test {
@@ -36,7 +37,7 @@ struct Linked {
     links = link_corners(facets, vertices.point.size());
   }
   std::vector<std::vector<std::uint32_t>> borders() const {
-    return trace_borders(facets, links, vertices.point, tables->points);
+    return trace_borders(facets, links, vertices.point, tables->points, unlimited_context());
   }
   SpaceComplex complex() const { return link_facets(facets, links, vertices.point, tables); }
   MeshComponents components() const { return find_components(complex(), facets.jump); }
@@ -91,6 +92,91 @@ TEST(MeshTopology, VerticesOnAnEdgeDoNotOpenIt) {
 }
 
 // Boxes at places of a checkerboard, which meet in edges and corners; each in or inside out.
+/// The vertices inside an edge, by one look at each end of an edge. Coordinates are integers below
+/// 1024 in absolute value, so that doubles are exact.
+std::vector<std::uint32_t> inner_vertices(const std::vector<Point3>& points,
+                                          const std::set<std::uint32_t>& ends, const Point3& from,
+                                          const Point3& to) {
+  const Point3 d{to.x - from.x, to.y - from.y, to.z - from.z};
+  std::map<double, std::uint32_t> at;  // By the scalar product with the edge.
+  for (const std::uint32_t v : ends) {
+    const Point3 e{points[v].x - from.x, points[v].y - from.y, points[v].z - from.z};
+    const bool is_on_line =
+        d.x * e.y == d.y * e.x && d.y * e.z == d.z * e.y && d.z * e.x == d.x * e.z;
+    const double along = d.x * e.x + d.y * e.y + d.z * e.z;
+    if (is_on_line && along > 0 && along < d.x * d.x + d.y * d.y + d.z * d.z) at[along] = v;
+  }
+  std::vector<std::uint32_t> result;
+  for (const auto& [along, v] : at) result.push_back(v);
+  return result;
+}
+
+// Edges between random points of a small lattice, which often have others inside. A factor makes
+// coordinates so large that the difference of two is not a double any more.
+TEST(MeshTopology, VerticesInsideEdgesAreThoseOfABruteForceSearch) {
+  Dice dice(57);
+  std::size_t found = 0;
+  for (int round = 0; round < 200; ++round) {
+    const int most = round % 2 == 0 ? 3 : 40;
+    const double factor = std::array{1.0, most == 3 ? 0x1p1022 : 0x1p1018,
+                                     0x1p-1060}[static_cast<std::size_t>(round % 3)];
+    std::vector<Point3> points, scaled;
+    for (int i = 0; i < 60; ++i) {
+      const auto draw = [&] { return static_cast<double>(dice.between(-most, most)); };
+      const Point3 p{draw(), draw(), draw()};
+      if (std::ranges::find(points, p) == points.end()) points.push_back(p);
+    }
+    std::vector<std::uint32_t> corners;
+    for (const Point3& p : points) scaled.push_back({p.x * factor, p.y * factor, p.z * factor});
+    for (std::uint32_t i = 0; i < points.size(); ++i) corners.push_back(i);
+    SpaceTables tables;
+    const PolygonMesh mesh = make_mesh(scaled, {Face(corners.begin(), corners.end())});
+    const MeshVertices vertices = merge_equal_points(mesh, tables);
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    std::set<std::uint32_t> ends;
+    for (int i = 0; i < 40; ++i) {
+      const auto pick = [&] { return static_cast<std::uint32_t>(dice.below(points.size())); };
+      const std::array<std::uint32_t, 2> edge{pick(), pick()};
+      if (edge[0] == edge[1]) continue;
+      edges.push_back(edge);
+      ends.insert(edge.begin(), edge.end());
+    }
+    MemoryCharge memory(unlimited_context());
+    const InnerVertices inner =
+        vertices_inside(edges, vertices.point, tables.points, memory, unlimited_context());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const std::vector<std::uint32_t> expected =
+          inner_vertices(points, ends, points[edges[i][0]], points[edges[i][1]]);
+      EXPECT_TRUE(std::ranges::equal(inner.of(i), expected)) << "round " << round << ", edge " << i;
+      found += expected.size();
+    }
+  }
+  EXPECT_GT(found, 100U);
+}
+
+// Edges all along one line, each with all the others' ends inside: the list of vertices is larger
+// than the limit, and that is told before it is made.
+TEST(MeshTopology, VerticesInsideEdgesAreCharged) {
+  std::vector<Point3> points;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  Face face;
+  for (std::uint32_t i = 0; i < 4000; ++i) {
+    points.push_back({i < 2000 ? i - 4000.0 : i + 0.0, 0, 0});
+    face.push_back(i);
+  }
+  for (std::uint32_t i = 0; i < 2000; ++i) edges.push_back({i, 3999 - i});
+  SpaceTables tables;
+  const PolygonMesh mesh = make_mesh(points, {face});
+  const MeshVertices vertices = merge_equal_points(mesh, tables);
+  Limits limits;
+  limits.max_memory_bytes = 4 << 20;
+  Context context(limits);
+  MemoryCharge memory(context);
+  EXPECT_THROW(
+      static_cast<void>(vertices_inside(edges, vertices.point, tables.points, memory, context)),
+      Error);
+}
+
 TEST(MeshTopology, ComponentsAreBoxesAndHaveTheirSigns) {
   Dice dice(82);
   for (int round = 0; round < 20; ++round) {

@@ -185,7 +185,7 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   const bool has_input_order = ordered.is_empty();
   if (!has_input_order) rename_faces(ordered.face, facets, result.report);
   ordered = {};
-  result.report.borders = trace_borders(facets, links, vertices.point, tables->points);
+  result.report.borders = trace_borders(facets, links, vertices.point, tables->points, context);
   const bool is_refused = !result.report.is_closed() && !options.surface;
   if (is_refused && has_input_order) {
     describe_borders(input, vertices, tables->points, result.report, context);

@@ -147,6 +147,7 @@ class FaceOrienter {
         vertices_(vertices),
         table_(table),
         context_(context),
+        memory_(context),
         borders_(borders),
         classes_(mesh.face_count()) {}
 
@@ -167,9 +168,16 @@ class FaceOrienter {
 
  private:
   void list_edges() {
+    // A run becomes at most one edge with one face.
+    constexpr std::size_t kBytesPerRun =
+        sizeof(Run) + sizeof(VertexPair) + sizeof(std::uint32_t) + sizeof(FaceAtEdge);
+    memory_.add(
+        mesh_.corners.size() * kBytesPerRun + mesh_.face_count() * 2 * sizeof(std::uint64_t),
+        "the orientation of a mesh");
     std::vector<Run> runs;
     runs.reserve(mesh_.corners.size());
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
+      if (f % 4096 == 0) context_.checkpoint("orientation", 0, 4);
       const auto face = mesh_.face(f);
       for (std::size_t i = 0; i < face.size(); ++i) {
         const std::uint32_t next = face[i + 1 < face.size() ? i + 1 : 0];
@@ -185,8 +193,9 @@ class FaceOrienter {
     for (std::size_t e = 0; e < edges_.end.size(); ++e) {
       if (is_odd(e)) odd.push_back(edges_.end[e]);
     }
-    const InnerVertices inner = vertices_inside(odd, vertices_.point, table_);
+    const InnerVertices inner = vertices_inside(odd, vertices_.point, table_, memory_, context_);
     if (inner.vertex.empty()) return;
+    memory_.add(inner.vertex.size() * 2 * sizeof(Run), "the orientation of a mesh");
     std::vector<Run> runs;
     for (std::size_t e = 0, i = 0; e < edges_.end.size(); ++e) {
       const std::span<const std::uint32_t> cuts =
@@ -321,36 +330,37 @@ class FaceOrienter {
 
   void find_holes() {
     if (result_.flipped.empty()) {
-      result_.holes = borders_ != nullptr ? *borders_ : chains_of(surplus());
+      result_.holes = borders_ != nullptr ? *borders_ : chains_of(surplus(), memory_, context_);
       return;
     }
-    EdgeSurplus after = surplus();
+    EdgeSurpluses after = surplus();
     std::vector<std::uint32_t> flipped;
     std::swap(flipped, result_.flipped);
-    EdgeSurplus before = surplus();
+    EdgeSurpluses before = surplus();
     const bool helps = length(after) < length(before);
     if (helps) std::swap(flipped, result_.flipped);
-    result_.holes = chains_of(helps ? after : before);
+    result_.holes = chains_of(helps ? after : before, memory_, context_);
   }
 
   /// Returns the edges that do not balance after `flipped` have been turned.
-  EdgeSurplus surplus() const {
+  EdgeSurpluses surplus() {
     std::vector<std::uint8_t> is_flipped(mesh_.face_count());
     for (const std::uint32_t f : result_.flipped) is_flipped[f] = 1;
-    EdgeSurplus result;
+    EdgeSurpluses result;
     for (std::size_t e = 0; e < edges_.end.size(); ++e) {
       std::int32_t sum = 0;
       for (const FaceAtEdge& at : edges_.of(e)) {
         sum += is_flipped[at.face] != 0 ? -at.times : at.times;
       }
-      if (sum != 0) result[edges_.end[e]] = sum;
+      if (sum != 0) result.push_back({edges_.end[e], sum});
     }
-    return result.empty() ? result : cut_at_vertices(result, vertices_.point, table_);
+    if (result.empty()) return result;
+    return cut_at_vertices(result, vertices_.point, table_, memory_, context_);
   }
 
-  static std::uint64_t length(const EdgeSurplus& surplus) {
+  static std::uint64_t length(const EdgeSurpluses& surplus) {
     std::uint64_t sum = 0;
-    for (const auto& [edge, times] : surplus) sum += static_cast<std::uint64_t>(std::abs(times));
+    for (const EdgeSurplus& s : surplus) sum += static_cast<std::uint64_t>(std::abs(s.times));
     return sum;
   }
 
@@ -358,6 +368,7 @@ class FaceOrienter {
   const MeshVertices& vertices_;
   const Point3Table& table_;
   Context& context_;
+  MemoryCharge memory_;
   const Chains* borders_;  // The borders of the mesh as it is, or null.
   EdgeFaces edges_;
   SignedClasses classes_;

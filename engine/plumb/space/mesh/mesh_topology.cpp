@@ -25,7 +25,8 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
-#include <map>
+#include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "plumb/base/internal/box_tree.h"
@@ -41,14 +42,27 @@ namespace {
 
 using VertexPair = std::array<std::uint32_t, 2>;
 
-void drop_balanced(EdgeSurplus& surplus) {
-  std::erase_if(surplus, [](const auto& s) { return s.second == 0; });
-}
+/// Reports progress, and stops if the caller wants it, about every thousand steps of work.
+class StepCounter {
+ public:
+  StepCounter(std::string_view phase, Context& context) : phase_(phase), context_(context) {}
+  void operator()() {
+    if (++steps_ % 1024 == 0) context_.checkpoint(phase_, 0, 0);
+  }
+
+ private:
+  std::string_view phase_;
+  Context& context_;
+  std::uint64_t steps_ = 0;
+};
 
 /// Returns the boundary of the sum of all faces, with the edges of faces without area.
-EdgeSurplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
-  EdgeSurplus surplus;
+EdgeSurpluses imbalances(const MeshFacets& facets, const MeshLinks& links, MemoryCharge& memory,
+                         Context& context) {
+  StepCounter step("borders", context);
+  EdgeSurpluses surplus;
   for (std::size_t e = 0; e < links.edge_count(); ++e) {
+    step();
     std::int32_t sum = 0;
     for (const std::uint32_t u : links.uses_of(e)) {
       // The facet runs `times` times in its canonical direction, counter-clockwise seen from the
@@ -56,10 +70,11 @@ EdgeSurplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
       const std::int32_t times = -facets.jump[links.facet[u]];
       sum += links.is_forward(facets, u) ? times : -times;
     }
-    if (sum != 0) surplus[links.end[e]] += sum;
+    if (sum != 0) add_to(surplus, links.end[e][0], links.end[e][1], sum);
   }
   for (const VertexPair& e : facets.loose) add_to(surplus, e[0], e[1], 1);
-  drop_balanced(surplus);
+  memory.add(surplus.size() * sizeof(EdgeSurplus), "the borders of a mesh");
+  collect(surplus);
   return surplus;
 }
 
@@ -68,21 +83,34 @@ EdgeSurplus imbalances(const MeshFacets& facets, const MeshLinks& links) {
 /// Finds vertices that lie inside edges.
 class InnerVertexSearch {
  public:
-  InnerVertexSearch(std::span<const SpacePoint> points, const Point3Table& table)
-      : points_(points), table_(table) {}
+  InnerVertexSearch(std::span<const SpacePoint> points, const Point3Table& table,
+                    MemoryCharge& memory, Context& context)
+      : points_(points),
+        table_(table),
+        memory_(memory),
+        context_(context),
+        step_("vertices on edges", context) {}
 
   /// Finds the ends of all edges that lie inside an edge. Vertices with other edges only need no
   /// look: cutting there changes no balance.
   InnerVertices find(std::span<const VertexPair> edges) {
+    constexpr std::size_t kBytesPerEnd = 2 * sizeof(std::uint32_t) + sizeof(Box3) + 76;  // A tree.
+    memory_.add(2 * edges.size() * kBytesPerEnd, "vertices on edges");
     for (const VertexPair& edge : edges) ends_.insert(ends_.end(), edge.begin(), edge.end());
     std::sort(ends_.begin(), ends_.end());
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
     std::vector<Box3> boxes;
-    for (const std::uint32_t v : ends_) boxes.push_back(box_of(table_, points_[v]));
+    boxes.reserve(ends_.size());
+    for (const std::uint32_t v : ends_) {
+      step_();
+      boxes.push_back(box_of(table_, points_[v]));
+    }
     const BoxTree tree(boxes);
     InnerVertices result;
-    for (const VertexPair& edge : edges) {
-      gather_inner(edge, tree);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (i % 256 == 0) context_.checkpoint("vertices on edges", i, edges.size());
+      gather_inner(edges[i], tree);
+      memory_.add(inner_.size() * sizeof(std::uint32_t), "vertices on edges");
       result.vertex.insert(result.vertex.end(), inner_.begin(), inner_.end());
       result.begin.push_back(static_cast<std::uint32_t>(result.vertex.size()));
     }
@@ -93,19 +121,45 @@ class InnerVertexSearch {
   /// Gathers the vertices inside the edge, from its first end to its second.
   void gather_inner(const VertexPair& edge, const BoxTree& tree) {
     inner_.clear();
-    Box3 box = box_of(table_, points_[edge[0]]);
-    box.add(box_of(table_, points_[edge[1]]));
     const std::size_t axis = axis_of(edge);
     const Sign along = compare(edge[0], edge[1], axis);
-    tree.for_each_meeting(box, [&](std::uint32_t i) {
+    const auto keep_if_inside = [&](std::uint32_t i) {
+      step_();
       const std::uint32_t v = ends_[i];
       const bool is_between =
           compare(edge[0], v, axis) == along && compare(v, edge[1], axis) == along;
       if (is_between && are_collinear(edge[0], edge[1], v)) inner_.push_back(v);
-    });
+    };
+    for_each_near(edge, tree, keep_if_inside);
     // Points of one line are in the order of any coordinate that varies along it.
     std::sort(inner_.begin(), inner_.end(),
               [&](std::uint32_t v, std::uint32_t w) { return compare(v, w, axis) == along; });
+  }
+
+  /// Visits the boxes that the edge may meet. The box of a long edge that is parallel to no plane
+  /// of the axes contains many vertices that are far from the edge. So the tree is searched along
+  /// the edge, unless the differences of its ends exceed the doubles.
+  template <class Visit>
+  void for_each_near(const VertexPair& edge, const BoxTree& tree, Visit visit) const {
+    const Box3 from = box_of(table_, points_[edge[0]]), to = box_of(table_, points_[edge[1]]);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    BoxRay ray{from, {}};
+    bool is_finite = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      ray.direction.low[i] = std::nextafter(to.low[i] - from.high[i], -kInfinity);
+      ray.direction.high[i] = std::nextafter(to.high[i] - from.low[i], kInfinity);
+      is_finite &= std::isfinite(ray.direction.low[i]) && std::isfinite(ray.direction.high[i]);
+    }
+    if (is_finite) {
+      tree.for_each_along(ray, 1, [&](std::uint32_t i, double) {
+        visit(i);
+        return 1.0;
+      });
+    } else {
+      Box3 box = from;
+      box.add(to);
+      tree.for_each_meeting(box, visit);
+    }
   }
 
   /// Returns an axis along which the ends differ. They are different points.
@@ -143,6 +197,9 @@ class InnerVertexSearch {
 
   std::span<const SpacePoint> points_;
   const Point3Table& table_;
+  MemoryCharge& memory_;
+  Context& context_;
+  StepCounter step_;
   std::vector<std::uint32_t> ends_;   // The ends of all edges, ascending.
   std::vector<std::uint32_t> inner_;  // The vertices inside the edge at hand.
 };
@@ -153,91 +210,145 @@ class InnerVertexSearch {
 /// the walk. So every chain is simple.
 class ChainWalker {
  public:
-  void add(std::uint32_t from, std::uint32_t to) { targets_[from].push_back(to); }
+  ChainWalker(const EdgeSurpluses& surplus, MemoryCharge& memory, Context& context)
+      : step_("borders", context) {
+    std::size_t count = 0;
+    for (const EdgeSurplus& s : surplus) {
+      count += static_cast<std::size_t>(std::abs(s.times));
+      vertex_.insert(vertex_.end(), s.end.begin(), s.end.end());
+    }
+    // Besides the targets, every edge is in one chain, most of which have at least three edges.
+    memory.add((vertex_.size() + count) * 4 * sizeof(std::uint32_t), "the borders of a mesh");
+    std::sort(vertex_.begin(), vertex_.end());
+    vertex_.erase(std::unique(vertex_.begin(), vertex_.end()), vertex_.end());
+    begin_.resize(vertex_.size() + 1);
+    place_.assign(vertex_.size(), kNone);
+    target_.resize(count);
+    add_edges(surplus);
+  }
 
   std::vector<std::vector<std::uint32_t>> chains() {
-    for (auto& [start, targets] : targets_) {
-      while (!targets.empty()) walk(start);
+    for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
+      while (end_[i] > begin_[i]) walk(i);
     }
     return std::move(chains_);
   }
 
  private:
+  /// Sorts the edges by the vertex from which they lead. Edges of one vertex keep their order.
+  void add_edges(const EdgeSurpluses& surplus) {
+    for (const EdgeSurplus& s : surplus) {
+      begin_[number_of(start_of(s)) + 1] += static_cast<std::uint32_t>(std::abs(s.times));
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    end_.assign(begin_.begin(), begin_.end() - 1);
+    for (const EdgeSurplus& s : surplus) {
+      const std::uint32_t from = number_of(start_of(s)), to = number_of(s.end[s.times < 0 ? 1 : 0]);
+      for (std::int32_t i = 0; i < std::abs(s.times); ++i) target_[end_[from]++] = to;
+    }
+  }
+  /// Returns the vertex from which an edge must lead to balance the surplus: the lesser one if the
+  /// edge is run downward too often.
+  static std::uint32_t start_of(const EdgeSurplus& s) { return s.end[s.times < 0 ? 0 : 1]; }
+  std::uint32_t number_of(std::uint32_t v) {
+    step_();
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(vertex_, v) - vertex_.begin());
+  }
+
   /// Walks until it is back at the start, which it reaches since as many edges lead out of every
   /// vertex as into it.
   void walk(std::uint32_t start) {
     path_ = {start};
-    place_ = {{start, 0}};
+    place_[start] = 0;
     do {
-      std::vector<std::uint32_t>& ways = targets_[path_.back()];
-      const std::uint32_t to = ways.back();
-      ways.pop_back();
-      const auto [seen, is_new] = place_.try_emplace(to, path_.size());
-      if (is_new) {
+      step_();
+      const std::uint32_t to = target_[--end_[path_.back()]];
+      if (place_[to] == kNone) {
+        place_[to] = static_cast<std::uint32_t>(path_.size());
         path_.push_back(to);
       } else {
-        cut_loop(seen->second);
+        cut_loop(place_[to]);
       }
     } while (path_.size() > 1);
+    place_[start] = kNone;
   }
 
   /// Makes a chain of the path from a vertex that is reached again.
   void cut_loop(std::size_t from) {
-    const auto begin = path_.begin() + static_cast<std::ptrdiff_t>(from);
-    chains_.emplace_back(begin, path_.end());
-    for (std::size_t i = from + 1; i < path_.size(); ++i) place_.erase(path_[i]);
+    std::vector<std::uint32_t>& chain = chains_.emplace_back();
+    chain.reserve(path_.size() - from);
+    for (std::size_t i = from; i < path_.size(); ++i) {
+      chain.push_back(vertex_[path_[i]]);
+      if (i > from) place_[path_[i]] = kNone;
+    }
     path_.resize(from + 1);
   }
 
-  std::map<std::uint32_t, std::vector<std::uint32_t>> targets_;
-  std::vector<std::uint32_t> path_;
-  std::map<std::uint32_t, std::size_t> place_;
+  StepCounter step_;
+  std::vector<std::uint32_t> vertex_;  // The vertices, ascending. Below, they are numbers here.
+  std::vector<std::uint32_t> target_;  // Where edges lead, by the vertex from which they lead.
+  std::vector<std::uint32_t> begin_;   // The first target of each vertex.
+  std::vector<std::uint32_t> end_;     // The end of the targets not yet walked to.
+  std::vector<std::uint32_t> path_;    // The walk, without the loops that were cut off.
+  std::vector<std::uint32_t> place_;   // The place of each vertex in the walk, or kNone.
   std::vector<std::vector<std::uint32_t>> chains_;
 };
 
 }  // namespace
 
-InnerVertices vertices_inside(std::span<const VertexPair> edges, std::span<const SpacePoint> points,
-                              const Point3Table& table) {
-  return InnerVertexSearch(points, table).find(edges);
+void collect(EdgeSurpluses& list) {
+  std::sort(list.begin(), list.end(),
+            [](const EdgeSurplus& a, const EdgeSurplus& b) { return a.end < b.end; });
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < list.size();) {
+    EdgeSurplus sum{list[i].end, 0};
+    for (; i < list.size() && list[i].end == sum.end; ++i) sum.times += list[i].times;
+    if (sum.times != 0) list[count++] = sum;
+  }
+  list.resize(count);
 }
 
-EdgeSurplus cut_at_vertices(const EdgeSurplus& edges, std::span<const SpacePoint> points,
-                            const Point3Table& table) {
+InnerVertices vertices_inside(std::span<const VertexPair> edges, std::span<const SpacePoint> points,
+                              const Point3Table& table, MemoryCharge& memory, Context& context) {
+  return InnerVertexSearch(points, table, memory, context).find(edges);
+}
+
+EdgeSurpluses cut_at_vertices(const EdgeSurpluses& edges, std::span<const SpacePoint> points,
+                              const Point3Table& table, MemoryCharge& memory, Context& context) {
   std::vector<VertexPair> ends;
-  for (const auto& [edge, times] : edges) ends.push_back(edge);
-  const InnerVertices inner = vertices_inside(ends, points, table);
-  EdgeSurplus pieces;
-  for (std::size_t i = 0; const auto& [edge, times] : edges) {
-    std::uint32_t from = edge[0];
-    for (const std::uint32_t v : inner.of(i++)) {
-      add_to(pieces, from, v, times);
+  ends.reserve(edges.size());
+  for (const EdgeSurplus& edge : edges) ends.push_back(edge.end);
+  const InnerVertices inner = vertices_inside(ends, points, table, memory, context);
+  const std::size_t count = edges.size() + inner.vertex.size();
+  memory.add(count * sizeof(EdgeSurplus), "parts of edges");
+  EdgeSurpluses pieces;
+  pieces.reserve(count);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    std::uint32_t from = edges[i].end[0];
+    for (const std::uint32_t v : inner.of(i)) {
+      add_to(pieces, from, v, edges[i].times);
       from = v;
     }
-    add_to(pieces, from, edge[1], times);
+    add_to(pieces, from, edges[i].end[1], edges[i].times);
   }
-  drop_balanced(pieces);
+  context.check_limits("parts of edges");
+  collect(pieces);
   return pieces;
 }
 
-std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurplus& surplus) {
-  ChainWalker walker;
-  for (const auto& [edge, times] : surplus) {
-    const bool is_up = times < 0;  // It is run downward too often, so running up balances it.
-    for (std::int32_t i = 0; i < std::abs(times); ++i) {
-      walker.add(edge[is_up ? 0 : 1], edge[is_up ? 1 : 0]);
-    }
-  }
-  return walker.chains();
+std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurpluses& surplus,
+                                                  MemoryCharge& memory, Context& context) {
+  return ChainWalker(surplus, memory, context).chains();
 }
 
 std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
                                                       const MeshLinks& links,
                                                       std::span<const SpacePoint> points,
-                                                      const Point3Table& table) {
-  EdgeSurplus surplus = imbalances(facets, links);
-  if (!surplus.empty()) surplus = cut_at_vertices(surplus, points, table);
-  return chains_of(surplus);
+                                                      const Point3Table& table, Context& context) {
+  MemoryCharge memory(context);
+  EdgeSurpluses surplus = imbalances(facets, links, memory, context);
+  if (!surplus.empty()) surplus = cut_at_vertices(surplus, points, table, memory, context);
+  return chains_of(surplus, memory, context);
 }
 
 namespace {

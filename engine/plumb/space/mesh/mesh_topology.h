@@ -4,10 +4,10 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/predicates/sign.h"
 #include "plumb/space/complex/space_tables.h"
 #include "plumb/space/mesh/link_facets.h"
@@ -17,15 +17,24 @@ namespace plumb {
 
 // Borders.
 
-/// How often each edge is run through from its lesser to its greater vertex, less how often back.
-/// Edges with 0 are left out.
-using EdgeSurplus = std::map<std::array<std::uint32_t, 2>, std::int32_t>;
+/// How often an edge is run through from its lesser to its greater vertex, less how often back.
+struct EdgeSurplus {
+  std::array<std::uint32_t, 2> end;  ///< The vertices of the edge, ascending.
+  std::int32_t times;                ///< Not 0 in a collected list.
+};
+/// Surpluses of edges. In a collected list, edges ascend, are different, and do not balance.
+using EdgeSurpluses = std::vector<EdgeSurplus>;
 
 /// Adds an edge that is run through `times` times from one vertex to another.
-inline void add_to(EdgeSurplus& surplus, std::uint32_t from, std::uint32_t to, std::int32_t times) {
-  std::int32_t& sum = surplus[from < to ? std::array{from, to} : std::array{to, from}];
-  sum += from < to ? times : -times;
+inline void add_to(EdgeSurpluses& list, std::uint32_t from, std::uint32_t to, std::int32_t times) {
+  if (from < to) {
+    list.push_back({{from, to}, times});
+  } else {
+    list.push_back({{to, from}, -times});
+  }
 }
+/// Sorts a list, adds up the entries of each edge, and drops the edges that balance.
+void collect(EdgeSurpluses& list);
 
 /// For each edge of a list, the vertices inside it, from its first end to its second.
 struct InnerVertices {
@@ -39,30 +48,35 @@ struct InnerVertices {
 };
 
 /// Finds the ends of the edges that lie inside other edges. The ends of an edge must be different
-/// points. `points` has the place of each vertex. O((m + c) log m) for m edges and c pairs of an
-/// end and the box of an edge that contains it.
+/// points. `points` has the place of each vertex. O((m + k) log m) for m edges, if k nodes of a
+/// tree over the ends have boxes that edges meet: no more than a few times m log m unless many
+/// edges run closely along each other. Charges `memory` for what it allocates, the result included.
+/// Throws what the context throws.
 InnerVertices vertices_inside(std::span<const std::array<std::uint32_t, 2>> edges,
-                              std::span<const SpacePoint> points, const Point3Table& table);
+                              std::span<const SpacePoint> points, const Point3Table& table,
+                              MemoryCharge& memory, Context& context);
 
-/// Cuts the edges of a surplus at the ends of others that lie on them, adds up the parts, and drops
-/// those that balance.
-EdgeSurplus cut_at_vertices(const EdgeSurplus& edges, std::span<const SpacePoint> points,
-                            const Point3Table& table);
+/// Cuts the edges of a collected list at the ends of others that lie on them. Returns the collected
+/// list of the parts. Cost and errors are those of vertices_inside().
+EdgeSurpluses cut_at_vertices(const EdgeSurpluses& edges, std::span<const SpacePoint> points,
+                              const Point3Table& table, MemoryCharge& memory, Context& context);
 
-/// Returns the closed chains of vertices that would balance a surplus. Requires that as many edges
-/// lead into every vertex as out of it, as in the boundary of any set of faces. Each chain has a
-/// vertex once.
-std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurplus& surplus);
+/// Returns the closed chains of vertices that would balance a collected list of surpluses. Requires
+/// that as many edges lead into every vertex as out of it, as in the boundary of any set of faces.
+/// Each chain has a vertex once. O(m log m) for m edges. Throws what the context throws.
+std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurpluses& surplus,
+                                                  MemoryCharge& memory, Context& context);
 
 /// Returns where directed edges and their reverses do not balance: closed chains of vertices, in
 /// the direction that would balance them; none if the mesh is closed. Places count, not indices: an
 /// edge with vertices of the mesh on it balances the edges between them. `points` has the place of
-/// each vertex. O(n), besides O((m + c) log m) for m edges that no edge of the same ends balances
-/// and c pairs of their boxes and ends that meet. Proof: docs/design/meshes.md, Lemma 1.
+/// each vertex. O(n) for a closed mesh, besides the cost of vertices_inside() for the edges that no
+/// edge of the same ends balances. Throws what the context throws. Proof: docs/design/meshes.md,
+/// Lemma 1.
 std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
                                                       const MeshLinks& links,
                                                       std::span<const SpacePoint> points,
-                                                      const Point3Table& table);
+                                                      const Point3Table& table, Context& context);
 
 // Components.
 
