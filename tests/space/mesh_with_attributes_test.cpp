@@ -946,8 +946,8 @@ TEST(MeshWithAttributes, RejectsWhatDoesNotFit) {
 
 // ---------------------------------------------------------------- repairs
 
-/// Checks that each corner of a face is near the plane of its source face: not farther than the
-/// repair moved the boundary, up to the roundings of this test.
+/// Checks that each corner of a face is near its source triangle: neither farther from its plane nor
+/// farther beyond its edges than the repair moved the boundary, up to the roundings of this test.
 void expect_near_sources(const MeshWithAttributes& made, std::span<const SharedSource> sources) {
   for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
     const FaceSource from = made.source[f];
@@ -958,7 +958,14 @@ void expect_near_sources(const MeshWithAttributes& made, std::span<const SharedS
     for (const std::uint32_t v : made.mesh.face(f)) {
       const Point3& p = made.mesh.points[v];
       const double off = dot(n, {p.x - t[0].x, p.y - t[0].y, p.z - t[0].z}) / length;
-      EXPECT_LE(std::fabs(off), 2 * made.repair.largest_move + 1e-9);
+      const double most = 2 * made.repair.largest_move + 1e-9;
+      EXPECT_LE(std::fabs(off), most);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point3 &a = t[i], &b = t[(i + 1) % 3];
+        const Point3 inward = cross({Point3{0, 0, 0}, n, {b.x - a.x, b.y - a.y, b.z - a.z}});
+        const double inside = dot(inward, {p.x - a.x, p.y - a.y, p.z - a.z});
+        EXPECT_GE(inside, -most * std::sqrt(dot(inward, inward)));
+      }
     }
   }
 }

@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -39,7 +40,11 @@
 #include "plumb/space/mesh/drop_flat_vertices.h"
 #include "plumb/space/mesh/mesh_vertices.h"
 #include "plumb/space/mesh/snap_near.h"
+#include "plumb/space/set/cut_boundary.h"
+#include "plumb/space/set/piece_mesh.h"
 #include "plumb/space/set/round_mesh.h"
+#include "plumb/space/set/source_triangles.h"
+#include "plumb/space/source_mesh.h"
 #include "plumb/space/weld_points.h"
 
 namespace plumb {
@@ -77,6 +82,7 @@ struct Draft {
   std::vector<FacetId> facet;            ///< The facet of the set from which a face was made.
   std::vector<std::uint32_t> solid;      ///< The solid that a face bounds.
   std::uint32_t solid_count = 0;
+  std::vector<std::uint32_t> kept;  ///< Points that stay even if the boundary is flat there.
 
   void add_face(std::span<const std::uint32_t> corners, FacetId f, std::uint32_t s) {
     mesh.add_face(corners);
@@ -275,15 +281,50 @@ void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<co
   draft.solid_count += static_cast<std::uint32_t>(complex.volume_count());
 }
 
+/// Appends the boundary of the set of a mesh with faces of the draft. As they are the source of the
+/// set, its facets are cut where they meet. So each face that is appended has one facet of the
+/// draft, and the points between faces of different facets are kept.
+void append_pieces(PolygonMesh mesh, std::span<const FacetId> facet, const ToMeshOptions& options,
+                   Draft& draft, Context& context) {
+  MeshSource source{{}, std::move(mesh), {}};
+  for (const FacetId f : facet) source.attributes.face_id.push_back(f.value());
+  const Nef3 set = from_source(std::make_shared<const MeshSource>(std::move(source)),
+                               {.rule = WindingRule::Positive}, context);
+  SpaceComplex complex = set.complex();
+  const std::shared_ptr<SpaceTables> tables = copy(*complex.tables);
+  complex.tables = tables;
+  SourceTriangles triangles(set.sources(), *tables, context);
+  const CutBoundary cut =
+      cut_boundary(complex, *tables, triangles, {.faces = options.faces}, context);
+  const MeshToRound made = mesh_of_pieces(cut, triangles, complex);
+
+  const auto first = static_cast<std::uint32_t>(draft.mesh.points.size());
+  const auto& points = made.made.mesh.points;
+  draft.mesh.points.insert(draft.mesh.points.end(), points.begin(), points.end());
+  for (const auto& [at, v] : made.made.rounded) {
+    draft.mesh.exact.emplace_back(first + at, exact(complex.points(), complex.vertex_point[v]));
+  }
+  for (const std::uint32_t v : made.kept) draft.kept.push_back(first + v);
+  std::vector<std::uint32_t> corners;
+  for (std::size_t f = 0; f < cut.piece.size(); ++f) {
+    corners.clear();
+    for (const std::uint32_t v : made.made.mesh.face(f)) corners.push_back(first + v);
+    const FacetId from = facet[triangles[cut.pieces[cut.piece[f]].triangle].face];
+    draft.add_face(corners, from, draft.solid_count + made.solid[f]);
+  }
+  draft.solid_count += static_cast<std::uint32_t>(complex.volume_count());
+}
+
 /// Replaces damaged solids, with all that touch them, by the points of positive winding number.
 /// Solids may touch in points that are equal only after rounding, so equal points are welded before
 /// what touches is found.
-Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Context& context) {
+Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, bool has_pieces,
+             Context& context) {
   draft.mesh.exact.clear();
   weld_points(draft.mesh, 0, context);
   const std::vector<std::uint8_t> is_broken = connected_with_damage(draft, damage);
-  Draft kept;
-  kept.solid_count = draft.solid_count;
+  Draft result;
+  result.solid_count = draft.solid_count;
   PolygonMesh broken;
   std::vector<FacetId> facet;  // Of the faces of `broken`.
   for (std::uint32_t f = 0; f < draft.solid.size(); ++f) {
@@ -292,14 +333,18 @@ Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Co
       broken.add_face(corners);
       facet.push_back(draft.facet[f]);
     } else {
-      kept.add_face(corners, draft.facet[f], draft.solid[f]);
+      result.add_face(corners, draft.facet[f], draft.solid[f]);
     }
   }
   broken.points = draft.mesh.points;
-  kept.mesh.points = std::move(draft.mesh.points);
-  const Nef3 set = Nef3::from_mesh(broken, {.rule = WindingRule::Positive}, context);
-  append(mesh_of_complex(set.complex(), options, context), set.complex(), facet, kept);
-  return kept;
+  result.mesh.points = std::move(draft.mesh.points);
+  if (has_pieces) {
+    append_pieces(std::move(broken), facet, options, result, context);
+  } else {
+    const Nef3 set = Nef3::from_mesh(broken, {.rule = WindingRule::Positive}, context);
+    append(mesh_of_complex(set.complex(), options, context), set.complex(), facet, result);
+  }
+  return result;
 }
 
 // ---------------------------------------------------------------- rounds
@@ -308,9 +353,10 @@ Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, Co
 class RoundingRepairer {
  public:
   RoundingRepairer(const ToMeshOptions& options, CoordinateType type, PlacesBefore before,
-                   RoundingRepair& repair, Context& context)
+                   bool has_pieces, RoundingRepair& repair, Context& context)
       : options_(options),
         type_(type),
+        has_pieces_(has_pieces),
         before_(std::move(before)),
         repair_(repair),
         context_(context) {}
@@ -359,7 +405,7 @@ class RoundingRepairer {
       is_new_ = false;
       return *move;
     }
-    draft = mended(std::move(draft), damage, options_, context_);
+    draft = mended(std::move(draft), damage, options_, has_pieces_, context_);
     has_first_places_ = false;
     return round_mended(draft);
   }
@@ -382,6 +428,7 @@ class RoundingRepairer {
   double round_mended(Draft& draft) {
     std::vector<std::uint8_t> is_constructed(draft.mesh.points.size(), 0);
     for (const auto& [v, p] : draft.mesh.exact) is_constructed[v] = 1;
+    for (const std::uint32_t v : draft.kept) is_constructed[v] = 0;
     const double moved = round_points(draft.mesh, type_);
     std::vector<std::uint8_t> is_rounded(draft.mesh.points.size(), 0);
     for (const auto& [v, p] : draft.mesh.exact) is_rounded[v] = 1;
@@ -391,6 +438,7 @@ class RoundingRepairer {
 
   const ToMeshOptions& options_;
   CoordinateType type_;
+  bool has_pieces_;            // MeshToRound::has_pieces.
   const PlacesBefore before_;  // Of the first draft.
   RoundingRepair& repair_;
   Context& context_;
@@ -448,13 +496,14 @@ Draft draft_of(MeshToRound& made) {
   draft.facet = std::move(made.made.facet);
   draft.solid = std::move(made.solid);
   draft.solid_count = static_cast<std::uint32_t>(made.complex->volume_count());
+  draft.kept = std::move(made.kept);
   return draft;
 }
 
 /// Rounds the points of the first draft, and removes flat vertices. Vertices whose coordinates are
 /// doubles stay.
-void round_draft(CoordinateType type, PlacesBefore& before, std::span<const std::uint32_t> kept,
-                 RoundingRepair& repair, Draft& draft, Context& context) {
+void round_draft(CoordinateType type, PlacesBefore& before, RoundingRepair& repair, Draft& draft,
+                 Context& context) {
   auto& points = draft.mesh.points;
   if (type == CoordinateType::Float) before.points = points;
   std::vector<std::uint8_t> is_constructed(points.size(), 0), is_rounded(points.size(), 0);
@@ -474,7 +523,7 @@ void round_draft(CoordinateType type, PlacesBefore& before, std::span<const std:
   }
   check_faces_at(is_rounded, draft);
   if (before.constructed.empty()) return;
-  for (const std::uint32_t v : kept) is_constructed[v] = 0;
+  for (const std::uint32_t v : draft.kept) is_constructed[v] = 0;
   repair.largest_move += drop_flat(is_constructed, type, repair, draft, context);
 }
 
@@ -503,14 +552,14 @@ ValidMesh round_mesh(MeshToRound input, const ToMeshOptions& options, Coordinate
   memory.add(kBytesPerCorner * input.made.mesh.corners.size(), "a rounded mesh");
   PlacesBefore before{input.complex, std::move(input.made.rounded), {}};
   Draft draft = draft_of(input);
-  round_draft(type, before, input.kept, repair, draft, context);
+  round_draft(type, before, repair, draft, context);
   Damage damage = find_damage(draft, before, used.faces, context);
   const bool has_equal_vertices = damage.has_equal_vertices;
   Topology topology;
   if (damage.faces > 0) {
     topology = topology_of(draft);
     used.keeps_exact = true;
-    draft = RoundingRepairer(used, type, std::move(before), repair, context)
+    draft = RoundingRepairer(used, type, std::move(before), input.has_pieces, repair, context)
                 .run(std::move(draft), std::move(damage));
   }
   draft.mesh.exact.clear();
@@ -529,7 +578,7 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   ToMeshOptions used = options;
   used.keeps_exact = false;
   if (type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
-  MeshToRound input{mesh_of_complex(complex, used, context), {}, &complex, {}};
+  MeshToRound input{mesh_of_complex(complex, used, context), {}, &complex, {}, false};
   input.solid = solids_at(complex, input.made.facet);
   return round_mesh(std::move(input), options, type, context);
 }

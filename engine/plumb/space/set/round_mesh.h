@@ -20,6 +20,9 @@ struct MeshToRound {
   std::vector<std::uint32_t> solid;  ///< For each face, the marked volume that it bounds.
   const SpaceComplex* complex;       ///< Has the tables and the vertices of the points.
   std::vector<std::uint32_t> kept;   ///< Points that stay even if the boundary is flat there.
+  /// Whether faces with different entries in `facet` stay apart, even if a repair puts them into
+  /// one plane.
+  bool has_pieces = false;
 };
 
 /// Returns the marked volume at each facet. Requires facets of the boundary of the closure of the
