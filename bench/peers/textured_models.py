@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Texture coordinates of real models: textured_models.py --plumb PROGRAM MODEL.glb ...
 
-Subtracts a sphere from every model, and unites the two. The centre of the sphere is a corner of the
-model, its radius a quarter of the longest side of the model's box. At random points of those faces of
+Subtracts a sphere from every model, and unites the two. The centre of the sphere is a corner of
+the model, its radius a quarter of the longest side of the model's box. At random points of those faces of
 each result that come from the model, the texture coordinates are compared with those of the model's
 triangles that contain the point. These are found by brute force in the file that trimesh reads. The
 table has, for each model and operation, the number of these faces, the number of points compared,
@@ -113,8 +113,8 @@ def main():
     parser.add_argument("models", nargs="+", metavar="MODEL.glb")
     options = parser.parse_args()
     is_right = True
-    print("%-28s %-11s %7s %9s %11s %10s" % ("model", "operation", "faces", "compared", "difference",
-                                            "no source"))
+    print("%-28s %-11s %7s %9s %11s %10s"
+          % ("model", "operation", "faces", "compared", "difference", "no source"))
     with tempfile.TemporaryDirectory() as name:
         sphere, moved, out = (pathlib.Path(name) / n for n in ("s.off", "t.off", "out.obj"))
         for model in options.models:
