@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -165,6 +167,43 @@ TEST_F(SolidProgram, canonical_files_of_equal_sets_are_the_same) {
   EXPECT_EQ(canonical({"complement", made({"complement", file("parts.nef")}, "rest.nef")}, "c.nef"),
             either);
   EXPECT_NE(canonical({"interior", file("either.nef")}, "open.nef"), either);
+}
+
+// A polygon without holes of n corners has n - 2 triangles: three sides of the cube without a corner
+// have six corners, three are whole, and the cut has three squares.
+TEST_F(SolidProgram, triangles_on_request) {
+  const std::string cube = made({"make", "box", "--size", "2,2,2"}, "cube.off");
+  const std::string corner = made({"make", "box"}, "corner.off");
+  const auto sizes_of_faces = [&](const std::string& name, const Words& more) {
+    Words words{"difference", cube, corner};
+    words.insert(words.end(), more.begin(), more.end());
+    std::istringstream in(read_file(made(words, name)));
+    std::map<int, int> count;
+    for (std::string line; std::getline(in, line);) {
+      if (line.rfind("f ", 0) == 0) ++count[static_cast<int>(std::ranges::count(line, ' '))];
+    }
+    return count;
+  };
+  EXPECT_EQ(sizes_of_faces("p.obj", {}), (std::map<int, int>{{4, 6}, {6, 3}}));
+  EXPECT_EQ(sizes_of_faces("t.obj", {"--triangles"}), (std::map<int, int>{{3, 6 * 2 + 3 * 4}}));
+  EXPECT_TRUE(is_equal(file("p.obj"), file("t.obj")));
+
+  const std::string red = holding(
+      "color([1, 0, 0, 1]) { difference() { cube(size = [2, 2, 2], center = false); "
+      "cube(size = [1, 1, 1], center = false); } }",
+      "red.csg");
+  const auto has_polygon = [&](const Words& more) {
+    Words words{"csg", red};
+    words.insert(words.end(), more.begin(), more.end());
+    return contains(read_file(made(words, "red.off")), "\n6 ");
+  };
+  EXPECT_TRUE(has_polygon({}));
+  EXPECT_FALSE(has_polygon({"--triangles"}));
+
+  const RunResult nef = run({"solid", "closure", cube, "--triangles", "-o", file("c.nef")});
+  EXPECT_EQ(nef.code, 2);
+  EXPECT_TRUE(contains(nef.err, "--triangles needs a format of meshes")) << nef.err;
+  EXPECT_FALSE(exists("c.nef"));
 }
 
 // The checkerboard has 8 * 8 squares on each side. A box cuts off 3 * 3 * 3 unit cubes at a corner.

@@ -36,9 +36,9 @@ concept SetInput = std::default_initializable<Input> &&
 /// A kind of sets: Nef2 or Nef3, and what the commands need to know of it. A kind whose files show
 /// how a set was made has, besides, `canonical(set, context)`: the same set in a form that does not
 /// (--canonical). A kind whose files may hold shapes of doubles has, besides, `kHasGrid`
-/// (--raw, --grid). A kind whose files may hold features has, besides, `Features`, what is known of
-/// those of all operands: `add(read)` is called for each operand in order, and
-/// `ready(set, features, output, session)` makes the file.
+/// (--raw, --grid), and one that writes meshes, `kWritesMeshes` (--triangles). A kind whose files
+/// may hold features has, besides, `Features`, what is known of those of all operands: `add(read)`
+/// is called for each operand in order, and `ready(set, features, output, session)` makes the file.
 template <class Kind>
 concept SetKind = SetInput<typename Kind::Input> &&
     requires(const typename Kind::Set& set, const SetOutput& output, Context& context,
@@ -150,6 +150,9 @@ class SetOperation : public CommandBody {
     }
     app.add_flag("--strict", strict_, "Exit 2 if the file would differ from the result");
     rounding_.declare(app, kHasGrid);
+    if constexpr (kWritesMeshes) {
+      app.add_flag("--triangles", triangles_, "Write triangles instead of polygons");
+    }
     if constexpr (kHasCanonical) {
       app.add_flag("--canonical", canonical_, "Number by the set alone: equal sets, equal .nef");
     }
@@ -158,6 +161,7 @@ class SetOperation : public CommandBody {
   ExitCode run(Session& session) override {
     output_.open(Kind::formats(), session);
     output_.set_rounding(rounding_.read(session));
+    output_.set_writes_triangles(triangles_);
     if constexpr (requires { input_.keeps_faces(); }) output_.set_keeps_faces(input_.keeps_faces());
     session.expect(all_stages(session.options()));
     const Set result = numbered(compute(session), session);
@@ -217,6 +221,7 @@ class SetOperation : public CommandBody {
   };
 
   static constexpr bool kHasGrid = requires { Kind::kHasGrid; };
+  static constexpr bool kWritesMeshes = requires { Kind::kWritesMeshes; };
 
   ProgressStages all_stages(const CommonOptions& common) const {
     ProgressStages all = stages();
@@ -240,6 +245,7 @@ class SetOperation : public CommandBody {
   RoundingOptions rounding_;
   bool strict_ = false;
   bool canonical_ = false;
+  bool triangles_ = false;
   bool has_attributes_ = false;  // Whether an operand has attributes.
   typename FeaturesOfKind<Kind>::Type features_;
   SetOutput output_;

@@ -57,6 +57,7 @@ struct Solid {
   static ProgressStages writing(const SetOutput& output) {
     return keeps_marks(output) ? writing_nef() : writing_mesh();
   }
+  static constexpr bool kWritesMeshes = true;
   static std::span<const SolidFormat> formats() { return solid_formats(); }
   static const SolidFormat& format_of(const SetOutput& output) {
     return output.format() ? formats()[static_cast<std::size_t>(*output.format())]
@@ -64,9 +65,14 @@ struct Solid {
   }
   static bool keeps_marks(const SetOutput& output) { return format_of(output).name == "nef"; }
   static ReadyFile ready(const Nef3& set, const SetOutput& output, Context& context) {
-    const auto text = std::make_shared<SolidText>(
-        set, format_of(output), output.rounding().rounding, context, output.material_library(),
-        output.keeps_faces() ? PieceJoin::SameFace : PieceJoin::SameAttributes);
+    if (output.writes_triangles() && keeps_marks(output)) {
+      throw Error(ErrorCode::Usage, "--triangles needs a format of meshes: -o OUT.obj");
+    }
+    const SolidFaces faces{output.keeps_faces() ? PieceJoin::SameFace : PieceJoin::SameAttributes,
+                           output.writes_triangles()};
+    const auto text =
+        std::make_shared<SolidText>(set, format_of(output), output.rounding().rounding, context,
+                                    output.material_library(), faces);
     ReadyFile file{[text, &context](std::ostream& out) { text->write(out, context); },
                    text->losses(), text->changes(), text->dropped()};
     if (text->has_library()) {

@@ -127,6 +127,9 @@ class SetOutput {
   /// Sets whether the faces of input meshes stay apart.
   void set_keeps_faces(bool keeps_faces) { keeps_faces_ = keeps_faces; }
   bool keeps_faces() const { return keeps_faces_; }
+  /// Sets whether all faces of meshes are triangles.
+  void set_writes_triangles(bool writes_triangles) { writes_triangles_ = writes_triangles; }
+  bool writes_triangles() const { return writes_triangles_; }
   /// Returns which of the formats was asked for, if any.
   std::optional<std::ptrdiff_t> format() const { return format_; }
   /// Returns the name of a material library beside the file, without folders; empty for standard
@@ -151,6 +154,7 @@ class SetOutput {
   std::optional<std::ptrdiff_t> format_;
   PlaneWriteOptions rounding_;
   bool keeps_faces_ = false;
+  bool writes_triangles_ = false;
   ReadyFile file_;
   nlohmann::ordered_json json_;
 };

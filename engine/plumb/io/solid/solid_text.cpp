@@ -176,14 +176,14 @@ bool has_floats(MeshFormat format) {
 }  // namespace
 
 SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding,
-                     Context& context, std::string library, PieceJoin join)
-    : set_(set), format_(format), library_(std::move(library)) {
-  const bool has_attributes = !set.sources().empty() && writes_attributes(rounding, join);
+                     Context& context, std::string library, SolidFaces faces)
+    : set_(set), format_(format), faces_(faces), library_(std::move(library)) {
+  const bool has_attributes = !set.sources().empty() && writes_attributes(rounding);
   // The mesh of an unbounded set is refused with the words for all meshes.
   if (format.mesh && !(has_attributes && set.is_bounded())) {
     make_mesh(*format.mesh, rounding, context);
   }
-  if (has_attributes) add_attributes(join, context);
+  if (has_attributes) add_attributes(context);
 }
 
 bool SolidText::has_library() const {
@@ -192,14 +192,14 @@ bool SolidText::has_library() const {
 
 /// Whether the mesh is divided as the sources are: the format holds any of their attributes, or
 /// their faces stay apart. Notes which attributes the format does not hold.
-bool SolidText::writes_attributes(OutputRounding rounding, PieceJoin join) {
+bool SolidText::writes_attributes(OutputRounding rounding) {
   const MeshAttributes outline = outline_of(set_);
   if (!format_.mesh) {
     dropped_ = lost_attributes(outline, MeshFormat::Stl);
     return false;
   }
   dropped_ = lost_attributes(outline, *format_.mesh);
-  if (!holds_any(outline, *format_.mesh) && join == PieceJoin::SameAttributes) return false;
+  if (!holds_any(outline, *format_.mesh) && faces_.join == PieceJoin::SameAttributes) return false;
   if (rounding == OutputRounding::Nearest || *format_.mesh == MeshFormat::ExactOff) {
     dropped_ = "colours, ids and other attributes are not written with --raw and in off-exact";
     return false;
@@ -207,11 +207,16 @@ bool SolidText::writes_attributes(OutputRounding rounding, PieceJoin join) {
   return true;
 }
 
+MeshFaces SolidText::mesh_faces() const {
+  return faces_.are_triangles || lists_triangles(*format_.mesh) ? MeshFaces::Triangles
+                                                                : MeshFaces::PlanarPolygons;
+}
+
 /// Takes the mesh with the attributes of the sources.
-void SolidText::add_attributes(PieceJoin join, Context& context) {
+void SolidText::add_attributes(Context& context) {
   AttributeOptions options;
-  options.join = join;
-  if (!lists_triangles(*format_.mesh)) options.faces = MeshFaces::PlanarPolygons;
+  options.join = faces_.join;
+  options.faces = mesh_faces();
   if (has_floats(*format_.mesh)) options.type = CoordinateType::Float;
   MeshWithAttributes made = mesh_with_attributes(set_, options, context);
   std::vector<std::string> losses, changes;
@@ -233,7 +238,7 @@ void SolidText::add_attributes(PieceJoin join, Context& context) {
 
 void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {
   ToMeshOptions options;
-  options.faces = lists_triangles(format) ? MeshFaces::Triangles : MeshFaces::PlanarPolygons;
+  options.faces = mesh_faces();
   const CoordinateType type = has_floats(format) ? CoordinateType::Float : CoordinateType::Double;
   MeshOfComplex made;
   if (format == MeshFormat::ExactOff || rounding == OutputRounding::Nearest) {

@@ -36,17 +36,23 @@ std::span<const SolidFormat> solid_formats();
 /// a device or a pipe, which have no file beside them, or if the file itself is called .mtl.
 std::string material_library_of(const std::string& path);
 
+/// How the boundary of a set becomes the faces of a mesh.
+struct SolidFaces {
+  /// Which pieces of facets become one face. If this is not SameAttributes, the mesh is divided as
+  /// the sources are, even if they have no attributes.
+  PieceJoin join = PieceJoin::SameAttributes;
+  bool are_triangles = false;  ///< Whether all faces are triangles, in formats of polygons, too.
+};
+
 /// A set prepared for a format: all work and all checks are done before the first byte is written.
 class SolidText {
  public:
   /// Throws Error{CannotWrite} if a mesh is to hold a marked volume that reaches infinity, and
   /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double. If the set has sources
-  /// with attributes that the format holds, the mesh has them. `join` says which pieces of facets
-  /// become one face; if it is not SameAttributes, the mesh is divided as the sources are, even if
-  /// they have no attributes. `library` is the name of the material library of OBJ; if it is empty,
-  /// there is none.
+  /// with attributes that the format holds, the mesh has them. `library` is the name of the
+  /// material library of OBJ; if it is empty, there is none.
   SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding, Context& context,
-            std::string library = {}, PieceJoin join = PieceJoin::SameAttributes);
+            std::string library = {}, SolidFaces faces = {});
 
   /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
   /// each.
@@ -67,12 +73,14 @@ class SolidText {
 
  private:
   void make_mesh(MeshFormat format, OutputRounding rounding, Context& context);
-  bool writes_attributes(OutputRounding rounding, PieceJoin join);
-  void add_attributes(PieceJoin join, Context& context);
+  bool writes_attributes(OutputRounding rounding);
+  void add_attributes(Context& context);
+  MeshFaces mesh_faces() const;
   void require_faces(const PolygonMesh& mesh) const;
 
   Nef3 set_;
   SolidFormat format_;
+  SolidFaces faces_;
   PolygonMesh mesh_;
   MeshAttributes attributes_;
   std::string library_;
