@@ -49,8 +49,8 @@ CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge);
 /// Writes the graph of the chosen cells for Graphviz. The graph has one node for each chosen cell.
 /// The node shows the label and the area of the cell. For each pair of chosen cells, the graph has
 /// one edge for each list of polygons between these cells. The edge has the direction that
-/// upward_step() returns. The text of an edge lists the indices of its polygons with their signs,
-/// as in "+0 -2*3".
+/// upward_step() returns. The text of an edge lists its polygons, as in "+0 -2*3". Each entry
+/// consists of a sign, a factor followed by "*" unless the factor is 1, and the index of a polygon.
 void write_cell_graph(std::ostream& out, const SurfaceDivision& division, CellChoice chosen);
 
 /// Writes a scene as JSON. read_scene_file() reads exactly the same points from this text. Every
