@@ -5,8 +5,8 @@
 //  1. ends       triangulates the regularization of the outline (space/planar). The triangles form
 //                the two ends of the solid
 //  2. sides      makes a strip of faces from each edge of the outline
-//  3. from_mesh  makes the set from all faces (Nef3::from_mesh()). The set contains the points whose
-//                winding number is at least 1
+//  3. from_mesh  makes the set from all faces (Nef3::from_mesh()). The set contains the points
+//                whose winding number is at least 1
 // The outline may touch itself, and may have holes and several parts. The faces of a twisted solid
 // may cross each other.
 //
