@@ -22,9 +22,10 @@
 //                       vertices to a common grid, and bends each edge that passes near a vertex to
 //                       this vertex. If edges cross even then, the step is repeated with a grid
 //                       that is twice as coarse
-//  5. face_labels       finds the exact face that each new face stands for, by winding numbers
-// docs/design/rounding.md proves that this ends, bounds the moves, and shows that labels are
-// consistent.
+//  5. face_labels       finds the exact face to which each new face corresponds, by winding numbers
+// The page docs/design/rounding.md proves that this procedure terminates. It also proves bounds for
+// the distances by which points move, and proves that step 5 finds exactly one face for each new
+// face.
 //
 // Cost: one sweep if rounding makes no edges cross. Otherwise the cost is that of two sweeps, plus
 // the cost of the repair near the crossings.
