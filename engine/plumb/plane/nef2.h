@@ -176,7 +176,7 @@ class PlaneTrapezoids;
 /// A set of the plane. The head of this file describes such sets.
 class Nef2 {
  public:
-  // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
+  // --- types that all classes of sets have (nef_set.h) -----------------------------------------
 
   using Point = RationalPoint2;    ///< An element of the set.
   using Complex = PlaneComplex;    ///< The representation of the set.
@@ -187,7 +187,7 @@ class Nef2 {
   using Selector = PlaneSelector;  ///< The cells whose marks an operation uses.
   using Flaw = DcelFlaw;           ///< A broken invariant and its location.
 
-  // --- sets to start from -----------------------------------------------------------------------
+  // --- constructors ----------------------------------------------------------------------------
 
   Nef2();                                               ///< Makes the empty set.
   [[nodiscard]] static Nef2 empty() { return Nef2(); }  ///< Returns the set without points.
@@ -268,7 +268,7 @@ class Nef2 {
   /// O(n).
   [[nodiscard]] Nef2 with_marks(PlaneMarks marks, Context& context = unlimited_context()) const;
 
-  // --- reading ----------------------------------------------------------------------------------
+  // --- reading ---------------------------------------------------------------------------------
 
   /// Returns the minimal complex: vertices, half-edges and faces, with their geometry and marks.
   [[nodiscard]] const PlaneComplex& complex() const&;
@@ -341,7 +341,7 @@ class Nef2 {
   /// nullopt if all invariants hold. O(n log n).
   [[nodiscard]] std::optional<DcelFlaw> audit(Context& context = unlimited_context()) const;
 
-  // --- operations -------------------------------------------------------------------------------
+  // --- operations ------------------------------------------------------------------------------
 
   /// Returns the set of the points that do not belong to this set. O(n).
   [[nodiscard]] Nef2 complement(Context& context = unlimited_context()) const;
