@@ -53,7 +53,7 @@ double corner_angle(const SurfaceMesh& mesh, std::span<const Point3> positions, 
 /// in the face. The weights are computed from the approximate parameters of the point.
 std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f);
 
-/// Vectors of doubles for layouts in the plane.
+/// Operations on vectors of doubles, for layouts in the plane.
 namespace layout {
 
 inline Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
@@ -104,10 +104,10 @@ class StripFinder {
   /// overflows.
   StripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
 
-  /// Returns a short strip from one end to the other, found by an A* search. The length of a strip
-  /// is measured between the centroids of its faces. Returns no value if no strip leads from one
-  /// end to the other. If two faces have the same bound, the face with the lower index is visited
-  /// first. So the result does not depend on the platform's heap.
+  /// Returns a short strip from one end to the other, found by an A* search. The search measures
+  /// the length of a strip along the centroids of its faces. Returns no value if no strip leads
+  /// from one end to the other. If two faces have the same bound, the face with the lower index is
+  /// visited first, so the result is the same on all platforms.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
   /// Shortens a strip from `from` to `to`. The new strip begins at the last face of the strip that

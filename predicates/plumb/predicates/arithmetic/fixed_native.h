@@ -1,4 +1,4 @@
-// Fixed<L> on 64-bit words with 128-bit products. fixed.h describes the interface.
+// Implements Fixed<L> with 64-bit words and 128-bit products. fixed.h describes the interface.
 //
 // The carry chains use the compiler's built-in functions that implement _addcarry_u64 and
 // _subborrow_u64, because the header that declares these two functions has 45,000 lines.
@@ -192,8 +192,8 @@ class Fixed {
 
 namespace detail {
 
-/// Adds x * y * 2^(64 offset) to r, modulo the size of r. This is one row of the schoolbook
-/// product. Requires that limb offset + B of r and all higher limbs of r are zero.
+/// Adds x * y * 2^(64 offset) to r, modulo 2^(64 To). This is one row of schoolbook multiplication.
+/// Requires that limb offset + B of r and all higher limbs of r are zero.
 template <std::size_t To, std::size_t B>
 void add_row(std::array<std::uint64_t, To>& r, std::uint64_t x,
              const std::array<std::uint64_t, B>& y, std::size_t offset) {

@@ -1,5 +1,5 @@
-// Points of queries in space. A query point may be in a table, but need not be. The predicates
-// compare a query point with the planes and the points of a table.
+// Query points in space, and predicates that compare them with the planes and the points of a
+// table. A query point may be a point of the table, but need not be.
 #pragma once
 
 #include <cstddef>
