@@ -1,8 +1,8 @@
 // ArithmeticWatch: stops exact arithmetic on very long numbers within the limits of a Context.
 //
 // Operations call Context::checkpoint() between their steps. If a file has coordinates of thousands
-// of digits, a single step may take seconds. While an ArithmeticWatch exists, operations on such
-// numbers check the Context as well.
+// of digits, a single step may take seconds. While an ArithmeticWatch exists, each operation on
+// such long numbers checks the Context, too.
 //
 // Main flow:
 //   Context context(Limits{.max_seconds = 5});

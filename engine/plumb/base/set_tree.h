@@ -1,4 +1,5 @@
-// Expressions over sets as trees whose operators take any number of operands, and their evaluation.
+// Represents expressions over sets as trees, and evaluates such trees. An operator of a tree can
+// have any number of operands.
 //
 // Main flow:
 //  1. SetTreeBuilder  takes operands and binary operators. Equal subexpressions become one node

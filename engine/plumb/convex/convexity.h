@@ -9,8 +9,8 @@
 //  3. edges    checks that no edge is reflex and no polygon has a reflex corner
 //  4. degree   checks that one ray from o meets exactly one face
 // Steps 1 to 4 prove that the mesh is convex, for the following reason. Project the surface from o
-// onto a sphere around o. Near each face the projection is a covering by step 2. Near each edge it
-// is a covering by step 3. So only vertices can be branch points of the projection. The degree of
+// onto a sphere around o. By step 2, the projection is a covering near each face. By step 3, it is
+// a covering near each edge. So only vertices can be branch points of the projection. The degree of
 // the projection is the number of faces that a ray from o meets. By step 4 the degree is 1. A
 // covering of degree 1 has no branch points, so the surface is star-shaped about o. A star-shaped
 // surface without reflex edges is convex. Step 4 is needed. Without step 4, a double pyramid that

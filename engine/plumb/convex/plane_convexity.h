@@ -1,7 +1,7 @@
 // Convexity of sets of the plane. The set is arbitrary: each cell may be open or closed, and the
 // set may be unbounded. The set may also be a line, a segment, or a set of points.
 //
-// Main flow of convexity_of_set(), where S is the set of a minimal complex:
+// Main flow of convexity_of_set(), where S is the tested set, which is stored as a minimal complex:
 //  1. face    examines the marked faces. If there are two or more marked faces, S is not convex,
 //             for the following reason. If S were convex, a segment between two of the faces would
 //             lie in S. It would cross an edge or a vertex between the faces, and a minimal complex

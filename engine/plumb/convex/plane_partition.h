@@ -106,10 +106,10 @@ struct RoundedPieces {
 /// piece lies on a side of another piece, and that this corner has to be rounded. Then the side may
 /// be bent, so that it still passes through the corner. No point of the side moves farther than
 /// rounding.largest_move. If all coordinates of vertices are doubles, the function returns the
-/// closures of the pieces unchanged. Requires that the pieces have disjoint interiors, as those of
-/// decompose() have. Pieces without area are rounded one by one, and unbounded pieces are returned
-/// exactly. Throws Error{NumberOutOfRange} if a coordinate lies beyond the largest double, and what
-/// the context throws. Cost: O(n log n) for n corners of all pieces.
+/// closures of the pieces unchanged. Requires that the pieces have disjoint interiors, like the
+/// pieces that decompose() returns. Pieces without area are rounded one by one, and unbounded
+/// pieces are returned exactly. Throws Error{NumberOutOfRange} if a coordinate lies beyond the
+/// largest double, and what the context throws. Cost: O(n log n) for n corners of all pieces.
 RoundedPieces round_to_doubles(std::span<const Nef2> pieces,
                                Context& context = unlimited_context());
 

@@ -13,8 +13,9 @@
 // The corners of cells are exact rational points. So neighbouring cells have exactly the same
 // corners and the same common border.
 //
-// Cost: the cost of delaunay(), plus O(d) exact steps for each site with d neighbours inside the
-// convex hull, and O(d^2) exact steps for each such site on the convex hull.
+// Cost: the cost of delaunay(), plus the following costs for each site, where d is the number of
+// its neighbours. A site inside the convex hull takes O(d) exact steps, and a site on the convex
+// hull takes O(d^2) exact steps.
 #pragma once
 
 #include "plumb/base/context.h"

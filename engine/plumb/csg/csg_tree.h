@@ -41,9 +41,10 @@ enum class CsgKind : std::uint8_t {
   Hull,          ///< The convex hull of all children together.
   Minkowski,     ///< The Minkowski sum of all children.
   Multmatrix,    ///< The image of the union of the children. Twelve numbers: three rows of a map.
-  /// The union of the children, scaled along the axes. Six numbers: for each axis, the size of the
-  /// result, where 0 means that the size is not given; then, for each axis without a size, 1 if its
-  /// factor is derived from the other axes, and 0 otherwise.
+  /// The union of the children, scaled along the axes. Six numbers. The first three are the sizes
+  /// of the result along the axes; 0 means that no size is given. The last three belong to the
+  /// axes, too. They matter only for an axis without a size: 1 means that its factor is the
+  /// greatest factor of the other axes, and 0 means that its factor is 1.
   Resize,
   /// The union of the children, grown by a distance. Five numbers: the distance; 0 for round joins,
   /// 1 for mitres, or 2 for square joins; the division.

@@ -27,9 +27,9 @@
 //
 // Colours. The colours of a set of space are stored in its sources (source_mesh.h), as materials of
 // faces. The faces are those of primitives, extrusions, hulls and sums. If colours are nested, the
-// outermost colour is used. It also replaces the colours of imported files. A hull, a sum or an
-// extrusion does not keep the colours of its children, and a note reports this. Sets of the plane
-// have no colours. Colours never change the set.
+// outermost colour is used. This colour also replaces the colours of imported files. A hull, a sum
+// or an extrusion does not keep the colours of its children, and a note reports this. Sets of the
+// plane have no colours. Colours never change the set.
 //
 // Cost: the sum of the costs of all operations. Errors: Error{BadArgument}, Error{NotFinite},
 // Error{ResourceLimit}, OpenMesh and the other errors of the operations. If the tree states lines

@@ -343,12 +343,13 @@ class Dcel {
   /// Removes a vertex and its loop. Requires that the vertex is isolated.
   void remove_vertex(VertexId v);
 
-  /// Adds an edge from vertex_at(a) to vertex_at(b). Returns the half-edge h of this edge that has
-  /// the even id. h leads from vertex_at(a) to vertex_at(b). Requires that both corners lie in the
-  /// same face.
-  ///   - If the corners lie in the same loop, this loop is split. h and the part of the loop from b
-  ///     to a form a new loop of the same face. (If a == b, the new loop consists of h alone, a
-  ///     self-loop.) twin(h) stays in the old loop. Cost: O(length of the new loop).
+  /// Adds an edge from vertex_at(a) to vertex_at(b). Returns the half-edge of the new edge that has
+  /// the even id. This half-edge, called h below, leads from vertex_at(a) to vertex_at(b). Requires
+  /// that both corners lie in the same face.
+  ///   - If the corners lie in the same loop, this loop is split. A new loop of the same face
+  ///     consists of h and of the part of the old loop from b to a. (If a == b, the new loop
+  ///     consists of h alone, which is a self-loop.) The rest of the old loop and twin(h) form the
+  ///     old loop. Cost: O(length of the new loop).
   ///   - If the corners lie in two loops, the loops are joined. The joined loop keeps the id of the
   ///     loop of a. Cost: O(length of the loop of b).
   HalfedgeId add_edge(Corner a, Corner b);

@@ -1,8 +1,9 @@
-// Reads OpenSCAD's flattened models: files .csg, as `openscad model.scad -o model.csg` writes them.
+// Reads the flattened models of OpenSCAD, which are files with the extension .csg. The command
+// `openscad model.scad -o model.csg` writes such a file.
 //
 // Main flow:
-//  1. parse    reads nodes, modifiers and parameters into a CsgTree (csg_tree.h). Nothing recurses,
-//              so groups may be nested to any depth
+//  1. parse    reads nodes, modifiers and parameters into a CsgTree (csg_tree.h). The parser does
+//              not recurse, so groups may be nested to any depth
 //  2. root     keeps only the subtree of a node with the modifier `!`, if there is one
 //  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h) and
 //              of sets of the plane (plane_io.h)

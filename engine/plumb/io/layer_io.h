@@ -1,6 +1,6 @@
-// Reads layers of features from GeoJSON, TopoJSON, WKT and WKB, and writes layers as GeoJSON,
-// TopoJSON and WKT, and reports of checks and repairs as text, JSON and GeoJSON (docs/formats.md,
-// "Layers").
+// Reads and writes layers of features (docs/formats.md, "Layers"). Layers are read from GeoJSON,
+// TopoJSON, WKT and WKB, and written as GeoJSON, TopoJSON and WKT. Reports of checks and repairs
+// are written as text, JSON and GeoJSON.
 //
 // Main flow of read_layer():
 //  1. JsonValues     lists the JSON values of the text. If the input is a sequence of JSON texts,
@@ -12,8 +12,8 @@
 // WKT and WKB are read by the readers of plane_io.h.
 //
 // Coordinates are the nearest doubles. A quantised TopoJSON text lists integers and a transform.
-// Its coordinates are computed from these in doubles. A point of an arc has the same coordinates in
-// all features that use the arc.
+// The reader computes the coordinates of the points from these numbers, in doubles. A point of an
+// arc has the same coordinates in all features that use the arc.
 //
 // Errors: Syntax, NumberOutOfRange and BadShape name the file, line and column. The other errors
 // are CannotOpen, BadArgument, ResourceLimit and Cancelled. Cost: O(bytes).
@@ -93,8 +93,8 @@ void write_layer_wkt(std::ostream& out, const Layer& layer, Context& context = u
 std::string feature_title(const Layer& layer, std::uint32_t feature);
 
 /// Writes the regions of a report, which are overlaps, gaps and holes, as a GeoJSON
-/// FeatureCollection. Each region is written with its polygons, its area, its width, the features
-/// beside it, and its owner. `layer` is the layer that was checked or repaired.
+/// FeatureCollection. Each region is written with its polygons, its area, its width, its features
+/// (LayerReport::features) and its owner. `layer` is the layer that was checked or repaired.
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 Context& context = unlimited_context());
 

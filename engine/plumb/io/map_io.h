@@ -4,8 +4,8 @@
 //   - f lines, each with the 1-based vertex ids of one face
 //
 // Main flow of read_map:
-//  1. read_counts    reads the header, and checks that the number of bytes after the header is
-//                    enough for the counts in the header
+//  1. read_counts    reads the header, and checks that the rest of the text is long enough for n
+//                    vertices and f faces
 //  2. read_vertices  reads exactly two numbers from each line (record_reader.h)
 //  3. read_faces     reads the vertex ids of each face from its line. A line must have at least
 //                    three ids, and all ids must be in range. Two neighbouring ids must differ. The
@@ -42,13 +42,13 @@ Map read_map(std::string_view text, const ReadOptions& options = {},
 Map read_map_file(const std::string& path, ReadOptions options = {},
                   Context& context = unlimited_context());
 
-/// Returns the map that polygons form. The map lists no outer boundaries of the whole map, so they
-/// are inferred (OuterRule::Infer). Corners with equal coordinates become one vertex. Vertices are
-/// numbered in the order in which the corners list them first. Cycle k is the outer ring of polygon
-/// k, counter-clockwise. After all outer rings come the holes of all polygons, clockwise. A ring
-/// that runs in the other direction is reversed. Lines and single points are left out. A hole with
-/// fewer than three different corners is left out. Throws Error{DegenerateFace} if an outer ring
-/// has fewer than three different corners. Cost: O(n log n).
+/// Returns the map that polygons form. Polygons do not list the outer boundary of the whole map, so
+/// the map must be checked with OuterRule::Infer. Corners with equal coordinates become one vertex.
+/// Vertices are numbered in the order of their first occurrences as corners. Cycle k is the outer
+/// ring of polygon k, counter-clockwise. After all outer rings come the holes of all polygons,
+/// clockwise. A ring that runs in the other direction is reversed. Lines and single points are left
+/// out. A hole with fewer than three different corners is left out. Throws Error{DegenerateFace} if
+/// an outer ring has fewer than three different corners. Cost: O(n log n).
 Map map_of_polygons(const PlaneShapes& shapes, Context& context = unlimited_context());
 
 /// The result of read_map_or_polygons().

@@ -42,9 +42,9 @@ struct SpaceDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint3 at_a;  ///< A point of the closure of A.
   RationalPoint3 at_b;  ///< A point of the closure of B; the distance of the two is least.
-  /// The cell of A.complex() with `at_a`. If the distance is 0, this may be a volume.
+  /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a volume.
   SpaceLocation cell_a;
-  SpaceLocation cell_b;  ///< The cell of B.complex() with `at_b`.
+  SpaceLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
 };
 
 /// The distance between two sets of the plane.
@@ -52,9 +52,9 @@ struct PlaneDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint2 at_a;  ///< A point of the closure of A.
   RationalPoint2 at_b;  ///< A point of the closure of B; the distance of the two is least.
-  /// The cell of A.complex() with `at_a`. If the distance is 0, this may be a face.
+  /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a face.
   PlaneLocation cell_a;
-  PlaneLocation cell_b;  ///< The cell of B.complex() with `at_b`.
+  PlaneLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
 };
 
 /// Returns the square root of a number, with a relative error of at most 2^-52. Requires that the

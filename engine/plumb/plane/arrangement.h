@@ -14,7 +14,7 @@
 //
 // Cost: O((n + k) log n) for n curves and k crossings. This bound also holds if curves overlap. For
 // example, suppose that n segments on one line contain each other, like the intervals [-i, i]. Then
-// the edges have n^2 pairs of an edge and a curve that contains it. The bound holds because the
+// there are about n^2 pairs of an edge and a curve that contains it. The bound holds because the
 // class SegmentSets does not store each pair separately.
 #pragma once
 
@@ -110,7 +110,7 @@ class SegmentSets {
 
   std::size_t curves_ = 0;
   std::vector<Node> nodes_;
-  // The current change made the nodes with this index and with greater indices.
+  // All nodes from this index on were made by the current change.
   std::size_t own_from_ = std::numeric_limits<std::size_t>::max();
   Set free_;  // First free node of the current change. `left` links the free nodes to a list.
 };
@@ -148,8 +148,8 @@ Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curve
                     Context& context = unlimited_context());
 
 /// Returns the arrangement of segments between input points. Segments of length zero become
-/// vertices. A point that is the end of no segment is no vertex, unless a segment meets it. The
-/// requirements and errors are the same as for the function above.
+/// vertices. A point that is not the end of a segment becomes a vertex only if a segment passes
+/// through it. The requirements and errors are the same as for the function above.
 Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments,
                     Context& context = unlimited_context());
 

@@ -130,7 +130,7 @@ constexpr const char* name_of(LayerRegionKind kind) {
   return kind == LayerRegionKind::Gap ? "gap" : "hole";
 }
 
-/// A region of a report: a connected overlap of the same features, a gap or a hole.
+/// A region of a report: a gap, a hole, or a connected region in which the same features overlap.
 struct LayerRegion {
   /// The owner of a region that belongs to no feature.
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();

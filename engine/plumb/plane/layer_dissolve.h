@@ -29,8 +29,8 @@ struct DissolvedLayer {
   /// Feature k is group k. The result is a coverage: polygons are valid, vertices are doubles, and
   /// features meet only in common edges and vertices. The features have no ids and no properties.
   Layer layer;
-  /// The number of regions that features of different groups cover. Such a region belongs to the
-  /// group of the first one of these features.
+  /// The number of regions that several features of different groups cover. Such a region is
+  /// assigned to the group of the first of these features.
   std::size_t overlaps = 0;
   PlaneRoundingReport rounding;  ///< What rounding has changed.
 };

@@ -17,8 +17,8 @@
 // polygon or hole vanishes, features have the same neighbours as before, and every ring keeps at
 // least three corners. A corner where three or more borders meet is never removed.
 //
-// Areas of triangles are computed in doubles. They only decide in which order corners are removed
-// and when removing stops.
+// Areas of triangles are computed in doubles. These areas only decide in which order corners are
+// removed, and when the removal stops.
 //
 // Cost: O(n log n) for n corners if triangles contain few corners, and O(n) memory.
 #pragma once

@@ -11,13 +11,13 @@
 //  2. polygons    (Nef2::polygons) takes the points whose winding number is positive. The winding
 //                 number is that of all chains together
 //
-// Why this is right: as a cycle, all chains together are the sum of the border of the set, of one
-// rectangle for each edge, and of one join for each convex corner. Each rectangle and each join is
-// counter-clockwise, so it has the winding number 1 inside and 0 outside, and so has the border of
-// the set. The winding number of a point is therefore the number of these parts that contain the
-// point. So it is positive exactly in the union of the parts, which is the grown set. If the
-// distance is negative, the complement is grown in the same way, and the result contains the points
-// of the set that do not lie in the grown complement.
+// Why this is right: the winding number of all chains together at a point is the sum of the winding
+// numbers of several polygons. These are the border of the set, one rectangle for each edge, and
+// one join for each convex corner. Each of them runs counter-clockwise around its inside, so its
+// winding number is 1 inside and 0 outside. The sum is therefore the number of these parts that
+// contain the point. So it is positive exactly in the union of the parts, which is the grown set.
+// If the distance is negative, the complement is grown in the same way, and the result contains the
+// points of the set that do not lie in the grown complement.
 //
 // Numbers: each moved edge is exactly parallel to its edge. Its distance from the edge is the given
 // distance, up to a relative error of 2^-50. The error is needed because the length of an edge is
@@ -65,8 +65,9 @@ struct OffsetOptions {
   /// are ignored, and arcs are divided as in OpenSCAD. An arc of angle a has a / arc_step chords,
   /// where this quotient is rounded to the nearest integer, but to at least 1. Walk around the set
   /// with the set to the left: then the first chords of an arc have the angle arc_step, and the
-  /// last chord has the remaining angle. For an isolated point, circle_segments is 2 pi / arc_step,
-  /// rounded up. The value must be 0, or at least 2 pi / kMostCircleSegments and at most pi.
+  /// last chord has the remaining angle. An isolated point becomes a regular polygon with 2 pi /
+  /// arc_step corners, rounded up. The value must be 0, or at least 2 pi / kMostCircleSegments and
+  /// at most pi.
   double arc_step = 0;
 };
 

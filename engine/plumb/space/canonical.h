@@ -32,8 +32,8 @@
 //   ids of facets (facet_origin) are dropped, because the comparison of sets with == ignores them
 //
 // Main flow of canonical():
-//  1. order cells     canonical_order() sorts vertices by comparing coordinates, and sorts all
-//                     other cells by ids
+//  1. order cells     canonical_order() sorts vertices by comparing coordinates. It sorts all other
+//                     cells by comparing the new ids of vertices
 //  2. name planes     makes a new table, and adds the planes of facets and then the planes of edges
 //  3. name points     adds the points to the new table, vertex by vertex
 //  4. write arrays    writes each array in its new order

@@ -56,9 +56,9 @@ namespace plumb {
 
 /// Options of complex_of_mesh().
 struct MeshOptions {
-  /// Whether the mesh is read as the set of its facets. In this case the mesh may be open, and
-  /// vertices and facets keep the order of the input. If this option is false, an open mesh gives
-  /// only a report with the borders, but no complex.
+  /// Whether the mesh represents the union of its facets, and not a solid. In this case the mesh
+  /// may be open, and vertices and facets keep the order of the input. If this option is false, an
+  /// open mesh gives only a report with the borders, but no complex.
   bool surface = false;
   /// Whether neighbouring facets in the same plane become one facet, as in minimal sets. In this
   /// case, consecutive edges on one line also become one edge, and no second plane is stored for an
@@ -171,8 +171,8 @@ struct MeshComplex {
   std::vector<std::uint8_t> is_inside_out;
   /// The pairs of sheets that meet outside common vertices and edges. Each pair occurs once.
   std::vector<std::pair<FacetId, FacetId>> crossings;
-  /// For each vertex, 1 if find_fans() found a fan (mesh_topology.h). The list is empty after the
-  /// volumes have been found.
+  /// For each vertex, 1 if find_fans() found that the corners at the vertex form a fan
+  /// (mesh_topology.h), else 0. The list is empty after the volumes have been found.
   std::vector<std::uint8_t> has_fan;
   // arrange() fills the next two fields.
   /// For each facet, the index in `sheet` at which its sheets start. The last entry is the size of

@@ -60,7 +60,8 @@ namespace plumb {
 /// no other source has a face in its plane, the facet is one piece, except for PieceJoin::None.
 enum class PieceJoin : std::uint8_t {
   /// Neighbouring pieces of a facet are joined if they come from the same source and have the same
-  /// material, group and id, and if each channel is the same affine function over both pieces.
+  /// material, group and id, and if a single affine function describes the values of each channel
+  /// on both pieces.
   SameAttributes,
   None,  ///< No pieces are joined, so each piece lies in one triangle of a source.
   /// Pieces are joined as for SameAttributes, but only if they also come from the same face of a

@@ -1,5 +1,5 @@
 // The sources of a set: the meshes from which the set was made, with their attributes. The result
-// of an operation on sets of space has the sources of its operands. From them,
+// of an operation on sets of space has the sources of its operands. From these sources,
 // mesh_with_attributes() (mesh_with_attributes.h) finds for each face of a result the face of a
 // source that contains it.
 //
@@ -53,9 +53,10 @@ struct PlacedSource {
 ///   - If the source is a plane, its normal is not zero.
 void require_consistent(const MeshSource& source);
 
-/// Returns the set that the mesh of a source bounds, with this source. If the source is a plane,
-/// the set is the closed half-space below the plane. The function calls Nef3::from_mesh() or
-/// Nef3::half_space(), and then Nef3::with_source(). Throws what these functions throw.
+/// Returns the set that the mesh of a source bounds, and adds this source to the set. If the source
+/// is a plane, the set is the closed half-space below the plane. The function calls
+/// Nef3::from_mesh() or Nef3::half_space(), and then Nef3::with_source(). Throws what these
+/// functions throw.
 [[nodiscard]] Nef3 from_source(std::shared_ptr<const MeshSource> source,
                                const FromMeshOptions& options = {},
                                Context& context = unlimited_context());

@@ -77,8 +77,8 @@ class SpaceLocator {
   void locate(std::span<const Point3> points, std::span<SpaceItem> items) const;
 
   /// Returns the first vertex, edge or facet that the ray meets strictly after `origin`, or
-  /// nothing. An item does not count if the ray starts in it or runs along it. However, the vertex
-  /// or edge at which the ray leaves such an item does count. Items of the frame do not count.
+  /// nothing. The function skips items in which the ray starts or along which it runs, but not the
+  /// vertex or edge at which the ray leaves such an item. It also skips items of the frame.
   /// Requires that `direction` is not zero.
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;

@@ -33,8 +33,8 @@ enum class MeshFaces : std::uint8_t {
   /// A facet becomes one polygon if it is simple and the coordinates of its corners are doubles.
   /// Other facets are triangulated.
   PlanarPolygons,
-  /// A facet becomes one polygon if it is simple. After rounding, the corners of the polygon may
-  /// not lie in one plane. Other facets are triangulated.
+  /// A facet becomes one polygon if it is simple. After rounding, the corners of the polygon do not
+  /// always lie in one plane. Other facets are triangulated.
   Polygons,
   Triangles,  ///< All facets are triangulated.
 };

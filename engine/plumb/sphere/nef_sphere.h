@@ -209,7 +209,7 @@ class NefSphere {
                                         Context& context = unlimited_context());
 
   /// Returns the region to the left of a closed chain of arcs. Each side runs counter-clockwise
-  /// about its normal, from its own `from` to the `from` of the next side. It runs at most once
+  /// about its normal, from its own `from` to the `from` of the next side. A side runs at most once
   /// around its circle. If a chain has only one side, this side is a whole circle. A chain without
   /// sides gives the empty set. Throws Error{BadArgument} if the chain meets itself. The `from` of
   /// each side must lie both on the circle of this side and on the circle of the previous side.

@@ -21,8 +21,8 @@ namespace plumb {
 ///   - Points lie on the circles of their arcs. The half-arcs in the ring around a point are in
 ///     clockwise order, and the ring goes around the point exactly once.
 ///   - No two points are equal. Arcs intersect at points only. There is at most one loop.
-///   - Each boundary cycle and each isolated point is stored with a face. It must bound this face.
-///     Every face has a boundary.
+///   - Each boundary cycle and each isolated point is stored with a face. The cycle or point must
+///     bound this face. Every face has a boundary.
 /// If `form` is AuditForm::Minimal, one more invariant is checked: no cell can be removed without
 /// changing the set. The audit costs as much as an overlay of the map with itself. For small maps
 /// this is O(n^2).

@@ -96,15 +96,15 @@ class SurfaceMesh {
   /// Returns corner i of the face. Requires that i < 3.
   VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f][i]); }
   /// Whether the face was flipped. If it was flipped, the second corner in this mesh is the third
-  /// corner in the input, and the third corner is the second. So the weights of these two corners
-  /// are exchanged, too.
+  /// corner in the input, and the other way round. So the weights of these two corners are
+  /// exchanged, too.
   bool is_flipped(FaceId f) const { return is_flipped_[f] != 0; }
   /// Returns the index of the face's component. Components are in the order of the lowest face
   /// index in each component.
   std::uint32_t component(FaceId f) const { return component_[f]; }
 
-  /// Returns side 0, 1 or 2 of the face. It runs from the corner with the same index to the next
-  /// corner.
+  /// Returns side 0, 1 or 2 of the face. The side runs from the corner with the same index to the
+  /// next corner.
   static HalfedgeId halfedge(FaceId f, std::size_t side) {
     return HalfedgeId(std::size_t{3} * f.value() + side);
   }

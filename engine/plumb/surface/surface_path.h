@@ -71,13 +71,13 @@ class SurfacePointTable {
   bool is_same(SurfacePointId p, SurfacePointId q) const;
   /// Whether the point lies in the face or on its boundary.
   bool is_in(SurfacePointId p, FaceId f) const;
-  /// Appends the parameters (u, v) of the point in a face to a table. This function and the next
-  /// two functions require is_in(p, f).
+  /// Appends to the table `to` the parameters (u, v) that the point has in the face f. This
+  /// function and the next two functions require is_in(p, f).
   void append_local(SurfacePointId p, FaceId f, PointTable2& to) const;
-  /// Returns the parameters (u, v) of the point in a face. Both are within 2^-52 of the exact
-  /// values.
+  /// Returns the parameters (u, v) that the point has in the face f. Both have an error of at most
+  /// 2^-52.
   Point2 approx_in(SurfacePointId p, FaceId f) const;
-  /// Returns the exact parameters (u, v) of the point in a face.
+  /// Returns the exact parameters (u, v) that the point has in the face f.
   RationalPoint2 exact_in(SurfacePointId p, FaceId f) const;
   /// Returns the position of the point in space, rounded.
   Point3 position(SurfacePointId p) const;
@@ -88,7 +88,8 @@ class SurfacePointTable {
   std::uint32_t index(SurfacePointId p) const { return item_[p] & 0x3fffffffU; }
   SurfacePointId add(SurfacePlace place, std::uint32_t index);
   SurfacePointId add_on_side(FaceId f, std::size_t side, const Rational& weight);
-  /// Returns which side of the face contains a point on an edge; an invalid id if no side does.
+  /// Returns the side of the face that contains a point, or an invalid id if no side contains it.
+  /// Requires that the point lies on an edge.
   HalfedgeId side_in(SurfacePointId p, FaceId f) const;
 
   const SurfaceMesh* mesh_;

@@ -23,7 +23,7 @@ struct SelfTestReport {
 /// precision; a predicate returns a wrong sign. Notes report the following settings: flush-to-zero,
 /// denormals-are-zero, the contraction of a*b+c to a fused multiply-add, and a rounding mode other
 /// than to nearest. The bounds of the filters hold under all these settings. Other code of the
-/// caller may give different results under them.
+/// caller may depend on such a setting.
 SelfTestReport self_test();
 
 }  // namespace plumb

@@ -32,8 +32,8 @@ bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, Pla
 /// fingerprint of a line does not depend on the choice or order of the planes that define the line.
 /// Different fingerprints prove that the lines differ. Lines with equal fingerprints may differ, so
 /// is_same_line must confirm that they are equal. Requires that p and q are not parallel. Cost:
-/// about 250 ns, most of it for one modular inversion. If a plane has stored exact coefficients, as
-/// walls have, the cost is about 100 ns higher.
+/// about 250 ns, most of it for one modular inversion. Each plane whose exact coefficients are
+/// stored, such as a wall, adds about 100 ns.
 Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 
 // Predicates on planes. The canonical row of a plane is (n, d), where n is its normal vector and d

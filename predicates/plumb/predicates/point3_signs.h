@@ -28,10 +28,10 @@ namespace plumb {
 /// a wall through the common line of two of these planes. The degree in input coordinates is 3 if x
 /// is an input point, and 9 otherwise.
 ///
-/// The defining planes are compared with `plane` before the filter runs. The other two cases are
-/// tested only after the filter has returned Unsure. This order misses no case, because the filter
-/// returns Unsure for every plane through x. The order saves time, because the filter reads fewer
-/// cache lines than the tests of these cases.
+/// The planes that define x are compared with `plane` before the filter runs. The other two cases
+/// are tested only after the filter has returned Unsure. This order misses no case, because the
+/// filter returns Unsure for every plane through x. The order saves time, because the filter reads
+/// fewer cache lines than the tests of these cases.
 Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
           std::span<const PlaneId> incident = {});
 

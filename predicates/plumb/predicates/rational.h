@@ -1,5 +1,5 @@
-// Exact integers (Integer) and fractions (Rational). Fractions are the exact coordinates in the
-// interface of plumb. The two classes wrap GMP's mpz_t and mpq_t with value semantics.
+// Exact integers (Integer) and fractions (Rational). The interface of plumb uses fractions for
+// exact coordinates. The two classes wrap GMP's mpz_t and mpq_t with value semantics.
 //
 // No memory is allocated for the number 0. No memory is allocated for the denominator of a fraction
 // that is an integer. Moving never allocates. If an operand of an operator is a temporary, the

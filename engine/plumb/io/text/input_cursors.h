@@ -92,7 +92,8 @@ class TextCursor {
   std::string_view rest() const { return {p_, bytes_left()}; }
   /// Skips `bytes` bytes of the line.
   void skip(std::size_t bytes) { p_ += bytes; }
-  /// Moves back to `where`. Requires a position of the current line before this one.
+  /// Moves back to `where`. Requires that `where` is a position in the current line, before the
+  /// current position.
   void move_back(const char* where) { p_ = where; }
   const char* line_start() const { return line_begin_; }
   std::size_t line() const { return line_; }

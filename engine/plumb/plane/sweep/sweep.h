@@ -44,8 +44,8 @@
 //                         direction, the curves join this incoming bundle.
 //  7. replace_in_status   replaces the incoming bundles by the outgoing bundles
 //  8. test_neighbours     tests every pair of bundles that became neighbours in the status. If the
-//                         two bundles cross, their crossing becomes pending. If they touch in an
-//                         end point, the event of this point is marked as not plain.
+//                         two bundles cross, their crossing becomes pending. If the bundles touch
+//                         in an end point, the event of this point is marked as not plain.
 //  9. on_event            passes the event with its curves to the visitor
 // 10. end_unbounded       ends all bundles that remain in the status. This is one event, at the
 //                         right infinity.
@@ -118,8 +118,8 @@ struct SweepEvent {
   static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
   SweepPlace place = SweepPlace::Point;  ///< The kind of the event.
-  /// The end points of curves and the stops that lie at the event. Empty if the event is only a
-  /// crossing.
+  /// The indices of all end points of curves and of all stops (see sweep()) that lie at the event.
+  /// The list is empty if the event is only a crossing.
   std::span<const std::uint32_t> points;
   /// The crossing at the event, if `place` is Point and `points` is empty; otherwise null.
   const Crossing2* crossing = nullptr;
@@ -138,9 +138,9 @@ struct SweepEvent {
   // members.
   /// The result of came_from() for each outgoing bundle.
   std::span<const std::uint32_t> arrived_as;
-  /// For each incoming bundle, the index just behind the curves of this bundle in `ends`.
+  /// For each incoming bundle, one past the last index in `ends` of a curve of this bundle.
   std::span<const std::uint32_t> ends_end;
-  /// For each outgoing bundle, the index just behind the curves of this bundle in `starts`.
+  /// For each outgoing bundle, one past the last index in `starts` of a curve of this bundle.
   std::span<const std::uint32_t> starts_end;
 
   /// Returns the index of the incoming bundle that continues in outgoing bundle `out`, or kNew if

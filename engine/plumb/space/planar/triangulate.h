@@ -28,7 +28,8 @@ class PlanarPoints {
   virtual std::uint32_t size() const = 0;  ///< Returns the number of points.
   /// Returns the direction of the turn at j on the way from i over j to k: Positive means left.
   virtual Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const = 0;
-  /// Compares the points i and j by x. If their x are equal, compares them by y.
+  /// Compares the points i and j by their x-coordinates. If these are equal, compares the points by
+  /// their y-coordinates.
   virtual Sign compare(std::uint32_t i, std::uint32_t j) const = 0;
   /// Returns Positive if l lies inside the circle through i, j, k. Requires that i, j, k run
   /// counter-clockwise.
@@ -100,8 +101,8 @@ class FlatPoints final : public PlanarPoints {
     Point2 mid;
     double radius;
     SpacePoint point;
-    // Whether mid has the nearest doubles. If two such mids differ, they have the order of their
-    // points.
+    // Whether mid consists of the doubles nearest to the point. If the mids of two such points
+    // differ, they are in the same order as the points.
     bool is_nearest;
   };
   /// The coordinates (x w, y w, w) with w > 0.
@@ -241,7 +242,8 @@ class RegionSweep {
   Context* context_;
   std::uint64_t steps_ = 0;
   std::vector<std::uint32_t> rank_;  // The rank of each point index.
-  // Edges by left end; at the same left end, from bottom to top.
+  // The edges, sorted by their left ends. Edges with the same left end are sorted from bottom to
+  // top.
   std::vector<std::uint32_t> starts_;
   std::uint32_t next_start_ = 0;
   std::vector<std::uint32_t> incoming_;  // An edge in the status that ends at each rank.

@@ -194,8 +194,8 @@ struct SurfaceNodes {
   std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e]]; }
 };
 
-/// Finds the distinct points of the polygons. Expected cost: O(n log n) for n entries, and O(mesh)
-/// to set up.
+/// Finds the distinct points of the polygons. Expected cost: O(n log n) for n entries, plus time
+/// linear in the size of the mesh.
 SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb

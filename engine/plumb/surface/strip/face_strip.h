@@ -1,8 +1,8 @@
-// Strips of triangles of a mesh. They are used for finding paths in doubles (trace.h,
-// exponential_map.h). A strip is a sequence of faces in which each face shares a side with the next
-// face; this side is a door of the strip. The first part of this header lays out the faces of a
-// strip in the plane, each face beside the face before it. The second part finds strips between two
-// points.
+// Strips of triangles of a mesh. Such strips are used to find paths by computations in doubles
+// (trace.h, exponential_map.h). A strip is a sequence of faces in which each face shares a side
+// with the next face; this side is a door of the strip. The first part of this header lays out the
+// faces of a strip in the plane, each face beside the face before it. The second part finds strips
+// between two points.
 #pragma once
 
 #include <array>
@@ -69,10 +69,10 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 }  // namespace layout
 
 // Strips of faces between two points of a mesh, for tracing (trace.h). A strip is found by a search
-// in the dual graph of the mesh. If the strip can be made shorter by passing a vertex on its other
-// side, the strip is rerouted. After that, detours are removed. All lengths are computed in
-// doubles. A rounding error can change which strip is chosen, but the result is always a valid
-// strip.
+// in the dual graph of the mesh. If the strip becomes shorter by passing a vertex on the other side
+// of the vertex, the strip is changed in this way. After that, detours are removed. All lengths are
+// computed in doubles. A rounding error can change which strip is chosen, but the result is always
+// a valid strip.
 
 /// A sequence of faces in which each face shares a side with the next one. `doors` lists the shared
 /// sides. Each door is given as the half-edge in the first of the two faces that share the side.
@@ -111,9 +111,9 @@ class StripFinder {
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
   /// Shortens a strip from `from` to `to`. The new strip begins at the last face of the strip that
-  /// contains `from`. It ends at the first face after this that contains `to`. If the strip visits
-  /// a face several times between these two faces, the detour between the visits is removed. The
-  /// shortest path in the strip does not become longer.
+  /// contains `from`. It ends at the first face after this face that contains `to`. If the strip
+  /// visits a face several times between these two faces, the detour between the visits is removed.
+  /// The shortest path in the strip does not become longer.
   void shorten(FaceStrip& strip, const StripEnd& from, const StripEnd& to);
 
  private:

@@ -12,7 +12,7 @@
 //                distance for the vertex between these sides. From a vertex, the step makes windows
 //                around the vertex if shortest paths can bend there
 //  3. reach      is taken if a window or a vertex reaches a face that contains the end. The path to
-//                the end through it becomes a candidate
+//                the end through this window or vertex becomes a candidate
 //  4. stop       ends the search if no bound is less than the length of the best path found so far
 //  5. collect    follows the windows of the best path back to the start, and lists the sides on
 //                which they lie
@@ -73,7 +73,7 @@ class ShortestStripFinder {
     std::uint32_t seat;    // If there is no window: the seat before it,
     FaceId face;           // and a face that contains both seats.
   };
-  /// The end of a path that reaches the end point.
+  /// The last step of a path that reaches the end point.
   struct Arrival {
     std::uint32_t window = kNone;  // The last window, or kNone.
     std::uint32_t seat = kNone;    // If there is no window: the last seat,

@@ -13,7 +13,7 @@ namespace plumb::detail {
 
 /// A function that is called between operations of arithmetic. It may throw.
 struct WorkHook {
-  /// The function; no function is called if this is null.
+  /// The function to call. If it is null, no function is called.
   void (*call)(const void* state) = nullptr;
   const void* state = nullptr;  ///< The argument of `call`.
 };

@@ -26,10 +26,10 @@
 // eps. The relative error of a sum is the larger error of its two parts, plus eps. The error of the
 // last sum is eps |det'|. The error of the term, divided by the computed permanent, is k eps to
 // first order. The comment of each constant states k. The remaining errors are of second order.
-// There are fewer than 32 operations, and k <= 16. Therefore the products of factors (1 +- eps) in
-// k, in the computed P', in C P' + F and in the last sum together change k by less than 2000 eps. C
-// is at least k + 1 (in units of eps), and the additional 1 is far more than 2000 eps. A fused
-// multiply-add omits one of the counted roundings, so contraction does no harm.
+// There are fewer than 32 operations, and k <= 16. Therefore all errors of second order together
+// change k by less than 2000 eps. (They arise in the term, in the computed P', in C P' + F and in
+// the last sum.) C is at least k + 1 (in units of eps), and the additional 1 is far more than 2000
+// eps. A fused multiply-add omits one of the counted roundings, so contraction does no harm.
 //
 // The bound F. Let the determinant be a sum of T products of n differences. An error of Delta in a
 // difference is multiplied by the other n - 1 differences, whose product is at most M^(n-1).
@@ -82,9 +82,9 @@ inline constexpr double kOrient3dError = 8 * kEpsilon;
 inline constexpr double kOrient3dGate = 0x1p200;
 inline constexpr double kOrient3dFloor = 0x1p-612;
 
-// incircle: minor 4, lift 3+1 = 4, product 4+4+1 = 9, first sum 10: k = 10.
-// T = 12, n = 4: F >= 96 2^-1020 2^432. The gate is on the lift: d^2 (1 - eps) <= lift' <=
-// 2^(2m-1).
+// incircle: minor 4, lift 3+1 = 4, product 4+4+1 = 9, first sum 10: k = 10. T = 12, n = 4: F >= 96
+// 2^-1020 2^432. The gate is tested for the lifts, not for the differences d: d^2 (1 - eps) <=
+// lift' <= 2^(2m-1).
 inline constexpr double kIncircleError = 12 * kEpsilon;
 inline constexpr double kIncircleLiftGate = 0x1p287;
 inline constexpr double kIncircleFloor = 0x1p-578;

@@ -56,7 +56,7 @@ class QueryRay2 {
   const QueryPoint2& origin() const { return origin_; }
   /// Returns the direction of the ray's line, which is to the right or upward.
   const QueryPoint2& direction() const { return direction_; }
-  /// Whether the ray has the direction of the ray's line. Otherwise it has the opposite direction.
+  /// Whether the ray itself is directed to the right, or upward if it is vertical.
   bool goes_right() const { return goes_right_; }
   bool is_vertical() const { return direction_.exact().x == 0; }
 
@@ -66,7 +66,7 @@ class QueryRay2 {
   QueryPoint2 direction_;
 };
 
-/// Returns the side of the ray's line on which point i lies; Positive is above.
+/// Returns the side of the ray's line on which point i lies: Positive means above.
 Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i);
 
 /// Returns the direction of the turn from the line through a and b to the ray's line. The line

@@ -114,10 +114,11 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
-/// Returns the side of `plane` on which the input point x lies, if the plane is orthogonal to a
-/// coordinate axis and this is obvious: the three points that define the plane have the same
-/// coordinate along this axis. The function compares this coordinate with that of x. In all other
-/// cases, the function returns Unsure. Requires that `plane` is defined by three input points.
+/// Returns the side of `plane` on which the input point x lies, or Unsure. The function decides
+/// only for planes that are orthogonal to a coordinate axis: the three points that define such a
+/// plane have the same coordinate along this axis, and the function compares it with that of x. For
+/// all other planes, the function returns Unsure. Requires that `plane` is defined by three input
+/// points.
 FilteredSign side_across(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
 /// Returns the side of `plane` on which the input point x lies. Requires that `plane` is defined by
@@ -252,7 +253,7 @@ bool align(std::array<Plane, K>& planes) {
 
 // --- determinants --------------------------------------------------------------------------------
 
-/// The number types of the results of the computations below, for each type of planes.
+/// The types of the numbers that the functions below compute, for each type of plane.
 template <class Plane>
 struct Types;
 template <class W>

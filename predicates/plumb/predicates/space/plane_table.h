@@ -30,8 +30,8 @@
 // (filter_stages.h). The exact stages compute the two parts separately, too (Part in
 // plane_exact.h).
 //
-// Several threads may call const members at the same time. A thread that interns a plane or adds
-// points needs exclusive access to the table.
+// Several threads may call const members at the same time. A thread that adds planes or points
+// needs exclusive access to the table.
 #pragma once
 
 #include <array>
@@ -122,8 +122,8 @@ struct PlaneSource {
   }
 };
 
-/// The exact coefficients of a plane n.x + d 2^scale = 0 with n = (a, b, c). The limb pool of the
-/// table contains the four integers a, b, c, d in two's complement.
+/// The exact coefficients of a plane n.x + d 2^scale = 0 with n = (a, b, c). The table stores the
+/// four integers a, b, c, d in two's complement, in one array of limbs.
 struct PlaneSlot {
   std::size_t first;               ///< Index of the first limb.
   std::uint32_t limbs;             ///< Number of limbs of each of the four integers.
@@ -212,7 +212,8 @@ class PlaneTable {
   /// table. The points of `other` are appended to the points of this table in the same order. Equal
   /// planes of the two tables are found by their fingerprints. If two planes have the same
   /// fingerprint, exact arithmetic confirms that they are equal. A plane has the same canonical
-  /// orientation in both tables, so signs stay valid. Requires a table other than this one.
+  /// orientation in both tables, so the signs of predicates stay valid. Requires a table other than
+  /// this one.
   std::vector<PlaneId> merge(const PlaneTable& other);
 
   // --- reading --------------------------------------------------------------------------------
@@ -233,11 +234,11 @@ class PlaneTable {
   /// planes.
   std::optional<std::array<PlaneId, 2>> parents(PlaneId wall) const;
   /// Returns exact coefficients (a, b, c, d) of the plane in its canonical orientation, up to a
-  /// positive factor. The factor is the same in every call. For a plane of the frame, whose offset
-  /// is a multiple of R, the returned d is the factor of R.
+  /// positive factor. The factor is the same in every call. The offset of a plane of the frame is a
+  /// multiple d R of R. For such a plane, the function returns this factor d.
   IntegerRow coefficients(PlaneId p) const;
-  /// Returns the coefficients divided by their gcd. The function is meant for output, because the
-  /// gcd is expensive.
+  /// Returns the coefficients divided by their greatest common divisor. Computing this divisor is
+  /// expensive, so the function is meant for output only.
   IntegerRow primitive(PlaneId p) const;
 
  private:

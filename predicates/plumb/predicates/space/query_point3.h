@@ -49,9 +49,9 @@ class QueryPoint3 {
 };
 
 // If the query point comes from the table, the functions below call the predicates on points of the
-// table. If the query point has double coordinates and the plane is defined by input points, they
-// call the predicates on doubles. In all other cases they first try a filter. If the filter cannot
-// decide, they compute with rational numbers.
+// table. If the query point has double coordinates and the plane is defined by input points, these
+// functions call the predicates on doubles. In all other cases, they first try a filter. If the
+// filter cannot decide, they compute with rational numbers.
 
 /// Returns the side of `plane`, in its canonical orientation, on which the query point lies. The
 /// signs have the same meaning as those of side() in point3_signs.h.
