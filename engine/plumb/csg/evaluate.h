@@ -19,11 +19,12 @@
 //
 // The following rules are those of OpenSCAD. A node that is neither a Boolean nor a hull or sum
 // operates on the union of its children. A node without geometry below it has the value "nothing".
-// The first child whose value is not nothing decides whether a node is a set of the plane or of
-// space. Children of the other dimension are left out, and a note reports this. A difference whose
-// first child is nothing is nothing. An intersection is nothing if one of its children is nothing.
-// Hulls and sums ignore children that are nothing. A map with a singular matrix makes its children
-// nothing, and a note reports this.
+// The first child whose value is not "nothing" decides whether a node is a set of the plane or of
+// space. Children of the other dimension are left out, and a note reports this. The value of a
+// difference is "nothing" if the value of its first child is "nothing". The value of an
+// intersection is "nothing" if the value of any child is "nothing". Hulls and sums ignore children
+// with the value "nothing". The value of a map with a singular matrix is "nothing", and a note
+// reports this.
 //
 // Colours. The colours of a set of space are stored in its sources (source_mesh.h), as materials of
 // faces. The faces are those of primitives, extrusions, hulls and sums. If colours are nested, the

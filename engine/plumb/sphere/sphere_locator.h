@@ -78,7 +78,7 @@ class SphereLocator {
   std::optional<SphereHit> shoot_to_boundary(const SphereVector& origin,
                                              const SphereVector& towards);
 
-  /// Returns the total number of exact tests of points and arcs in all queries so far.
+  /// Returns the number of exact tests that all queries so far have made.
   std::uint64_t asked() const;
 
  private:

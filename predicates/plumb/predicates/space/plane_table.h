@@ -85,8 +85,8 @@ class OrientedPlane {
 /// of two so that 1/2 <= max |n[i]| <= 1. The error of each n[i] is at most normal_error / 2, and
 /// the error of d is at most offset_error / 2. The other halves of normal_error and offset_error
 /// cover the rounding errors of computations with the row (plane_signs.cpp). If offset_error is
-/// infinite, no filter that reads the offset decides. If the offset of the plane is a multiple of
-/// R, d is the sign of the factor of R and offset_error is infinite.
+/// infinite, every filter that uses the offset returns Unsure. If the offset of the plane is a
+/// multiple f R of R, d is the sign of f, and offset_error is infinite.
 struct PlaneRow {
   std::array<double, 3> n;  ///< The normal.
   double d;                 ///< The offset.
