@@ -29,7 +29,8 @@ def from_shapely(geometry: Any) -> PlaneSet:
 def to_shapely(set: PlaneSet) -> Any:
     """Return the bounded parts of the closure of a set as a valid geometry.
 
-    Coordinates are rounded. A FileWarning reports unbounded parts, which are left out. Losses by rounding are not reported.
+    Coordinates are rounded. A FileWarning reports unbounded parts, which are left out.
+    Losses by rounding are not reported.
     """
     if not set.is_bounded():
         warnings.warn("unbounded parts of the set are left out", FileWarning, stacklevel=2)
