@@ -3,8 +3,8 @@
 //
 // Main flow of minkowski_sum():
 //  1. parts          decomposes both operands into convex parts. Each part is closed or relatively
-//                    open. A relatively open part is a body without its boundary, an open triangle,
-//                    an open segment, or a point
+//                    open. A relatively open part is a body (a part of dimension 3) without its
+//                    boundary, an open triangle, an open segment, or a point
 //  2. convex_sum     (convex_sum.h) computes the sum of each pair of parts, except for pairs that
 //                    cannot change the result
 //  3. union_of       unites the sums

@@ -5,11 +5,11 @@
 //
 // Flow: Nef3::with_source() adds a source to a set that was made from a mesh. Booleans join the
 // lists of sources of their operands. Nef3::transformed() changes the maps of the sources
-// (PlacedSource::map). The mesh of a source is shared by all these sets and never copied.
+// (PlacedSource::map). All sets that have a source share its mesh, which is never copied.
 //
-// Cost: an operation on sets takes O(number of sources) for the lists. A set without sources only
-// has an additional null pointer. Errors: Error{BadArgument} if the sizes of arrays are not
-// consistent. Source: docs/attributes.md.
+// Cost: an operation on sets takes O(number of sources) to make the list of the result. A set
+// without sources only has an additional null pointer. Errors: Error{BadArgument} if the sizes of
+// arrays are not consistent. Source: docs/attributes.md.
 #pragma once
 
 #include <memory>

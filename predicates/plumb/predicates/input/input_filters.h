@@ -36,7 +36,8 @@
 // Together these errors are at most T n Delta M^(n-1). A flush of an intermediate result of degree
 // j >= 2 is multiplied by at most 3 M^(n-2). The factor 3 comes from the lift of a point, a sum of
 // up to three squares. All these flushes together are smaller than the bound T n Delta M^(n-1) by a
-// factor of 2^100. So twice this bound covers all flushes, and the rounding of F itself:
+// factor of 2^100. So twice this bound covers the errors Delta, all these flushes, and the rounding
+// of F itself:
 //
 //     F >= 2 T n 2^-1020 M^(n-1)
 //
