@@ -11,8 +11,8 @@
 //                 bounded volume into fewer convex parts, the step also cuts this volume by walls.
 //                 The decomposition with fewer parts is kept
 //
-// The set is arbitrary. The set may be open, closed, half-open or unbounded, and need not be a
-// manifold. The set may have voids, several components, and dangling facets, edges and points.
+// Every set can be decomposed. The set may be open, closed, half-open or unbounded, and need not be
+// a manifold. The set may have voids, several components, and dangling facets, edges and points.
 //
 // In the names of functions and types, a convex part is a piece. Every piece has a dimension, and
 // its relative interior is convex. Points of the boundary of a piece may be missing, so the piece

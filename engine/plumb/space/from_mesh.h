@@ -169,7 +169,8 @@ struct MeshComplex {
   std::vector<std::uint32_t> component;
   /// For each component, 1 if its volume is negative, else 0.
   std::vector<std::uint8_t> is_inside_out;
-  /// The pairs of sheets that meet outside common vertices and edges. Each pair occurs once.
+  /// The pairs of sheets that have a common point outside their common vertices and edges. Each
+  /// pair occurs once.
   std::vector<std::pair<FacetId, FacetId>> crossings;
   /// For each vertex, 1 if find_fans() found that the corners at the vertex form a fan
   /// (mesh_topology.h), else 0. The list is empty after the volumes have been found.

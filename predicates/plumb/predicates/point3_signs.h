@@ -40,8 +40,8 @@ Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
 bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
                  std::span<const PlaneId> incident = {});
 
-/// Returns the sign of x - y along coordinate axis 0, 1 or 2. The degree in input coordinates is at
-/// most 13.
+/// Compares the coordinates of x and y on the given axis (0, 1 or 2): Negative if that of x is
+/// less. The degree in input coordinates is at most 13.
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
 /// Compares two points lexicographically (x, then y, then z). Swapping x and y flips the sign. The

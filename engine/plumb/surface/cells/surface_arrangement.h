@@ -177,8 +177,8 @@ struct SurfaceNodes {
   IdVector<NodeId, SurfacePointId> point;  ///< Point of each node.
   std::vector<NodeId> of_entry;            ///< Node of each entry of the polygons.
   std::vector<EdgeId> edges;               ///< Edges with nodes inside, ascending.
-  /// The first node of each edge in `edges`. The last entry is the number of nodes on edges. The
-  /// nodes of an edge are in ascending order of t.
+  /// For each edge in `edges`, the id of its first node. The last entry is the number of nodes on
+  /// edges. The nodes of an edge are in ascending order of t.
   std::vector<std::uint32_t> edge_begin;
   IdVector<EdgeId, std::uint32_t> slot_of_edge;  ///< Index of each mesh edge in `edges`, or kNone.
   std::uint32_t vertices_begin = 0;
