@@ -1,6 +1,6 @@
-// This header includes all that most programs need: the sets of the plane, of the sphere and of
-// space, and the meshes and polygons that can be converted to sets and made from sets. Other tasks
-// need other headers:
+// This header includes everything that most programs need: the sets of the plane, of the sphere and
+// of space, and the conversions between sets and meshes or polygons. Other tasks need other
+// headers:
 //   - The headers of plumb/io read and write files.
 //   - The headers of plumb/picture draw pictures.
 //   - The header plumb/plane/map_check.h checks maps.

@@ -1,8 +1,14 @@
 // Types of the package. docs/javascript.md explains it with examples.
 
-/** Loads the engine; needed once, before anything else. Later calls wait for the same load. */
+/**
+ * Loads the engine. This must be done once, before all other calls. Later calls of init() wait for
+ * the same load.
+ */
 export function init(options?: {
-  /** The address, the bytes or the module of engine.wasm, if it does not lie beside the script. */
+  /**
+   * The address, the bytes or the module of engine.wasm. It is needed if engine.wasm does not lie
+   * beside the script.
+   */
   wasm?: string|URL|ArrayBuffer|Uint8Array|WebAssembly.Module;
 }): Promise<void>;
 /** Whether the engine is loaded. */
@@ -12,82 +18,95 @@ export function version(): string;
 
 // ---- errors and options
 
-/** Names of what goes wrong. */
+/** The reasons of errors. */
 export type ErrorCode =
     |'CANNOT_OPEN'|'CANNOT_WRITE'|'NOT_TEXT'|'SYNTAX'|'NUMBER_OUT_OF_RANGE'|'COUNT_MISMATCH'|
     'BAD_INDEX'|'DEGENERATE_FACE'|'UNKNOWN_FORMAT'|'USAGE'|'CLOSED_PIPE'|'BAD_SHAPE'|
     'RESOURCE_LIMIT'|'CANCELLED'|'NOT_FINITE'|'BAD_ARGUMENT'|'OUT_OF_MEMORY'|'INTERNAL'|'NOT_READY';
 
 /**
- * What every function throws. `message` is 'FILE:LINE:COLUMN: reason', as far as the place is
- * known.
+ * The error that all functions throw. `message` is 'FILE:LINE:COLUMN: reason', where unknown parts
+ * of the position are omitted.
  */
 export class PlumbError extends Error {
   constructor(
       code: ErrorCode, reason: string,
       place?: {text?: string; file?: string; line?: number; column?: number});
   readonly code: ErrorCode;
-  /** The sentence without the place. */
+  /** The message without the position. */
   readonly reason: string;
-  /** The name of the text that the error is about; '' if it is about none. */
+  /** The name of the text in which the error occurred; '' if it did not occur in a text. */
   readonly file: string;
-  /** From 1; 0 if unknown. */
+  /** The line, counted from 1; 0 if unknown. */
   readonly line: number;
-  /** In bytes, from 1; 0 if unknown. */
+  /** The column in bytes, counted from 1; 0 if unknown. */
   readonly column: number;
 }
 
-/** What every operation takes as its last argument. */
+/** Options that every operation takes as its last argument. */
 export interface Options {
-  /** The time that the operation may take, in seconds. */
+  /** The longest time that the operation may take, in seconds. */
   timeout?: number;
-  /** The working memory that it may take, in bytes, as the engine estimates it. */
+  /**
+   * The largest working memory that the operation may use, in bytes. The engine estimates this
+   * memory.
+   */
   memoryLimit?: number|bigint;
   /**
-   * Called at most 20 times a second; `total` is 0 if unknown. What it throws stops the operation
-   * and is thrown by it.
+   * A callback, which is called at most 20 times a second. `total` is 0 if it is unknown. If the
+   * callback throws, the operation stops and throws the same error.
    */
   onProgress?: (phase: string, done: number, total: number) => void;
-  /**
-   * Stops the operation. On the thread of the operation it is asked after each report of progress.
-   */
+  /** Stops the operation. The operation tests the signal after each report of progress. */
   signal?: AbortSignal;
 }
 
-/** What a file holds and a set does not, or the reverse. */
+/**
+ * A note about contents of a file that the set does not represent, or about properties of a set
+ * that the file does not represent.
+ */
 export interface Note {
   text: string;
   /** Whether geometry was lost. */
   isWarning: boolean;
 }
 
-/** How files are read. */
+/** Options for reading files. */
 export interface ReadOptions extends Options {
   /**
-   * The name of the file: its extension chooses the format, and messages have it. Without a name,
-   * the first bytes choose.
+   * The name of the file, which occurs in messages. Its extension determines the format. If there
+   * is no name, the first bytes of the file determine the format.
    */
   name?: string;
-  /** Whether 0.1 means a tenth, not the nearest double. */
+  /** Whether 0.1 is read as exactly a tenth. Otherwise it is the nearest double. */
   exactDecimals?: boolean;
   onNote?: (note: Note) => void;
 }
 
-/** Files are bytes or texts. */
+/** The contents of a file, as bytes or as text. */
 export type FileData = Uint8Array|ArrayBuffer|ArrayBufferView|string;
-/** The files that a file names, by their names. `name` must then be stated, too. */
+/**
+ * The contents of other files to which a file refers, by their names. If it is given, `name` must
+ * be given, too.
+ */
 export interface SiblingFiles {
   files?: Record<string, FileData>;
 }
 
 // ---- numbers
 
-/** An exact number: a double stands for exactly what it is, '0.1' for a tenth. */
+/**
+ * An exact number. A JavaScript number stands for its exact value, and the text '0.1' for exactly a
+ * tenth.
+ */
 export type Exact = number|bigint|string|Fraction;
 export type Vector2 = readonly[Exact, Exact]|Float64Array;
 export type Vector3 = readonly[Exact, Exact, Exact]|Float64Array;
 export type Vector4 = readonly[Exact, Exact, Exact, Exact]|Float64Array;
-/** Points as arrays, or coordinates x, y(, z), x, ... in one Float64Array. */
+/**
+ * Points, each as an array. They may also be given by all their coordinates x, y(, z), x, ... in
+ * one Float64Array.
+ */
 export type Points2 = readonly Vector2[]|Float64Array;
 export type Points3 = readonly Vector3[]|Float64Array;
 export type Coordinates = Float64Array|readonly number[];
@@ -102,7 +121,9 @@ export class Fraction {
   /** 'p/q', or 'p'. */
   toString(): string;
   toJSON(): string;
-  /** The nearest number; an infinity beyond the largest one. */
+  /**
+   * The nearest JavaScript number, or an infinity if the fraction lies beyond the largest number.
+   */
   toNumber(): number;
   valueOf(): number;
   equals(other: Exact): boolean;
@@ -110,22 +131,32 @@ export class Fraction {
 
 // ---- meshes
 
-/** vertices: x, y, z, x, ... triangles: three indices each, counter-clockwise seen from outside. */
+/**
+ * A mesh of triangles. `vertices` contains the coordinates x, y, z, x, ... of all vertices.
+ * `triangles` contains three indices of vertices for each triangle, counter-clockwise seen from
+ * outside.
+ */
 export interface TriangleMesh {
   vertices: Float64Array;
   triangles: Uint32Array;
 }
-/** Face f has the corners from corners[faceBegin[f]] to corners[faceBegin[f + 1] - 1]. */
+/**
+ * A mesh of polygons. Face f has the corners from corners[faceBegin[f]] to corners[faceBegin[f +
+ * 1] - 1].
+ */
 export interface PolygonMesh {
   vertices: Float64Array;
   faceBegin: Uint32Array;
   corners: Uint32Array;
 }
 export type Mesh = TriangleMesh|PolygonMesh;
-/** What a mesh of a solid changes or does not show. */
+/**
+ * A report on the rounding of a mesh, and on the cells of the solid that the mesh does not
+ * represent.
+ */
 export interface ToMeshReport {
   roundedVertices: number;
-  /** Rounds of repair; 0: the nearest numbers are valid. */
+  /** The number of rounds of repair; 0 if the mesh was valid without repair. */
   rounds: number;
   coarseRounds: number;
   damagedFaces: number;
@@ -139,17 +170,19 @@ export interface ToMeshReport {
   nonManifoldEdges: number;
   nonManifoldVertices: number;
 }
-/** How a mesh is mended. By default nothing is done. */
+/** Options for the repair of a mesh. By default, nothing is repaired. */
 export interface Repair {
-  /** Points at most this far apart become one. */
+  /** Points whose distance is at most this value are merged. */
   weld?: number;
-  /** What happens to faces with the corners of an earlier face. */
+  /** Whether faces with the same corners as an earlier face are kept or dropped. */
   doubled?: 'keep'|'if better'|'drop';
-  /** Whether faces that disagree with their neighbours are turned. */
+  /** Whether faces whose orientation disagrees with their neighbours are flipped. */
   reorient?: boolean;
-  /** Holes with at most so many edges are filled. */
+  /** Holes with at most this number of edges are filled. */
   fillHoles?: number;
-  /** Holes in a box of at most this diagonal are filled, too. */
+  /**
+   * A hole is also filled if the diagonal of the box around its vertices is at most this length.
+   */
   fillHolesBelow?: number;
 }
 export interface RepairReport {
@@ -168,12 +201,12 @@ export interface RepairReport {
   isClosed: boolean;
 }
 /**
- * Indices of faces; `doubled` and `crossings` are pairs of faces, `borders` and `holes` chains of
- * vertices.
+ * The result of checkMesh(). Most lists contain indices of faces. `doubled` and `crossings` contain
+ * pairs of faces. `borders` and `holes` contain chains of vertices.
  */
 export interface MeshReport {
   isClosed: boolean;
-  /** All crossing pairs, listed or not. */
+  /** The number of all pairs of crossing faces, including pairs that are not listed. */
   crossingCount: number;
   degenerate: Uint32Array;
   trimmed: Uint32Array;
@@ -187,38 +220,44 @@ export interface MeshReport {
   borders: Uint32Array[];
   holes: Uint32Array[];
 }
-/** Reads OFF, OBJ, STL, PLY, glTF or 3MF as it is; polygons only if the file has any. */
+/**
+ * Reads a mesh from OFF, OBJ, STL, PLY, glTF or 3MF, without changes. The result is a PolygonMesh
+ * only if the file has faces that are not triangles.
+ */
 export function readMesh(data: FileData, options?: ReadOptions&SiblingFiles): Mesh;
 /** Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf'. */
 export function writeMesh(mesh: Mesh, format: MeshFormat): Uint8Array;
-/** What is wrong with a mesh. At most maxListed (1000) crossings are listed. */
+/** Finds the defects of a mesh. At most maxListed crossings are listed, by default 1000. */
 export function checkMesh(mesh: Mesh, options?: Options&{maxListed?: number}): MeshReport;
 /**
- * Mends a mesh. 'automatic' changes as little as possible, and gives null if nothing makes a solid
- * of it.
+ * Repairs a mesh. 'automatic' chooses the repair that changes least so that the mesh bounds a
+ * solid, and returns null if there is no such repair.
  */
 export function repairMesh(mesh: Mesh, repair?: Repair|'automatic', options?: Options):
     {mesh: Mesh; report: RepairReport; notes: Note[]}|null;
-/** The Delaunay triangulation of points x, y, x, ...: three indices for each triangle. */
+/**
+ * Returns the Delaunay triangulation of points, with three indices of points for each triangle.
+ * `points` contains the coordinates x, y, x, ...
+ */
 export function delaunay(points: Coordinates, options?: Options): Uint32Array;
 
 export type MeshFormat = 'off'|'off-exact'|'obj'|'stl'|'stl-binary'|'ply'|'ply-text'|'glb'|'3mf';
 export type PictureFormat = 'html'|'svg'|'glb'|'png';
-/** Winding numbers that are inside. */
+/** The winding numbers that count as inside. */
 export type Rule = 'positive'|'nonzero'|'evenodd';
 
 // ---- objects
 
 /**
- * An object whose memory is outside of JavaScript's. `using`, dispose() or the garbage collector
- * releases it.
+ * An object whose memory lies outside the memory of JavaScript. The memory is released by `using`,
+ * by dispose() or by the garbage collector.
  */
 export abstract class Handle {
   /** Whether dispose() was called. */
   readonly isDisposed: boolean;
   /**
-   * Releases the memory at once. Any other use afterwards throws an error, but a second call does
-   * nothing.
+   * Releases the memory at once. Any later use of the object throws an error, except that a second
+   * call of dispose() does nothing.
    */
   dispose(): void;
   [Symbol.dispose](): void;
@@ -228,7 +267,7 @@ export abstract class Handle {
 export interface Cell<Kind extends string> {
   kind: Kind;
   index: number;
-  /** Whether it belongs to the set. */
+  /** Whether the cell belongs to the set. */
   isInside: boolean;
 }
 export interface RayHit<Kind extends string> {
@@ -241,15 +280,17 @@ export interface RayHit<Kind extends string> {
 export interface Distance<Kind extends string> {
   /** The square of the distance, exact. */
   squared: Fraction;
-  /** The point of the first set, and that of the second one, exact. */
+  /** The nearest point of the first set and the nearest point of the second set, both exact. */
   points: [Fraction[], Fraction[]];
-  /** The cells that have these points. */
+  /** The cells that contain these points. */
   cells: [Cell<Kind>, Cell<Kind>];
 }
 
-/** What sets of space, of the plane and of the sphere have in common. All are immutable. */
+/**
+ * The common interface of sets of space, of the plane and of the sphere. All sets are immutable.
+ */
 export abstract class PointSet<Self, Vector, Kind extends string> extends Handle {
-  /** Another object with the same set; costs no time. */
+  /** Returns another object with the same set, without copying its data. */
   copy(): Self;
   union(other: Self, options?: Options): Self;
   intersection(other: Self, options?: Options): Self;
@@ -269,48 +310,56 @@ export abstract class PointSet<Self, Vector, Kind extends string> extends Handle
   isOpen(): boolean;
   /** The memory in bytes; copies share it. */
   memoryBytes(): number;
-  /** Whether both have the same points. */
+  /** Whether both sets have the same points. */
   equals(other: Self): boolean;
   isSubsetOf(other: Self, options?: Options): boolean;
   contains(point: Vector, options?: Options): boolean;
   locate(point: Vector, options?: Options): Cell<Kind>;
   locateAll(points: readonly Vector[]|Float64Array, options?: Options): Cell<Kind>[];
-  /** The first cell of the set on a ray; null if there is none. */
+  /** Returns the first cell on a ray that belongs to the set, or null if there is none. */
   shoot(origin: Vector, direction: Vector, options?: Options): RayHit<Kind>|null;
-  /** The first cell of the boundary on a ray, whether it belongs to the set or not. */
+  /** Returns the first cell of the boundary on a ray, whether or not it belongs to the set. */
   shootToBoundary(origin: Vector, direction: Vector, options?: Options): RayHit<Kind>|null;
-  /** Checks every invariant from scratch: the first broken one as a sentence, or null. */
+  /**
+   * Checks every invariant from scratch. Returns a sentence about the first broken invariant, or
+   * null if all invariants hold.
+   */
   audit(options?: Options): string|null;
 }
 
 export interface FromMeshOptions extends Options {
-  /** By default the positive winding numbers, after components that are inside out were turned. */
+  /**
+   * The winding numbers that count as inside. By default, these are the positive numbers, after
+   * components that are inside out were flipped.
+   */
   rule?: Rule;
-  /** Whether the set is the union of the faces; the mesh may be open. */
+  /** Whether the set is the union of the faces. Then the mesh may be open. */
   surface?: boolean;
-  /** Whether faces that enclose nothing are the empty set and not an error. */
+  /**
+   * Whether a mesh that encloses nothing is accepted, as the empty set. Otherwise it is an error.
+   */
   mayBeEmpty?: boolean;
-  /** How the mesh is mended first. */
+  /** How the mesh is repaired first. */
   repair?: Repair;
 }
 export interface RoundingOptions extends Options {
   /**
-   * 'valid' (the default): faces or edges meet only in common ends after rounding. 'nearest': the
-   * nearest doubles, even if not.
+   * 'valid' (the default) rounds so that faces or edges meet only at common ends after rounding.
+   * 'nearest' rounds to the nearest doubles, even if faces or edges then cross.
    */
   rounding?: 'valid'|'nearest';
   onNote?: (note: Note) => void;
 }
 export interface ToMeshOptions extends RoundingOptions {
-  /** Whether coordinates become floats. */
+  /** Whether coordinates are rounded to floats. */
   floats?: boolean;
   /** Whether each cone at a vertex gets a point of its own. */
   splitVertices?: boolean;
 }
 
 /**
- * A set of points of space that half-spaces can make: bounded or not, open or closed, with
- * dangling parts or not.
+ * A set of points of space that can be made from half-spaces by unions, intersections and
+ * complements. It may be bounded or unbounded, open or closed, and may have dangling parts.
  */
 export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'volume'> {
   private constructor();
@@ -320,14 +369,19 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   static points(points: Points3, options?: Options): Solid;
   static unionOf(solids: readonly Solid[], options?: Options): Solid;
   static intersectionOf(solids: readonly Solid[], options?: Options): Solid;
-  /** The solid that triangles bound; the mesh may cross itself. An open mesh throws BAD_SHAPE. */
+  /**
+   * Returns the solid that triangles bound. The mesh may cross itself. An open mesh causes the
+   * error BAD_SHAPE.
+   */
   static fromMesh(vertices: Coordinates, triangles: Indices, options?: FromMeshOptions): Solid;
   static fromPolygons(
       vertices: Coordinates, faceBegin: Indices, corners: Indices,
       options?: FromMeshOptions): Solid;
-  /** The points with a x + b y + c z + d <= 0, or < 0. */
+  /** Returns the set of points with a x + b y + c z + d <= 0, or < 0 if `closed` is false. */
   static halfSpace(plane: Vector4, options?: {closed?: boolean}): Solid;
-  /** The intersection of half-spaces, of four numbers each. */
+  /**
+   * Returns the intersection of half-spaces. `planes` contains four numbers for each half-space.
+   */
   static halfSpaces(planes: Coordinates, options?: Options&{closed?: boolean}): Solid;
   static plane(plane: Vector4): Solid;
   static polyline(points: Points3, options?: Options): Solid;
@@ -335,9 +389,9 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   static facet(corners: Points3, options?: Options): Solid;
   /** The box between two exact corners. */
   static box(low: Vector3, high: Vector3, options?: Options&{closed?: boolean}): Solid;
-  /** A ball of 8 * 4 ** rounds triangles around the origin. */
+  /** Returns a ball around the origin, as a polyhedron of 8 * 4 ** rounds triangles. */
   static ball(radius: number, rounds?: number): Solid;
-  /** A ball whose equator has `chords` corners; convex exactly. */
+  /** Returns a ball whose equator has `chords` corners. It is exactly convex. */
   static sphere(radius: number, chords?: number, options?: Options): Solid;
   static cylinder(height: number, bottomRadius: number, options?: Options&{
     topRadius?: number;
@@ -351,28 +405,36 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   static hull(points: Points3, options?: Options): Solid;
   static hullOf(solids: readonly Solid[], options?: Options): Solid;
   /**
-   * The value of an expression such as '(A + B) * !C': + union, * intersection, - difference, ^
-   * symmetric difference, ! complement.
+   * Returns the value of an expression such as '(A + B) * !C'. The operators are + (union), *
+   * (intersection), - (difference), ^ (symmetric difference) and ! (complement).
    */
   static evaluate(expression: string, solids: Record<string, Solid>, options?: Options): Solid;
   /** Reads OFF, OBJ, STL, PLY, glTF, 3MF or .nef. */
   static read(data: FileData, options?: ReadOptions&FromMeshOptions&SiblingFiles): Solid;
   static fromBytes(data: FileData): Solid;
-  /** Reads lines `a b c d closed` or `a b c d open`, and intersects the half-spaces. */
+  /**
+   * Reads half-spaces from lines `a b c d closed` or `a b c d open`, and returns their
+   * intersection.
+   */
   static readHalfSpaces(data: FileData, options?: ReadOptions): Solid;
-  /** Draws several solids, moved apart by `apart` (1) times their distances. */
+  /**
+   * Draws several solids. Each solid is moved away from the middle of all solids by `apart` times
+   * its distance from this middle; by default, `apart` is 1.
+   */
   static drawMany(solids: readonly Solid[], format: PictureFormat, options?: Options&{
     title?: string;
     apart?: number
   }): Uint8Array;
 
   write(format: MeshFormat|'nef', options?: RoundingOptions): Uint8Array;
-  /** The canonical .nef file: equal sets give equal bytes. */
+  /** Returns the canonical .nef file of the solid. Equal sets give equal bytes. */
   toBytes(options?: Options): Uint8Array;
   draw(format: PictureFormat, options?: Options&{title?: string}): Uint8Array;
-  /** A page that shows the solid and loads nothing. */
+  /** Returns an HTML page that shows the solid and does not load other files. */
   toHtml(options?: Options&{title?: string}): string;
-  /** The boundary of a bounded solid; facets[t] is the facet that triangle t is of. */
+  /**
+   * Returns the boundary of a bounded solid. facets[t] is the facet from which triangle t was made.
+   */
   toMesh(options?: ToMeshOptions): TriangleMesh&{
     facets: Uint32Array;
     report: ToMeshReport
@@ -381,38 +443,46 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
     facets: Uint32Array;
     report: ToMeshReport
   };
-  /** The same set with its cells in the one order that depends on the set alone. */
+  /** Returns the same set with its cells in an order that depends only on the set. */
   canonical(options?: Options): Solid;
   /** Combines the solid with a half-space or a plane. */
   section(plane: Vector4, options?: Options&{
     kind?: 'closed below'|'open below'|'plane';
     operation?: 'union'|'intersection'|'difference'|'symmetricDifference';
   }): Solid;
-  /** The image under an affine map: three rows [a, b, c, d], exact. */
+  /** Returns the exact image under an affine map, which is given by three rows [a, b, c, d]. */
   transformed(rows: readonly Vector4[], options?: Options): Solid;
   translated(by: Vector3, options?: Options): Solid;
   /**
-   * The rotation is exactly orthogonal, and exact for multiples of 90 degrees about a coordinate
-   * axis.
+   * Returns the image under a rotation. The matrix of the rotation is exactly orthogonal. A
+   * rotation about a coordinate axis by a multiple of 90 degrees is exact.
    */
   rotated(axis: readonly[number, number, number], degrees: number, options?: Options): Solid;
   mirrored(normal: Vector3, options?: Options): Solid;
   scaled(factors: Vector3|Exact, options?: Options): Solid;
   /**
-   * Scales the bounding box to sizes; 0 keeps an axis, or scales it with the others if it is
-   * `automatic`.
+   * Returns the image under the scaling that gives the bounding box the sizes `size`. Along an axis
+   * with the size 0, the factor is 1. If this axis is `automatic`, its factor is instead the
+   * greatest factor of the other axes.
    */
   resized(size: Vector3, options?: Options&{automatic?: readonly[boolean, boolean, boolean]}):
       Solid;
   /**
-   * The closure grown by a distance, or shrunk by a negative one. An octahedron whose faces are
-   * divided `rounds` times, at most 7, stands for the ball; by default 3 times.
+   * Returns the closure of the solid, grown by a positive distance or shrunk by a negative
+   * distance. The ball of the offset is replaced by a polyhedron: an octahedron whose faces were
+   * subdivided `rounds` times (by default 3, at most 7).
    */
   offset(distance: number, options?: Options&{rounds?: number}): Solid;
   minkowskiSum(other: Solid, options?: Options): Solid;
-  /** The vectors by which the other solid can be moved so that it lies in this one. */
+  /**
+   * Returns the set of the vectors by which the other solid can be translated so that it lies in
+   * this solid.
+   */
   minkowskiErosion(other: Solid, options?: Options): Solid;
-  /** The convex parts; every point belongs to one of them, or their closures. */
+  /**
+   * Returns the convex parts of the solid. Every point belongs to exactly one part. If `closed` is
+   * true, the closures of the parts are returned instead.
+   */
   decompose(options?: Options&{
     method?: 'best'|'cuts'|'walls';
     closed?: boolean
@@ -421,9 +491,9 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   convexHull(options?: Options): Solid;
   slice(height: Exact, options?: Options): PlaneSet;
   slices(heights: readonly Exact[]|Float64Array, options?: Options): PlaneSet[];
-  /** The closure of the projection along the z-axis. */
+  /** Returns the closure of the projection along the z-axis. */
   shadow(options?: Options): PlaneSet;
-  /** 1 for each point x, y, z that belongs to the set, else 0. */
+  /** Returns, for each point x, y, z, 1 if it belongs to the set, and 0 otherwise. */
   containsPoints(points: Coordinates, options?: Options): Uint8Array;
   counts():
       {vertices: number; edges: number; facets: number; volumes: number; markedVolumes: number};
@@ -431,24 +501,32 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   /** Whether the boundary is a 2-manifold. */
   isSimple(): boolean;
   isConvex(): boolean;
-  /** `failing`: pairs of a facet and a vertex on its outer side. */
+  /**
+   * Returns whether the solid is convex, with evidence. `failing` contains pairs of a facet and a
+   * vertex on its outer side.
+   */
   convexity(options?: Options): {isConvex: boolean; reflexEdges: number; failing: Uint32Array};
-  /** The nearest points of the closures; an error (BAD_ARGUMENT) if a set is empty. */
+  /**
+   * Returns nearest points of the closures of the two sets. An empty set causes the error
+   * BAD_ARGUMENT.
+   */
   distance(other: Solid, options?: Options): Distance<'vertex'|'edge'|'facet'|'volume'>;
-  /** The exact volume; null if it is infinite. */
+  /** Returns the exact volume, or null if it is infinite. */
   volume(options?: Options): Fraction|null;
-  /** The exact centroid; null if the volume is 0 or infinite. */
+  /** Returns the exact centroid, or null if the volume is 0 or infinite. */
   centroid(options?: Options): Fraction[]|null;
-  /** The area of the boundary, with a relative error below 2 ** -50. */
+  /** Returns the area of the boundary, with a relative error below 2 ** -50. */
   surfaceArea(options?: Options): number;
-  /** The handles of the boundary; null if it is no closed surface. */
+  /**
+   * Returns the number of handles of the boundary, or null if the boundary is not a closed surface.
+   */
   genus(): number|null;
   boundingBox(): {low: Fraction[]; high: Fraction[]}|null;
 }
 
 /**
- * Flat arrays: polygon p has the rings from polygonBegin[p] on, and ring r the corners from
- * ringBegin[r] on.
+ * Polygons, lines and points in flat arrays. The rings of polygon p start at polygonBegin[p], and
+ * the corners of ring r start at ringCorners[ringBegin[r]].
  */
 export interface Shapes {
   points: Float64Array;
@@ -468,7 +546,10 @@ export interface RoundingReport {
   largestMove: number;
 }
 
-/** A set of points of the plane: polygons, lines and points, each with or without its boundary. */
+/**
+ * A set of points of the plane. It consists of polygons, lines and points, each of which may or may
+ * not contain its boundary.
+ */
 export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'> {
   private constructor();
   static empty(): PlaneSet;
@@ -477,14 +558,20 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   static points(points: Points2, options?: Options): PlaneSet;
   static unionOf(sets: readonly PlaneSet[], options?: Options): PlaneSet;
   static intersectionOf(sets: readonly PlaneSet[], options?: Options): PlaneSet;
-  /** The points with a x + b y + c <= 0, or < 0. */
+  /** Returns the set of points with a x + b y + c <= 0, or < 0 if `closed` is false. */
   static halfPlane(line: Vector3, options?: {closed?: boolean}): PlaneSet;
   static line(line: Vector3): PlaneSet;
   static box(low: Vector2, high: Vector2, options?: Options&{closed?: boolean}): PlaneSet;
-  /** The regular polygon in a circle around the origin. */
+  /**
+   * Returns the regular polygon with `chords` corners that is inscribed in a circle around the
+   * origin.
+   */
   static disk(radius: number, chords?: number, options?: Options): PlaneSet;
   static polygon(points: Points2, options?: Options&{closed?: boolean}): PlaneSet;
-  /** What closed chains of doubles bound; by default the odd winding numbers. */
+  /**
+   * Returns the set that closed chains of points bound. The coordinates are doubles. By default,
+   * the odd winding numbers are inside.
+   */
   static polygons(rings: readonly Points2[], options?: Options&{
     rule?: Rule;
     closed?: boolean
@@ -501,31 +588,33 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   static read(data: FileData, options?: ReadOptions): PlaneSet;
   static fromBytes(data: FileData): PlaneSet;
 
-  /** `grid`: coordinates become its multiples. */
+  /** Writes the set. If `grid` is given, coordinates are rounded to multiples of it. */
   write(format: 'wkt'|'wkb'|'geojson'|'dxf'|'nef2', options?: RoundingOptions&{grid?: Exact}):
       Uint8Array;
-  /** The .nef2 file, which holds the set exactly. */
+  /** Returns the .nef2 file of the set, which represents the set exactly. */
   toBytes(options?: Options): Uint8Array;
   toWkt(options?: RoundingOptions&{grid?: Exact}): string;
   toGeoJson(options?: RoundingOptions&{grid?: Exact}): object;
   draw(format: PictureFormat, options?: Options&{title?: string}): Uint8Array;
   toHtml(options?: Options&{title?: string}): string;
   /**
-   * The bounded parts of the closure as arrays, with the nearest doubles; rounded() makes them
-   * valid first.
+   * Returns the bounded parts of the closure as arrays. Coordinates are rounded to the nearest
+   * doubles, and edges may then cross. To avoid this, call rounded() first.
    */
   shapes(options?: Options): Shapes;
   /**
-   * The closure with coordinates that are doubles, or multiples of a step; edges meet only in
-   * common ends.
+   * Returns the closure, with coordinates rounded to doubles or to multiples of `step`. After
+   * rounding, edges still meet only at common ends.
    */
   rounded(options?: Options&{step?: Exact}): {set: PlaneSet; report: RoundingReport};
-  /** Triangles that cover a bounded set, as a mesh with z = 0. */
+  /** Returns triangles that cover a bounded set, as a mesh with z = 0. */
   triangulated(options?: Options): TriangleMesh;
-  /** The image under an affine map: two rows [a, b, c], exact. */
+  /** Returns the exact image under an affine map, which is given by two rows [a, b, c]. */
   transformed(rows: readonly Vector3[], options?: Options): PlaneSet;
   translated(by: Vector2, options?: Options): PlaneSet;
-  /** Grown by a distance, or shrunk by a negative one. */
+  /**
+   * Returns the closure of the set, grown by a positive distance or shrunk by a negative distance.
+   */
   offset(distance: number, options?: Options&{
     join?: 'round'|'mitre'|'square'|'bevel';
     mitreLimit?: number;
@@ -540,13 +629,16 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   convexHull(options?: Options): PlaneSet;
   extruded(height: number, options?: Options&{
     centred?: boolean;
-    /** Degrees by which the top is turned clockwise. */
+    /** The angle in degrees by which the top is turned clockwise. */
     twist?: number;
     layers?: number;
-    /** The factor, or those of x and y, at the top. */
+    /** The factor at the top, or the two factors of x and y. */
     scale?: number|readonly[number, number];
   }): Solid;
-  /** What the set sweeps around the z-axis; its y-axis becomes the z-axis. */
+  /**
+   * Returns the solid that the set sweeps when it turns around the z-axis. The y-axis of the set is
+   * placed on the z-axis.
+   */
   revolved(options?: Options&{
     angle?: number;
     steps?: number
@@ -556,13 +648,19 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   isBounded(): boolean;
   isConvex(options?: Options): boolean;
   convexity(options?: Options): {isConvex: boolean; reflexCorners: number; parts: number};
-  /** The nearest points of the closures; an error (BAD_ARGUMENT) if a set is empty. */
+  /**
+   * Returns nearest points of the closures of the two sets. An empty set causes the error
+   * BAD_ARGUMENT.
+   */
   distance(other: PlaneSet, options?: Options): Distance<'vertex'|'edge'|'face'>;
-  /** The exact area; null if it is infinite. */
+  /** Returns the exact area, or null if it is infinite. */
   area(options?: Options): Fraction|null;
 }
 
-/** A set of directions: vectors, all of whose positive multiples are the same direction. */
+/**
+ * A set of directions. A direction is given by a vector; all positive multiples of a vector give
+ * the same direction.
+ */
 export class SphereSet extends PointSet<SphereSet, Vector3, 'point'|'arc'|'face'> {
   private constructor();
   static empty(): SphereSet;
@@ -572,10 +670,10 @@ export class SphereSet extends PointSet<SphereSet, Vector3, 'point'|'arc'|'face'
   static unionOf(sets: readonly SphereSet[], options?: Options): SphereSet;
   static intersectionOf(sets: readonly SphereSet[], options?: Options): SphereSet;
   static halfSphere(normal: Vector3, options?: Options&{closed?: boolean}): SphereSet;
-  /** The intersection of half-spheres. */
+  /** Returns the intersection of half-spheres. */
   static halfSpheres(normals: Points3, options?: Options&{closed?: boolean}): SphereSet;
   static circle(normal: Vector3): SphereSet;
-  /** The region to the left of a closed chain of shortest arcs. */
+  /** Returns the region to the left of a closed chain of shortest arcs. */
   static polygon(corners: Points3, options?: {closed?: boolean}): SphereSet;
   static arc(from: Vector3, to: Vector3, options?: {closed?: boolean}): SphereSet;
   counts(): {points: number; arcs: number; faces: number; markedFaces: number};
@@ -586,15 +684,15 @@ export class SphereSet extends PointSet<SphereSet, Vector3, 'point'|'arc'|'face'
 export interface MapDefect {
   kind: 'duplicate'|'open'|'crossing'|'twin'|'mixed'|'nested';
   cycles: number[];
-  /** Pairs of vertices. */
+  /** The edges at which the defect occurs, as pairs of vertices. */
   edges: [number, number][];
-  /** The exact place. */
+  /** The exact position, or null if the defect has no point. */
   point: [Fraction, Fraction]|null;
   near: [number, number]|null;
-  /** What is wrong and how to correct it. */
+  /** A sentence that explains the defect and how to correct it. */
   hint: string;
 }
-/** Half-edges as arrays; the twin of half-edge h is h ^ 1. */
+/** A half-edge structure in flat arrays. The twin of half-edge h is h ^ 1. */
 export interface HalfEdges {
   faceCount: number;
   points: Float64Array;
@@ -602,18 +700,21 @@ export interface HalfEdges {
   next: Uint32Array;
   prev: Uint32Array;
   face: Uint32Array;
-  /** A half-edge that leaves each vertex; 0xffffffff at isolated ones. */
+  /** For each vertex, a half-edge that leaves it; 0xffffffff for an isolated vertex. */
   leaving: Uint32Array;
 }
 
-/** Points, and cycles of indices of points: perhaps a planar subdivision. */
+/**
+ * A map as a user lists it: points, and cycles of indices of points. check() decides whether it is
+ * a planar subdivision.
+ */
 export class Map extends Handle {
   private constructor();
   static fromCycles(points: Points2, cycles: readonly Indices[]): Map;
   static fromArrays(points: Points2, cycleBegin: Indices, corners: Indices): Map;
   /**
-   * Reads a map, or polygons of WKT, GeoJSON or WKB; those lack outer boundaries: check({outer:
-   * 'infer'}).
+   * Reads a map, or polygons from WKT, GeoJSON or WKB. Polygons do not list outer boundaries, so
+   * such a map must be checked with check({outer: 'infer'}).
    */
   static read(data: FileData, options?: ReadOptions): Map;
   write(): Uint8Array;
@@ -621,7 +722,7 @@ export class Map extends Handle {
   readonly cycleCount: number;
   points(): Float64Array;
   cycles(): number[][];
-  /** Decides exactly whether it is a planar subdivision. */
+  /** Decides exactly whether the map is a planar subdivision. */
   check(options?: Options&{
     outer?: 'listed'|'infer'|'ignore';
     mergeVertices?: boolean;
@@ -638,11 +739,11 @@ export class MapReport extends Handle {
   };
   defects(): MapDefect[];
   warnings(): string[];
-  /** For each region the cycles that bound it; region 0 is the unbounded one. */
+  /** Returns, for each region, the cycles that bound it. Region 0 is the unbounded region. */
   regions(): number[][];
-  /** The map after vertices were merged and cycles were added. */
+  /** Returns the checked map, after vertices were merged and cycles were added. */
   map(): Map;
-  /** The union of regions of a valid map. */
+  /** Returns the union of the given regions of a valid map. */
   select(regions: readonly number[], options?: Options&{closed?: boolean}): PlaneSet;
   dcel(): HalfEdges;
   write(format: 'text'|'json'|'geojson'|PictureFormat, options?: {title?: string}): Uint8Array;
@@ -653,9 +754,12 @@ export class MapReport extends Handle {
 export class MapOverlay extends Handle {
   private constructor();
   readonly faceCount: number;
-  /** For each face the region of the first map and that of the second one. */
+  /**
+   * Returns, for each face, the region of the first map and the region of the second map that
+   * contain it.
+   */
   regions(): [number, number][];
-  /** The exact areas; 0 for unbounded faces. */
+  /** Returns the exact areas of the faces. The area of an unbounded face is given as 0. */
   areas(): Fraction[];
   dcel(): HalfEdges;
   write(format: 'text'|'json'|'geojson'|'svg'|'html', options?: RoundingOptions&{title?: string}):
@@ -671,30 +775,35 @@ export interface LayerReport {
     /** Twice the area divided by the perimeter. */
     width: number;
     features: number[];
-    /** The feature that got the region. */
+    /** The feature that gets the region, or null. */
     owner: number | null;
   }[];
   text: string;
   geoJson: object;
 }
-/** Features with polygons, ids and properties, such as countries. */
+/** A list of features, such as countries. A feature has polygons, an id and properties. */
 export class Layer extends Handle {
   private constructor();
   /**
-   * Reads GeoJSON (also as an object), TopoJSON, WKT or WKB. `object` names an object of TopoJSON.
+   * Reads GeoJSON, TopoJSON, WKT or WKB. GeoJSON may also be given as an object. `object` is the
+   * name of an object of TopoJSON.
    */
   static read(data: FileData|{type: string}, options?: ReadOptions&{object?: string}): Layer;
-  /** The Voronoi cells of points in a box x, y, x, y. */
+  /**
+   * Returns the Voronoi cells of points, cut off at a box. `box` contains the coordinates x, y of
+   * two opposite corners.
+   */
   static voronoi(points: Coordinates, box: Coordinates, options?: Options): Layer;
-  /** A feature for each bounded face of a set. */
+  /** Returns a layer with one feature for each bounded face of a set. */
   static ofFaces(set: PlaneSet, options?: Options): Layer;
   /**
-   * The parts of a set that come from the features, with their ids and properties. Where several
-   * features cover a part, it belongs to the first one. Parts of the set that no feature covers are
-   * the last feature, without an id.
+   * Divides a set into the parts that the features cover. Each part becomes a feature with the id
+   * and the properties of the feature that covers it. A part that several features cover is
+   * assigned to the first of them. Parts that no feature covers form the last feature, which has no
+   * id.
    */
   parts(set: PlaneSet, options?: Options): Layer;
-  /** These features, and then those of another layer. */
+  /** Returns a layer with the features of this layer, followed by those of another layer. */
   joined(other: Layer, options?: Options): Layer;
   readonly featureCount: number;
   ids(): unknown[];
@@ -703,35 +812,39 @@ export class Layer extends Handle {
   toGeoJson(options?: Options): object;
   /** An enclosed region that no feature covers is a gap if it is narrower than gapsBelow. */
   check(options?: Options&{gapsBelow?: number}): LayerReport;
-  /** The layer without overlaps and gaps. */
+  /** Returns the layer without overlaps and gaps. */
   repaired(options?: Options&{
     owner?: 'longest border'|'largest'|'smallest'|'first';
     gapsBelow?: number
   }): {layer: Layer; report: LayerReport};
-  /** A feature for each group; null leaves a feature out. */
+  /**
+   * Returns a layer with one feature for each group. groups[f] is the group of feature f, or null
+   * if the feature is left out.
+   */
   dissolved(groups: readonly(number|null)[], options?: Options): Layer;
   /**
-   * Fewer corners: those of triangles of at most this area go, while more than the part `kept` of
-   * them is left.
+   * Returns the layer with fewer corners. A corner and its two neighbours along the border form a
+   * triangle. A corner is removed only if the area of its triangle is at most `tolerance`, and if
+   * more than the fraction `kept` of the removable corners remains.
    */
   simplified(options?: Options&{
     tolerance?: number;
     kept?: number
   }): Layer;
-  /** A feature for each pair of features that have common points. */
+  /** Returns a layer with one feature for each pair of overlapping features of the two layers. */
   overlaid(other: Layer, options?: Options&{pairs?: 'all' | 'first' | 'both' | 'first only'}):
       {layer: Layer; pairs: [number | null, number|null][]};
 }
 
 // ---- surfaces and models
 
-/** A surface of triangles with points and polygons on it. */
+/** A surface that consists of triangles, with points and polygons on the surface. */
 export class Scene extends Handle {
   private constructor();
-  /** An orientable 2-manifold of triangles. */
+  /** Makes a scene without polygons. The triangles must form an orientable 2-manifold. */
   static fromMesh(vertices: Coordinates, triangles: Indices): Scene;
   static read(data: FileData, options?: ReadOptions&SiblingFiles): Scene;
-  /** The scene as JSON; `model` is the name of the file of its mesh. */
+  /** Returns the scene as JSON. `model` is the name of the file with its mesh. */
   write(model: string): Uint8Array;
   readonly polygonCount: number;
   /**
@@ -741,15 +854,20 @@ export class Scene extends Handle {
   addPoint(face: number, weights: Vector2): number;
   /** Adds the closed polygon of geodesics through points, and returns its index. */
   addPolygon(points: Indices, options?: Options): number;
-  /** Adds a shape, the sum of polygons. Without shapes, each polygon is one. */
+  /**
+   * Adds a shape, which is the sum of the given polygons. If a scene has no shapes, each polygon
+   * counts as a shape.
+   */
   addShape(polygons: Indices): number;
   /** Sets the face at whose first corner all labels are 0. */
   setOutside(face: number): void;
-  /** Adds loops around handles so that shapes separate the surface; returns how many. */
+  /**
+   * Adds loops around handles so that all shapes separate the surface. Returns the number of loops.
+   */
   separate(options?: Options): number;
   /**
-   * A path between two points; null between components. It is a locally shortest path, or with
-   * `shortest` a shortest path of all.
+   * Returns a path between two points, or null if the points lie on different components. The path
+   * is locally shortest. If `shortest` is true, it is globally shortest.
    */
   geodesic(from: number, to: number, options?: Options&{shortest?: boolean}):
       {length: number; points: Float64Array; faces: Uint32Array}|null;
@@ -762,16 +880,19 @@ export class SurfaceDivision extends Handle {
     triangles: number; segments: number; crossings: number; cells: number; shapes: number;
     cellEdges: number
   };
-  /** How often shapes wind around a cell, without zeros. */
+  /**
+   * Returns, for each shape, the number of times that it winds around a cell. Shapes with the
+   * number 0 are omitted.
+   */
   labels(cell: number): {shape: number; value: number}[];
   area(cell: number): number;
-  /** Pairs of neighbouring cells. */
+  /** Returns pairs of neighbouring cells. */
   neighbours(): Uint32Array;
   separates(shape: number): {overIntegers: boolean; modulo2: boolean};
   toMesh(options?: Options): TriangleMesh&{cells: Uint32Array};
   /**
-   * The cells for which an expression such as 'A * !B' holds; by default the odd labels are
-   * inside.
+   * Returns the cells for which an expression such as 'A * !B' is true. By default, odd labels
+   * count as inside.
    */
   select(expression: string, options?: Options&{rule?: Rule}): SurfaceRegion;
   audit(): string|null;
@@ -793,5 +914,5 @@ export class SurfaceRegion extends Handle {
   toScene(): Scene;
 }
 
-/** Evaluates a flattened model of OpenSCAD (.csg); null if it has no geometry. */
+/** Evaluates a flattened model of OpenSCAD (.csg). Returns null if the model has no geometry. */
 export function readCsg(data: FileData, options?: ReadOptions&SiblingFiles): Solid|PlaneSet|null;

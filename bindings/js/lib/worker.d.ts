@@ -1,6 +1,9 @@
 import type * as plumb from './index.js';
 
-/** What crosses to the worker as it is, or as a proxy. */
+/**
+ * The types of values that are sent to the worker: handles are sent as proxies, all other values
+ * unchanged.
+ */
 type Sent<T> =
     T extends plumb.Handle ? Remote<T>: T extends readonly(infer E)[] ? readonly Sent<E>[] : T;
 type Received<T> = T extends plumb.Handle ? Remote<T>: T extends plumb.Fraction|ArrayBufferView ?
@@ -10,7 +13,7 @@ type Received<T> = T extends plumb.Handle ? Remote<T>: T extends plumb.Fraction|
 type Call<T> = T extends(...inputs: infer I) => infer R ?
     (...inputs: {[Name in keyof I]: Sent<I[Name]>}) => Promise<Received<R>>:
     () => Promise<Received<T>>;
-/** An object in the worker: its functions and properties are asynchronous functions. */
+/** A proxy of an object in the worker. Its functions and properties are asynchronous functions. */
 export type Remote<T> = {
   [Name in Exclude<keyof T, symbol>]: Call<T[Name]>
 };
@@ -18,7 +21,7 @@ type RemoteClass<C> = {
   [Name in Exclude<keyof C, 'prototype'>]: Call<C[Name]>
 };
 
-/** The package in a worker. */
+/** The functions and classes of the package, which run in a worker. */
 export interface RemotePlumb {
   Solid: RemoteClass<typeof plumb.Solid>;
   PlaneSet: RemoteClass<typeof plumb.PlaneSet>;
@@ -34,14 +37,14 @@ export interface RemotePlumb {
   repairMesh: Call<typeof plumb.repairMesh>;
   version: Call<typeof plumb.version>;
   writeMesh: Call<typeof plumb.writeMesh>;
-  /** Ends the worker at once; calls that are under way are rejected. */
+  /** Ends the worker at once. The promises of running calls are rejected. */
   terminate(): void;
   [Symbol.dispose](): void;
 }
 
 /**
- * Starts a worker, loads the engine there, and returns what it offers. `worker`: one that runs
- * plumb/worker-entry.
+ * Starts a worker, loads the engine there, and returns the package in the worker. If `worker` is
+ * given, this worker is used, which must run plumb/worker-entry.
  */
 export function connect(
     options?: {wasm?: string|URL|ArrayBuffer|Uint8Array|WebAssembly.Module; worker?: Worker;}):

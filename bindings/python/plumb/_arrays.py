@@ -1,4 +1,4 @@
-"""Converts arrays that the compiled module cannot read where they lie."""
+"""Converts arrays that the compiled module cannot read in place."""
 
 from __future__ import annotations
 

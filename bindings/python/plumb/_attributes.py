@@ -1,4 +1,4 @@
-"""What a mesh carries besides its points and faces, and how it passes into the compiled module."""
+"""Attributes of meshes, and their conversion for the compiled module."""
 
 from __future__ import annotations
 
@@ -19,20 +19,21 @@ class Material:
     """A material that faces of a mesh refer to."""
 
     name: str = ""
-    """Its name."""
+    """The name of the material."""
     color: tuple[float, float, float, float] | None = None
     """Red, green, blue and opacity, each from 0 to 1."""
     texture: str = ""
-    """The name of its texture file."""
+    """The name of the texture file."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class MeshAttributes:
-    """What belongs to the faces and corners of a mesh. All members can be left out.
+    """The attributes of the faces and corners of a mesh. All members can be left out.
 
-    Arrays of faces have one integer for each face; -1 stands for none. A channel has the same few
-    numbers at each corner of each face, or at each vertex. Files use the names "color" (3 or 4
-    numbers from 0 to 1), "normal" (3), "texcoord_0", "texcoord_1" and so on (2).
+    An array for faces has one integer for each face; -1 means that the face has no material, group
+    or id. A channel assigns a few numbers to each corner of each face, or to each vertex. Files use
+    the names "color" (3 or 4 numbers from 0 to 1), "normal" (3), "texcoord_0", "texcoord_1" and so
+    on (2).
     """
 
     name: str = ""
@@ -48,31 +49,31 @@ class MeshAttributes:
     face_id: npt.ArrayLike | None = None
     """An id for each face, from 0 to 2**32 - 2, or -1."""
     channels: Mapping[str, npt.ArrayLike] = dataclasses.field(default_factory=dict)
-    """Numbers of corners, by the names of channels: float64 (corners, width), in the order of the
-    corners of all faces. For triangles, (faces, 3, width) is accepted, too."""
+    """The numbers of each channel that assigns numbers to corners: float64 (corners, width), in the
+    order of the corners of all faces. For triangles, (faces, 3, width) is accepted, too."""
     vertex_channels: Mapping[str, npt.ArrayLike] = dataclasses.field(default_factory=dict)
-    """Numbers of vertices, by the names of channels: float64 (vertices, width)."""
+    """The numbers of each channel that assigns numbers to vertices: float64 (vertices, width)."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class MeshWithAttributes:
-    """The boundary of a solid, with what belongs to the meshes from which the solid was made.
+    """The boundary of a solid, with the attributes of the meshes from which the solid was made.
 
-    Faces are sorted by `source`; those without a source are last.
+    Faces are sorted by `source`. Faces without a source come last.
     """
 
     vertices: npt.NDArray[np.float64]
     """The vertices (n, 3)."""
     face_begin: npt.NDArray[np.uint32]
-    """Where the corners of each face begin in `corners`: (faces + 1,)."""
+    """The index in `corners` at which the corners of each face begin: (faces + 1,)."""
     corners: npt.NDArray[np.uint32]
     """The corners of all faces, indices of vertices: (k,)."""
     source: npt.NDArray[np.int64]
-    """For each face, the index in `Solid.sources()` of the mesh that it is a part of, or -1."""
+    """For each face, the index in `Solid.sources()` of the mesh from which it was made, or -1."""
     source_face: npt.NDArray[np.int64]
     """For each face, the face of this mesh, or -1."""
     is_flipped: npt.NDArray[np.bool_]
-    """For each face, whether it and the face of the source have opposite sides."""
+    """For each face, whether its orientation is opposite to that of the face of the source."""
     materials: list[Material]
     """The materials of all sources."""
     face_material: npt.NDArray[np.int64] | None
@@ -84,7 +85,7 @@ class MeshWithAttributes:
     face_id: npt.NDArray[np.int64] | None
     """For each face, the id of its source face, or -1; None if no source has ids."""
     channels: dict[str, npt.NDArray[np.float64]]
-    """The numbers of corners (k, width), by the names of channels."""
+    """The numbers (k, width) of each channel, by the names of channels."""
 
     def __repr__(self) -> str:
         return (

@@ -29,13 +29,13 @@ class ErrorCode(enum.IntEnum):
 class Error(Exception):
     """Bad input, an exceeded limit, or cancellation.
 
-    `str()` gives "FILE:LINE:COLUMN: message" as far as the place is known.
+    `str()` returns "FILE:LINE:COLUMN: message", where unknown parts of the position are omitted.
     """
 
     code: ErrorCode
     """The reason."""
     message: str
-    """The message without the place."""
+    """The message without the position."""
     file: str
     """The file, or "" if the error is not about a file."""
     line: int

@@ -1,4 +1,4 @@
-"""Meshes of polygons as arrays: from files and to files, checked and mended."""
+"""Meshes of polygons as arrays. They can be read, written, checked and repaired."""
 
 from __future__ import annotations
 
@@ -18,16 +18,19 @@ _LOGGER = logging.getLogger("plumb")
 
 @dataclasses.dataclass(frozen=True)
 class MeshReport:
-    """What is in a mesh. Faces and vertices are indices of the mesh."""
+    """A report on the defects of a mesh. Faces and vertices are indices of the mesh."""
 
     crossing_count: int
-    """How many pairs of faces meet outside common corners and edges; 0 if the mesh is open."""
+    """The number of pairs of faces that meet outside common corners and edges.
+
+    It is 0 if the mesh is open.
+    """
     crossings: list[tuple[int, int]]
     """The first of these pairs."""
     borders: list[list[int]]
     """Closed chains of vertices along which faces are missing or flipped."""
     holes: list[list[int]]
-    """Chains along which faces are missing after `flipped` have been turned."""
+    """Chains along which faces are missing after the faces `flipped` were flipped."""
     degenerate: list[int]
     """Faces without area."""
     trimmed: list[int]
@@ -35,13 +38,13 @@ class MeshReport:
     not_planar: list[int]
     """Faces that are not planar."""
     not_simple: list[int]
-    """Faces that are no simple polygons."""
+    """Faces that are not simple polygons."""
     doubled: list[tuple[int, int]]
-    """Pairs of a face and an earlier one with the same boundary."""
+    """Pairs of a face and an earlier face with the same boundary."""
     flipped: list[int]
-    """Faces that disagree with their neighbours."""
+    """Faces whose orientation disagrees with their neighbours."""
     one_sided: list[int]
-    """A face of each component that has one side only."""
+    """A face of each component that has only one side, as a Moebius strip."""
     inside_out: list[int]
     """A face of each component of negative volume."""
 
@@ -55,17 +58,17 @@ class MeshReport:
 class Mesh:
     """A mesh of polygons over shared vertices. It need not be closed.
 
-    Keywords of its methods are those of every operation: threads, timeout, memory_limit, progress.
+    All methods accept the keywords of every operation: threads, timeout, memory_limit, progress.
     """
 
     vertices: npt.NDArray[np.float64]
     """The vertices (n, 3)."""
     face_begin: npt.NDArray[np.uint32]
-    """Where the corners of each face begin in `corners`: (faces + 1,)."""
+    """The index in `corners` at which the corners of each face begin: (faces + 1,)."""
     corners: npt.NDArray[np.uint32]
     """The corners of all faces, indices of vertices: (k,)."""
     attributes: MeshAttributes = dataclasses.field(default_factory=MeshAttributes)
-    """What belongs to faces and corners."""
+    """The attributes of faces and corners."""
 
     @staticmethod
     def of_triangles(
@@ -94,11 +97,11 @@ class Mesh:
         return Mesh(*arrays, dataclasses.replace(read, name=os.fspath(path)))
 
     def write(self, path: str | os.PathLike[str], format: str | None = None) -> None:
-        """Write a file with those attributes that its format holds.
+        """Write a file with those attributes that its format can represent.
 
-        The extension or `format` chooses: off, off-exact, obj, stl, stl-binary, ply, ply-text, glb
-        or 3mf. STL, GLB and 3MF need triangles. The file is complete or absent. Attributes that it
-        does not hold are named in a remark to the logger "plumb".
+        `format` is off, off-exact, obj, stl, stl-binary, ply, ply-text, glb or 3mf; by default, the
+        extension determines it. STL, GLB and 3MF need triangles. If writing fails, no incomplete
+        file remains. A message to the logger "plumb" names attributes that are left out.
         """
         remark = _core.write_mesh_arrays(
             path, self.vertices, self.face_begin, self.corners, self.attributes, format
@@ -107,7 +110,7 @@ class Mesh:
             _LOGGER.info("%s: %s", path, remark)
 
     def check(self, max_listed: int = 1000, **limits: Any) -> MeshReport:
-        """Return what is in the mesh: is it closed, and what is wrong with it?"""
+        """Return a report: whether the mesh is closed, and its defects."""
         count, lists, doubled, crossings, borders, holes = _core.check_mesh_arrays(
             self.vertices, self.face_begin, self.corners, max_listed, **limits
         )
@@ -124,12 +127,13 @@ class Mesh:
         fill_holes_below: float = 0.0,
         **limits: Any,
     ) -> tuple[Mesh, list[str]]:
-        """Return the mended mesh without attributes, and sentences on what was done.
+        """Return the repaired mesh without attributes, and sentences that describe the repairs.
 
-        weld: points at most this far apart become one. doubled: what happens to faces that have
-        the corners of an earlier face. reorient: faces that disagree are turned. fill_holes: holes
-        of at most so many edges are filled, and with fill_holes_below those of at most this
-        diameter.
+        weld: points whose distance is at most this value are merged. doubled: whether faces with
+        the same corners as an earlier face are kept or dropped. reorient: whether faces whose
+        orientation disagrees with their neighbours are flipped. fill_holes: holes with at most this
+        number of edges are filled. fill_holes_below: holes whose bounding box has a diagonal of at
+        most this length are filled, too.
         """
         arrays, done = _core.repair_mesh_arrays(
             self.vertices,

@@ -22,14 +22,15 @@ __all__ = [
 
 
 def from_shapely(geometry: Any) -> PlaneSet:
-    """Return the closed set of a geometry, exactly; polygons go by the even-odd rule."""
+    """Return the exact closed set of a geometry. Polygons enclose points by the even-odd rule."""
     return PlaneSet.from_bytes(_shapely.to_wkb(_shapely.force_2d(geometry), flavor="iso"))
 
 
 def to_shapely(set: PlaneSet) -> Any:
-    """Return the closure of a bounded set as a valid geometry; coordinates are rounded.
+    """Return the bounded parts of the closure of a set as a valid geometry.
 
-    Losses by rounding are no warning here. A part that is unbounded is a FileWarning.
+    Coordinates are rounded. A FileWarning reports unbounded parts, which are left out.
+    Losses by rounding are not reported.
     """
     if not set.is_bounded():
         warnings.warn("unbounded parts of the set are left out", FileWarning, stacklevel=2)
@@ -48,7 +49,7 @@ def from_geoseries(geometries: Iterable[Any]) -> list[PlaneSet]:
 
 
 def to_geoseries(sets: Iterable[PlaneSet], **options: Any) -> Any:
-    """Return a geopandas.GeoSeries; options such as `index` and `crs` are its own."""
+    """Return a geopandas.GeoSeries. Options such as `index` and `crs` are passed to it."""
     import geopandas
 
     return geopandas.GeoSeries([to_shapely(set) for set in sets], **options)
@@ -81,10 +82,10 @@ def overlay(first: Any, second: Any) -> Any:
 
 
 def repair_coverage(frame: Any, **options: Any) -> tuple[Any, LayerReport]:
-    """Return a GeoDataFrame without overlaps and gaps, and what was changed.
+    """Return a GeoDataFrame without overlaps and gaps, and a report on the changes.
 
-    Options are those of Layer.repaired(). Rows and attributes stay as they are; a row whose area
-    other rows take has the geometry None.
+    Options are those of Layer.repaired(). Rows keep their order and their attributes. If
+    other rows get the whole area of a row, the geometry of this row is None.
     """
     features = [
         {"type": "Feature", "geometry": _shapely.geometry.mapping(geometry)}

@@ -1,10 +1,10 @@
 """Solids from and to trimesh, and Booleans with the signature of trimesh.boolean.
 
-Colours of faces and vertices, and texture coordinates with their materials, stay with the meshes:
-each face of a result has those of the part of an input that it is. Where vertices have colours or
-texture coordinates, a vertex at which they differ between faces occurs once for each of them, as in
-every mesh of trimesh with seams; trimesh then does not call the mesh watertight. `visual=False`
-leaves them out.
+Results keep the colours of faces and vertices, and texture coordinates with their materials. Each
+face of a result gets those of the face of an input that contains it. If vertices have colours or
+texture coordinates, and they differ between the faces at a vertex, this vertex occurs several times
+in the result, as in every mesh of trimesh with seams. Then trimesh does not call the mesh
+watertight. `visual=False` leaves colours and texture coordinates out.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _TEXTURE = "texcoord_0"
 def from_trimesh(mesh: Any, visual: bool = True) -> Solid:
     """Return the solid that a closed trimesh.Trimesh bounds. Its float64 vertices are kept.
 
-    With `visual`, its colours, or its texture coordinates and materials, stay with the solid.
+    If `visual` is true, the solid keeps its colours, or its texture coordinates and materials.
     """
     attributes = _attributes(mesh) if visual else None
     return Solid.from_mesh(mesh.vertices, mesh.faces, attributes=attributes)
@@ -36,9 +36,9 @@ def from_trimesh(mesh: Any, visual: bool = True) -> Solid:
 def to_trimesh(solid: Solid, visual: bool = True, materials: Sequence[Any] | None = None) -> Any:
     """Return the boundary of a solid as a trimesh.Trimesh, without any processing.
 
-    With `visual`, it has the colours or texture coordinates of the sources of the solid.
-    `materials` are materials of trimesh for the materials of all sources, in their order; without
-    them, they are made of names and colours.
+    If `visual` is true, it has the colours or texture coordinates of the sources of the solid.
+    `materials` contains a material of trimesh for each material of all sources, in their order. If
+    it is omitted, materials are made from their names and colours.
     """
     if not visual or not solid.sources():
         return _trimesh.Trimesh(*solid.to_mesh(), process=False)
@@ -63,7 +63,7 @@ def intersection(meshes: Iterable[Any], visual: bool = True, **limits: Any) -> A
 
 
 def difference(meshes: Sequence[Any], visual: bool = True, **limits: Any) -> Any:
-    """Return the first mesh without the others. Keywords are those of plumb's operations."""
+    """Return the first mesh minus all others. Keywords are those of plumb's operations."""
     first, *others = _solids(meshes, visual)
     rest = first.difference(Solid.union_of(others, **limits), **limits)
     return _result(rest, meshes, visual)
@@ -78,7 +78,7 @@ def _boolean(meshes: Sequence[Any], operation: str, **_: Any) -> Any:
 def register(name: str = "plumb") -> None:
     """Make plumb an engine of trimesh.boolean: `trimesh.boolean.union(meshes, engine="plumb")`.
 
-    Its results have no colours and texture coordinates, as those of the other engines.
+    The results have no colours and texture coordinates, like the results of the other engines.
     """
     _trimesh.boolean._engines[name] = _boolean
 

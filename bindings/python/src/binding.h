@@ -194,8 +194,10 @@ inline const char* kept(std::string text) {
 /// Returns the docstring of a function that def_run() binds.
 inline const char* with_limits(const char* doc) {
   return kept(std::string(doc) +
-              "\n\nKeywords of every operation: threads (how many may be used), timeout (seconds), "
-              "memory_limit (bytes), progress (called with phase, done, total).");
+              "\n\n"
+              "Every operation accepts these keywords: threads (the number of threads), timeout "
+              "(in seconds), memory_limit (in bytes) and progress (a function that is called with "
+              "phase, done and total).");
 }
 
 template <class R, class... A>

@@ -182,8 +182,8 @@ void def_reading(nb::class_<Layer>& c) {
       "path"_a, "object"_a = nb::none(), nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(),
       "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
       with_limits(
-          "Read the features of a GeoJSON, TopoJSON, WKT or WKB file. `object` names an object of "
-          "TopoJSON; by default the first one."));
+          "Read the features of a GeoJSON, TopoJSON, WKT or WKB file. `object` is the name of an "
+          "object of TopoJSON; by default, the first object is read."));
   c.def_static(
       "parse",
       [](const std::string& text, const std::optional<std::string>& object, unsigned threads,
@@ -197,7 +197,7 @@ void def_reading(nb::class_<Layer>& c) {
       },
       "text"_a, "object"_a = nb::none(), nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(),
       "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
-      with_limits("Do the same for a text."));
+      with_limits("Do the same as read() for a text."));
 }
 
 /// Returns the layer with coordinates that are doubles, so that features still share borders.
@@ -222,24 +222,27 @@ void def_making(nb::class_<Layer>& c) {
                  "corners. Feature i is the cell of site i.",
                  "sites"_a, "low"_a, "high"_a);
   def_run_static(c, "of_faces", &faces,
-                 "Return a feature for each bounded face of a set. The faces that lines bound are "
-                 "those of the complement of the lines.",
+                 "Return a layer with a feature for each bounded face of a set. To get the faces "
+                 "that lines bound, pass the complement of the lines.",
                  "set"_a);
 }
 
 }  // namespace
 
 void bind_layer(nb::module_& m) {
-  nb::class_<LayerReport> report(m, "LayerReport", "What Layer.repaired() has found and changed.");
+  nb::class_<LayerReport> report(m, "LayerReport",
+                                 "The regions that Layer.check() or "
+                                 "Layer.repaired() found, and the changes of "
+                                 "the repair.");
   report.def_prop_ro("regions", &regions_of,
-                     "The overlaps, gaps and holes: a dict with kind ('overlap', 'gap', 'hole'), "
-                     "area (an exact fraction), width, features (indices), and owner (an index, or "
-                     "None).");
+                     "The overlaps, gaps and holes. Each of them is a dict with kind ('overlap', "
+                     "'gap' or 'hole'), area (an exact fraction), width, features (indices), and "
+                     "owner (an index, or None).");
   report.def_prop_ro("has_defects", &LayerReport::has_defects,
                      "Whether the layer had overlaps or gaps.");
   report.def_ro("gaps_below", &LayerReport::gaps_below, "The bound for the widths of gaps.");
   report.def_ro("emptied", &LayerReport::emptied,
-                "Features that had an area before and have none now.");
+                "The features that lost their whole area by the repair.");
   report.def_prop_ro(
       "largest_move", [](const LayerReport& r) { return r.rounding.largest_move; },
       "An upper bound for the distance by which rounding has moved a border.");
@@ -257,31 +260,38 @@ void bind_layer(nb::module_& m) {
   def_run(c, "to_geojson", &geojson_of,
           "Return a FeatureCollection as text, one feature in each line.");
   def_run(c, "write", &write_layer,
-          "Write a file, which is complete or absent: .geojson, .json, .topojson or .wkt.",
+          "Write a .geojson, .json, .topojson or .wkt file. If writing fails, no incomplete file "
+          "remains.",
           "path"_a);
   def_run(c, "check", &checked_layer,
           "Return the overlaps, gaps and holes of the layer as a LayerReport without owners.",
           "gaps_below"_a = nb::none());
   def_run(c, "dissolved", &dissolved,
-          "Return a layer with a feature for each group. `groups` has the group of each feature: "
-          "0, 1, ...",
+          "Return a layer with a feature for each group. `groups` contains the group of each "
+          "feature, which is a number 0, 1, ...",
           "groups"_a);
   def_run(c, "simplified", &simplified,
-          "Return the layer with fewer corners on its borders; it stays a coverage. Corners are "
-          "removed while their triangle has at most the area `tolerance`, and while more than the "
-          "part `kept` of the removable corners is left.",
+          "Return the layer with fewer corners on its borders. Features of the result do not "
+          "overlap. A corner and its two neighbours form a triangle. A corner is removed only if "
+          "the area of its triangle is at most `tolerance`, and if more than the fraction `kept` "
+          "of the removable corners remains.",
           "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0);
   def_run(c, "parts", &parts_of,
-          "Return the parts of a set that come from the features, with their ids and properties. "
-          "Where several features cover a part, it belongs to the first one. Parts of the set that "
-          "no feature covers are the last feature, without an id.",
+          "Divide a set into the parts that the features cover, and return them as a layer. Each "
+          "part is a feature with the id and the properties of the feature that covers it. A part "
+          "that several features cover is assigned to the first of them. Parts that no feature "
+          "covers form the last feature, which has no id.",
           "set"_a);
-  def_run(c, "joined", &joined, "Return a layer of these features and then those of another layer.",
+  def_run(c, "joined", &joined,
+          "Return a layer with the features of this layer, followed by "
+          "those of another layer.",
           "other"_a);
   def_run(c, "overlaid", &overlaid,
-          "Return the overlay with another layer: a layer with a feature for each pair of features "
-          "that have common points, and the list of these pairs of indices. A missing partner is "
-          "None. pairs: 'all', 'first' (what this layer covers), 'both' or 'first-only'.",
+          "Return the overlay with another layer: a layer with a feature for each pair of "
+          "overlapping features, and the list of these pairs of indices. A part of a feature that "
+          "no feature of the other layer covers forms a pair with None. `pairs` selects the "
+          "pairs: 'all', 'first' (pairs with a feature of this layer), 'both' (pairs without "
+          "None) or 'first-only' (pairs without a feature of the other layer).",
           "other"_a, "pairs"_a = "all");
   c.def(
       "repaired",
@@ -294,8 +304,8 @@ void bind_layer(nb::module_& m) {
       },
       "rule"_a = "longest-border", "gaps_below"_a = nb::none(), nb::kw_only(), "threads"_a = 1U,
       "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
-      with_limits("Return the layer without overlaps and gaps, and a LayerReport. An overlap or a "
-                  "gap goes to the feature that `rule` chooses: 'longest-border', 'largest', "
+      with_limits("Return the layer without overlaps and gaps, and a LayerReport. `rule` selects "
+                  "the feature that gets an overlap or a gap: 'longest-border', 'largest', "
                   "'smallest' or 'first'. A region that no feature covers is a gap if it is "
                   "narrower than `gaps_below`."));
 }

@@ -63,8 +63,9 @@ void bind_map_class(nb::module_& m) {
                     "A planar map as a user lists it: points, and cycles of indices of points. "
                     "check() decides whether the cycles subdivide the plane.");
   def_run_static(c, "from_cycles", &map_from_cycles,
-                 "Return the map of points, float64 (n, 2), and lists of indices of points. "
-                 "Outer boundaries of faces run counter-clockwise, all others clockwise.",
+                 "Return the map of points, float64 (n, 2), and lists of indices of points. In a "
+                 "valid map, the outer boundaries of faces run counter-clockwise, and all other "
+                 "cycles run clockwise.",
                  "points"_a, "cycles"_a);
   def_run_static(
       c, "from_arrays", &map_from_arrays,
@@ -90,13 +91,14 @@ void bind_map_class(nb::module_& m) {
       "path"_a, "exact_decimals"_a = false, nb::kw_only(), "threads"_a = 1U,
       "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
       with_limits(
-          "Read a map, or the polygons of a WKT, GeoJSON or WKB file as a map without outer "
-          "boundaries (check with outer='infer')."));
+          "Read a map, or the polygons of a WKT, GeoJSON or WKB file as a map. Polygons do not "
+          "list outer boundaries, so such a map must be checked with outer='infer'."));
   def_run(c, "write", &write_map_file,
-          "Write the map without loss. The file is complete or absent.", "path"_a);
+          "Write the map without loss. If writing fails, no incomplete file remains.", "path"_a);
   def_run(c, "check", &checked,
-          "Decide exactly whether the cycles subdivide the plane. outer: 'listed', 'infer' or "
-          "'ignore' missing outer boundaries.",
+          "Decide exactly whether the cycles subdivide the plane. outer='listed' requires that "
+          "outer boundaries are listed, 'infer' adds missing ones, and 'ignore' accepts that they "
+          "are missing.",
           "outer"_a = "listed", "merge_vertices"_a = false, "max_defects"_a = 1000U);
   c.def(
       "points", [](const Map& map) { return ArrayOut<double, 2>{coordinates_of(map.points)}; },
@@ -182,7 +184,7 @@ void bind_defect(nb::module_& m) {
       "'duplicate', 'open', 'crossing', 'twin', 'mixed' or 'nested'.");
   c.def_ro("cycles", &MapDefect::cycles, "The cycles at which the defect occurs.");
   c.def_prop_ro("edges", &edges_of, "The edges at which the defect occurs, as pairs of vertices.");
-  c.def_prop_ro("point", &point_of_defect, "The exact place of the defect, or None.");
+  c.def_prop_ro("point", &point_of_defect, "The exact position of the defect, or None.");
   c.def_prop_ro(
       "hint", [](const MapDefect& d) { return python_words(d.hint); },
       "A sentence that explains how to correct the defect.");
@@ -193,14 +195,16 @@ void bind_defect(nb::module_& m) {
 
 void bind_region(nb::module_& m) {
   nb::class_<MapRegion> c(m, "MapRegion", "A region of a valid map.");
-  c.def_ro("outer", &MapRegion::outer, "The cycle around the region; None for the unbounded one.");
-  c.def_ro("holes", &MapRegion::holes, "The cycles that bound its holes.");
+  c.def_ro("outer", &MapRegion::outer,
+           "The cycle around the region; None for the unbounded "
+           "region.");
+  c.def_ro("holes", &MapRegion::holes, "The cycles that bound the holes of the region.");
 }
 
 void bind_report(nb::module_& m) {
   bind_defect(m);
   bind_region(m);
-  nb::class_<MapReport> c(m, "MapReport", "What a check of a map found. Indices are 0-based.");
+  nb::class_<MapReport> c(m, "MapReport", "The result of Map.check(). Indices are 0-based.");
   c.def_prop_ro(
       "verdict", [](const MapReport& r) { return std::string(headline(r.verdict)); },
       "'valid', 'not a planar subdivision', 'open' or 'superposed'.");
@@ -209,7 +213,7 @@ void bind_report(nb::module_& m) {
       "Whether the cycles subdivide the plane.");
   c.def_ro("vertices", &MapReport::vertices, "The number of listed vertices.");
   c.def_ro("edges", &MapReport::edges, "The number of undirected edges.");
-  c.def_ro("cycles", &MapReport::cycles, "The number of cycles, with inferred ones.");
+  c.def_ro("cycles", &MapReport::cycles, "The number of cycles, including inferred cycles.");
   c.def_ro("components", &MapReport::components, "The number of connected components.");
   c.def_prop_ro("counts", &defect_counts, "The number of defects of each kind.");
   c.def_ro("defects", &MapReport::defects, "The described defects.");
@@ -220,8 +224,10 @@ void bind_report(nb::module_& m) {
         for (const MapWarning& w : r.warnings) texts.push_back(w.text);
         return texts;
       },
-      "What is unusual but not a defect, one sentence each.");
-  c.def_ro("regions", &MapReport::regions, "The regions of a valid map; the unbounded one first.");
+      "Sentences about unusual properties of the map that are not defects.");
+  c.def_ro("regions", &MapReport::regions,
+           "The regions of a valid map. The unbounded region "
+           "comes first.");
   c.def_prop_ro(
       "map", [](const MapReport& r) { return r.map; },
       "The checked map, after vertices were merged and cycles were inferred.");
@@ -280,7 +286,8 @@ void bind_overlay(nb::module_& m) {
                                 "The subdivision of the plane by the edges of two valid maps.");
   c.def_prop_ro(
       "origins", [](const MeasuredOverlay& o) { return o.origins; },
-      "The region of each map that contains each face: uint32 (faces, 2).");
+      "For each face, the region of the first map and the region of the second map that contain "
+      "it: uint32 (faces, 2).");
   c.def_prop_ro(
       "areas", [](const MeasuredOverlay& o) { return o.areas.cell; },
       "The exact area of each face; 0 for unbounded faces.");

@@ -113,7 +113,8 @@ void def_files(nb::module_& m) {
   m.def("write_mesh_arrays", with_context(&write_file), "path"_a, "vertices"_a, "face_begin"_a,
         "corners"_a, "attributes"_a.none(), "format"_a.none(), nb::kw_only(), "threads"_a = 1U,
         "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
-        "Write a file. Return a remark on the attributes that it does not hold, or ''.");
+        "Write a file. Return a sentence about the attributes that the format cannot represent, "
+        "or ''.");
 }
 
 }  // namespace
@@ -122,11 +123,15 @@ void bind_meshes(nb::module_& m) {
   def_files(m);
   m.def("check_mesh_arrays", with_context(&check), "vertices"_a, "face_begin"_a, "corners"_a,
         "max_listed"_a, nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(),
-        "memory_limit"_a = nb::none(), "progress"_a = nb::none(), "Return what is in a mesh.");
+        "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
+        "Return a report on the defects "
+        "of a mesh.");
   m.def("repair_mesh_arrays", with_context(&mend), "vertices"_a, "face_begin"_a, "corners"_a,
         "weld"_a, "doubled"_a, "reorient"_a, "fill_holes"_a, "fill_holes_below"_a, nb::kw_only(),
         "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
-        "progress"_a = nb::none(), "Return a mended mesh, and sentences on what was done.");
+        "progress"_a = nb::none(),
+        "Return a repaired mesh, and sentences that describe the "
+        "repairs.");
 }
 
 }  // namespace plumb::python

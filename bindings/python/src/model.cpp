@@ -98,8 +98,8 @@ void def_solid_makers(nb::class_<Nef3>& c) {
       "radius"_a, "chords"_a = 30U);
   def_run_static(
       c, "cylinder", &cylinder,
-      "Return a cylinder along the z-axis, or with another radius at the top a cone or a "
-      "frustum. It begins at z = 0, or is `centred`.",
+      "Return a cylinder along the z-axis. If the radius at the top differs from that at the "
+      "bottom, it is a cone or a frustum. It extends upwards from z = 0, unless it is `centred`.",
       "height"_a, "bottom_radius"_a, "top_radius"_a = nb::none(), "chords"_a = 30U,
       "centred"_a = false);
   def_run_static(c, "torus", &torus,
@@ -107,7 +107,7 @@ void def_solid_makers(nb::class_<Nef3>& c) {
                  "tube from the axis.",
                  "radius"_a, "tube_radius"_a, "chords"_a = 30U, "tube_chords"_a = 16U);
   def_run_static(c, "hull", &hull_of_points,
-                 "Return the convex hull of points, float64 (n, 3), exactly; also of points in a "
+                 "Return the exact convex hull of points, float64 (n, 3). The points may lie in a "
                  "plane or on a line.",
                  "points"_a);
   def_run_static(
@@ -115,7 +115,7 @@ void def_solid_makers(nb::class_<Nef3>& c) {
       +[](Context& k, const std::vector<Nef3>& sets) {
         return convex_hull(std::span<const Nef3>(sets), k);
       },
-      "Return the convex hull of the closures of bounded sets together.", "sets"_a);
+      "Return the convex hull of the union of bounded sets, as a closed set.", "sets"_a);
 }
 
 void def_solid_facts(nb::class_<Nef3>& c) {
@@ -125,24 +125,25 @@ void def_solid_facts(nb::class_<Nef3>& c) {
       "Return the convex hull of the closure of a bounded set.");
   def_run(
       c, "components", +[](Context& k, const Nef3& set) { return components(set, k); },
-      "Return the connected parts of the set.");
+      "Return the connected components of the set.");
   def_run(c, "offset", &solid_offset,
-          "Return the closure of the set grown by a distance, or shrunk by a negative one. An "
-          "octahedron whose faces are divided `rounds` times stands for the ball.",
+          "Return the closure of the set, grown by a positive distance or shrunk by a negative "
+          "distance. The ball of the offset is replaced by a polyhedron: an octahedron whose "
+          "faces were subdivided `rounds` times.",
           "distance"_a, "rounds"_a = 2U);
   c.def("genus", &genus,
         "Return the number of handles of the boundary, or None if the set is not simple or not "
         "bounded.");
   c.def("bounding_box", &box_of,
-        "Return the corners (low, high) of the least box around the set, as fractions; None if the "
-        "set is empty.");
+        "Return the corners (low, high) of the bounding box of the set, as fractions, or None if "
+        "the set is empty.");
   def_run(
       c, "slice",
       +[](Context& k, const Nef3& set, const Number& height) {
         return slice(set, height.value, k);
       },
       "Return the points (x, y) for which (x, y, height) belongs to the set.", "height"_a);
-  def_run(c, "slices", &slices_of, "Return the slices at several heights.", "heights"_a);
+  def_run(c, "slices", &slices_of, "Return one slice for each height.", "heights"_a);
   def_run(
       c, "shadow", +[](Context& k, const Nef3& set) { return shadow(set, k); },
       "Return the closure of the projection of the set along the z-axis.");
@@ -150,9 +151,9 @@ void def_solid_facts(nb::class_<Nef3>& c) {
 
 void def_solid_maps(nb::class_<Nef3>& c) {
   def_run(c, "rotated", &rotated,
-          "Return the set turned about an axis through the origin. The matrix is exactly "
-          "orthogonal; the angle is exact for multiples of 90 degrees about a coordinate axis, and "
-          "correct to 2^-50 otherwise.",
+          "Return the set rotated about an axis through the origin. The matrix of the rotation is "
+          "exactly orthogonal. A rotation about a coordinate axis by a multiple of 90 degrees is "
+          "exact. Otherwise each entry of the matrix has an error of at most 2^-50.",
           "axis"_a, "degrees"_a);
   def_run(
       c, "scaled",
@@ -165,10 +166,11 @@ void def_solid_maps(nb::class_<Nef3>& c) {
       +[](Context& k, const Nef3& set, const Exact<3>& normal) {
         return set.transformed(reflection(normal.value), k);
       },
-      "Return the set mirrored at the plane through the origin with this normal.", "normal"_a);
+      "Return the set reflected in the plane through the origin with this normal.", "normal"_a);
   def_run(c, "resized", &resized,
-          "Return the set scaled to the size of a box. An axis with the size 0 keeps its size, or, "
-          "if it is `automatic`, gets the greatest factor of the others.",
+          "Return the set scaled so that its bounding box has this size. Along an axis with the "
+          "size 0, the factor is 1. If this axis is `automatic`, its factor is instead the "
+          "greatest factor of the other axes.",
           "size"_a, "automatic"_a = std::vector<bool>{false, false, false});
 }
 
@@ -230,8 +232,8 @@ FlatMesh triangulated(Context& context, const Nef2& set) {
 void def_plane_models(nb::class_<Nef2>& c) {
   def_run(c, "triangulated", &triangulated,
           "Return triangles that cover the set after its coordinates were rounded to doubles: "
-          "points float64 (n, 2), triangles uint32 (m, 3). They are a constrained Delaunay "
-          "triangulation: edges of the set are sides, and no points are added.");
+          "points float64 (n, 2), triangles uint32 (m, 3). They form a constrained Delaunay "
+          "triangulation: edges of the set are sides of triangles, and no points are added.");
   def_run_static(
       c, "delaunay",
       +[](Context& k, const Coordinates2& points) {
@@ -241,16 +243,17 @@ void def_plane_models(nb::class_<Nef2>& c) {
   def_run_static(
       c, "disk",
       +[](Context& k, double radius, std::uint32_t chords) { return disk(radius, chords, k); },
-      "Return the closed regular polygon in a circle around the origin.", "radius"_a,
-      "chords"_a = 30U);
-  def_run_static(c, "hull", &plane_hull,
-                 "Return the convex hull of points, float64 (n, 2), exactly.", "points"_a);
+      "Return the closed regular polygon with `chords` corners that is inscribed in a circle "
+      "around the origin.",
+      "radius"_a, "chords"_a = 30U);
+  def_run_static(c, "hull", &plane_hull, "Return the exact convex hull of points, float64 (n, 2).",
+                 "points"_a);
   def_run_static(
       c, "hull_of",
       +[](Context& k, const std::vector<Nef2>& sets) {
         return convex_hull(std::span<const Nef2>(sets), k);
       },
-      "Return the convex hull of the closures of bounded sets together.", "sets"_a);
+      "Return the convex hull of the union of bounded sets, as a closed set.", "sets"_a);
   def_run(
       c, "convex_hull",
       +[](Context& k, const Nef2& set) { return convex_hull(std::span<const Nef2>(&set, 1), k); },
@@ -260,29 +263,35 @@ void def_plane_models(nb::class_<Nef2>& c) {
       +[](Context& k, const Nef2& set, double tolerance, double kept, double within) {
         return simplify_borders(set, {tolerance, kept, within}, k).set;
       },
-      "Return the closure of a bounded set with fewer corners. Corners are removed while their "
-      "triangle has at most the area `tolerance`, while more than the part `kept` of them is left, "
-      "and while no point of a border moves farther than `within`. Coordinates become doubles.",
+      "Return the closure of a bounded set with fewer corners. A corner and its two neighbours "
+      "form a triangle. A corner is removed only if the area of its triangle is at most "
+      "`tolerance`, if more than the fraction `kept` of the removable corners remains, and if no "
+      "point of a border moves farther than `within`. Coordinates are rounded to doubles.",
       "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0,
       "within"_a = std::numeric_limits<double>::infinity());
   def_run(c, "offset", &offset_of,
-          "Return the closure of the set grown by a distance, or shrunk by a negative one. join: "
-          "'round', 'mitre', 'square' or 'bevel'. An arc differs from its chords by `chord_error`, "
-          "or a full circle has `circle_segments` chords; by default a thousandth of the distance.",
+          "Return the closure of the set, grown by a positive distance or shrunk by a negative "
+          "distance. `join` is the shape at convex corners: 'round', 'mitre', 'square' or "
+          "'bevel'. An arc is replaced by chords. Their distance from the arc is at most "
+          "`chord_error`, by default a thousandth of the distance of the offset. If "
+          "`circle_segments` is given, it is the number of chords of a full circle.",
           "distance"_a, "join"_a = "round", "mitre_limit"_a = 2.0, "chord_error"_a = 0.0,
           "circle_segments"_a = 0U);
   def_run(
       c, "distance", &distance_of<Nef2>,
-      "Return the distance of the closures of this set and another, with nearest points and the "
-      "cells that contain them. One of the sets must be bounded.",
+      "Return the distance between the closures of this set and another set, with nearest points "
+      "and the cells that contain these points. One of the sets must be bounded.",
       "other"_a);
   def_run(
       c, "minkowski_sum",
       +[](Context& k, const Nef2& a, const Nef2& b) { return minkowski_sum(a, b, k); },
-      "Return the set of all sums of a point of this set and a point of the other.", "other"_a);
+      "Return the Minkowski sum: the set of all sums of a point of this set and a point of the "
+      "other set.",
+      "other"_a);
   def_run(c, "extruded", &extruded,
-          "Return the solid between this set at the bottom and its image at the top, which is "
-          "turned clockwise by `twist` degrees and scaled. `layers` is the number of steps.",
+          "Return the solid between this set at the bottom and its image at the top. The image is "
+          "turned clockwise by `twist` degrees, and scaled. `layers` is the number of layers of "
+          "equal height.",
           "height"_a, "centred"_a = false, "twist"_a = 0.0, "layers"_a = 1U,
           "scale"_a = std::pair(1.0, 1.0));
   def_run(
@@ -290,8 +299,8 @@ void def_plane_models(nb::class_<Nef2>& c) {
       +[](Context& k, const Nef2& set, double degrees, std::uint32_t steps) {
         return rotational_extrusion(set, degrees, steps, k);
       },
-      "Return the solid that the set sweeps when it turns around the z-axis; its y-axis becomes "
-      "the z-axis. The set may not have points on both sides of x = 0.",
+      "Return the solid that the set sweeps when it turns around the z-axis. The y-axis of the "
+      "set is placed on the z-axis. The set must not have points on both sides of the line x = 0.",
       "degrees"_a = 360.0, "steps"_a = 30U);
 }
 
@@ -341,8 +350,9 @@ void def_csg(nb::module_& m) {
       "path"_a, "imports"_a = "below", "exact_decimals"_a = false, nb::kw_only(), "threads"_a = 1U,
       "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
       with_limits("Read a flattened model of OpenSCAD (.csg), and return its set: a Solid, a "
-                  "PlaneSet, or None if it has no geometry. Files that it imports must lie 'below' "
-                  "its folder, unless `imports` is 'anywhere'; 'none' refuses them."));
+                  "PlaneSet, or None if it has no geometry. `imports` states which files the "
+                  "model may import: 'below' (files in the folder of the model, and in folders "
+                  "below it), 'anywhere' (all files) or 'none'."));
   m.def(
       "parse_csg",
       [](const std::string& text, unsigned threads, std::optional<double> timeout,

@@ -25,7 +25,7 @@ void bind_results(nb::module_& m) {
         return nb::typed<nb::tuple, Rational, nb::ellipsis>(nb::tuple(nb::cast(h.point)));
       },
       "The first point of the cell on the ray, as fractions.");
-  nb::class_<SetDistance> apart(m, "Distance", "The distance of the closures of two sets.");
+  nb::class_<SetDistance> apart(m, "Distance", "The distance between the closures of two sets.");
   apart.def_ro("squared", &SetDistance::squared, "The square of the distance, a fraction.");
   apart.def_ro("length", &SetDistance::length, "The distance, rounded to a float.");
   apart.def_prop_ro(
@@ -35,10 +35,10 @@ void bind_results(nb::module_& m) {
         return std::pair(Point(nb::tuple(nb::cast(d.point))),
                          Point(nb::tuple(nb::cast(d.other_point))));
       },
-      "A point of this set and a point of the other that are nearest, as fractions.");
+      "A nearest point of this set and a nearest point of the other set, as fractions.");
   apart.def_prop_ro(
       "cells", [](const SetDistance& d) { return std::pair(d.cell, d.other_cell); },
-      "The cells of this set and of the other that contain the points.");
+      "The cells of this set and of the other set that contain the nearest points.");
   apart.def("__repr__", [](const SetDistance& d) {
     return "<plumb.Distance: " + std::to_string(d.length) + ">";
   });
@@ -56,8 +56,8 @@ NB_MODULE(_core, m) {
   m.attr("VERSION") = PLUMB_VERSION_STRING;
   m.def(
       "keep_freed_memory", &keep_freed_memory,
-      "Let malloc keep what is freed, in the whole process: repeated operations of large sets take "
-      "about 0.9 times as long.");
+      "Make malloc keep freed memory for reuse, in the whole process. Then repeated operations on "
+      "large sets take about 0.9 times as long.");
   bind_errors(m);
   bind_results(m);
   bind_plane(m);

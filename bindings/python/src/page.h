@@ -29,14 +29,14 @@ void def_page(nb::class_<T>& c) {
       +[](Context& k, const T& object, const std::string& title) {
         return page_of(k, object, title);
       },
-      "Return one HTML page that shows the object and loads nothing else.", "title"_a = "");
+      "Return an HTML page that shows the object and does not load other files.", "title"_a = "");
   c.def(
       "_repr_html_",
       [](const T& object) {
         return run(CallLimits{1, std::nullopt, std::nullopt, nb::none()},
                    [&](Context& k) { return frame_of(page_of(k, object, "")); });
       },
-      "Return what a notebook shows.");
+      "Return the HTML text that a notebook shows for the object.");
 }
 
 }  // namespace plumb::python

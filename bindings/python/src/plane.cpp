@@ -176,8 +176,8 @@ void def_plane_files(nb::class_<Nef2>& c) {
       "path"_a, "format"_a = nb::none(), "exact_decimals"_a = false, nb::kw_only(),
       "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
       "progress"_a = nb::none(),
-      with_limits("Read a set from WKT, GeoJSON, WKB or .nef2. The extension, `format` or the text "
-                  "itself chooses."));
+      with_limits("Read a set from WKT, GeoJSON, WKB or .nef2. The format is `format` if it is "
+                  "given. Otherwise the extension or the contents of the file determine it."));
   c.def(
       "write",
       [](const Nef2& set, const Path& path, const std::optional<std::string>& format,
@@ -204,10 +204,10 @@ void def_plane_files(nb::class_<Nef2>& c) {
       nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
       "progress"_a = nb::none(),
       with_limits(
-          "Write the set as WKT, GeoJSON, WKB or DXF, or exactly as .nef2. `grid` is a step to "
-          "which "
-          "coordinates are rounded. The file is complete or absent. What it does not hold is a "
-          "FileWarning."));
+          "Write the set as WKT, GeoJSON, WKB or DXF, or exactly as .nef2. If `grid` is given, "
+          "coordinates are rounded to multiples of it. If writing fails, no incomplete file "
+          "remains. A FileWarning reports properties of the set that the file does not "
+          "represent."));
   c.def(
       "to_wkt",
       [](const Nef2& set, const std::string& rounding, const std::optional<Number>& grid,
@@ -226,8 +226,8 @@ void def_plane_files(nb::class_<Nef2>& c) {
       },
       "rounding"_a = "valid", "grid"_a = nb::none(), nb::kw_only(), "threads"_a = 1U,
       "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
-      with_limits("Return the closure of the set as WKT. What the text does not hold is a "
-                  "FileWarning."));
+      with_limits("Return the closure of the set as WKT. A FileWarning reports properties of the "
+                  "set that the text does not represent."));
 }
 
 // --- the class --------------------------------------------------------------------------------
@@ -238,7 +238,8 @@ void def_plane_makers(nb::class_<Nef2>& c) {
       +[](Context& k, const Ring& ring, bool closed) {
         return polygons(k, {ring}, "nonzero", closed);
       },
-      "Return the set that one closed chain of exact points bounds, in either direction.",
+      "Return the set that one closed chain of exact points bounds. The direction of the chain "
+      "does not matter.",
       "points"_a, "closed"_a = true);
   def_run_static(c, "polygons", &polygons,
                  "Return the set that closed chains of exact points bound under a winding rule: "
@@ -288,7 +289,9 @@ void def_plane_operations(nb::class_<Nef2>& c) {
       +[](Context& k, const Nef2& set, const std::vector<Exact<3>>& rows) {
         return set.transformed(plane_map_of(rows), k);
       },
-      "Return the image under an invertible affine map: two rows (a, b, c), exact.", "matrix"_a);
+      "Return the exact image under an invertible affine map, which is given by two rows (a, b, "
+      "c).",
+      "matrix"_a);
   def_run(c, "translated", &translated, "Return the set moved by an exact vector.", "by"_a);
   def_run(
       c, "is_convex",
@@ -301,15 +304,18 @@ void def_plane_operations(nb::class_<Nef2>& c) {
         options.closed = closed;
         return decompose(set, options, k).pieces;
       },
-      "Return the convex parts of the set; if `closed`, their closures.", "closed"_a = false);
+      "Return the convex parts of the set. If `closed` is true, return their closures.",
+      "closed"_a = false);
 }
 
 }  // namespace
 
 void bind_plane(nb::module_& m) {
   nb::class_<Nef2> c(m, "PlaneSet",
-                     "A set of points of the plane that half-planes can make: bounded or not, open "
-                     "or closed, with slits and isolated points or not. Immutable and exact.");
+                     "A set of points of the plane that can be made from half-planes by unions, "
+                     "intersections and complements. It may be bounded or unbounded, open or "
+                     "closed, and may have slits and isolated points. The set is immutable and "
+                     "exact.");
   def_set(c);
   def_bytes(c, &canonical_bytes, &from_bytes);
   def_plane_makers(c);

@@ -150,7 +150,8 @@ void def_booleans(nb::class_<Set>& c) {
       +[](Context& k, const std::vector<Set>& sets) {
         return intersection_of(std::span<const Set>(sets), k);
       },
-      "Return the intersection of any number of sets. That of no sets is the whole space.",
+      "Return the intersection of any number of sets. The intersection of zero sets is the whole "
+      "space.",
       "sets"_a);
   for (const char* name : {"__or__", "__add__"}) {
     c.def(name, &combined<Set, kUnion>, "other"_a, nb::is_operator(), "Return the union.");
@@ -210,8 +211,8 @@ void def_queries(nb::class_<Set>& c) {
   using P = PointOf<Set>;
   c.def("is_empty", &Set::is_empty, "Whether the set has no points.");
   c.def("is_whole", &Set::is_whole, "Whether every point belongs to the set.");
-  c.def("is_closed", &Set::is_closed, "Whether the set is its own closure.");
-  c.def("is_open", &Set::is_open, "Whether the set is its own interior.");
+  c.def("is_closed", &Set::is_closed, "Whether the set equals its closure.");
+  c.def("is_open", &Set::is_open, "Whether the set equals its interior.");
   c.def("memory_bytes", &Set::bytes, "Return the memory of the set in bytes.");
   c.def("__repr__", &Traits::repr);
   def_run(
@@ -246,7 +247,8 @@ void def_queries(nb::class_<Set>& c) {
         return ray_hit<Set>(
             a.shoot_to_boundary(Traits::point_of(origin), Traits::point_of(direction), k));
       },
-      "Like shoot(), but return the first cell of the boundary, whether it is marked or not.",
+      "Return the first cell of the boundary that the ray meets, whether or not it is marked. The "
+      "result has the same form as that of shoot().",
       "origin"_a, "direction"_a);
   def_run(
       c, "audit",
@@ -255,7 +257,7 @@ void def_queries(nb::class_<Set>& c) {
         if (!flaw) return std::nullopt;
         return Flaw{flaw->invariant, flaw->place};
       },
-      "Check every invariant from scratch. Return the first broken one, or None.");
+      "Check every invariant from scratch. Return the first broken invariant, or None.");
 }
 
 /// Binds what all sets have.
@@ -300,7 +302,7 @@ void def_bytes(nb::class_<Set>& c, std::string (*canonical_bytes)(Context&, cons
                [&](Context& k) { return read(k, text); });
   };
   c.def("to_bytes", bytes,
-        "Return the set exactly, as a canonical file in memory. Equal sets give equal bytes.");
+        "Return the exact set as the bytes of a canonical file. Equal sets give equal bytes.");
   c.def_static("from_bytes", parsed, "data"_a,
                "Return the set that to_bytes() or a file of the same format describes.");
   c.def("__hash__", [bytes](const Set& set) { return nb::hash(bytes(set)); });

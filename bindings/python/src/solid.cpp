@@ -345,12 +345,13 @@ Nef3 value_of(Context& context, const std::string& expression, const NamedSolids
 void def_makers(nb::class_<Nef3>& c) {
   def_run_static(
       c, "from_mesh", &from_mesh,
-      "Return the solid that triangles bound. vertices: float64 (n, 3). triangles: "
-      "uint32 (m, 3), counter-clockwise seen from outside. The mesh may cross itself. "
-      "`rule` names the winding numbers that are inside: 'positive', 'nonzero', "
-      "'evenodd'; None turns components that are inside out first. Raise OpenMesh if the "
-      "mesh is not closed, unless `surface` asks for the set of its faces. `attributes` (what "
-      "belongs to faces and corners) stay with the solid through all operations:\n\n"
+      "Return the solid that triangles bound. vertices: float64 (n, 3). triangles: uint32 (m, 3), "
+      "counter-clockwise seen from outside. The mesh may cross itself. `rule` selects the winding "
+      "numbers that are inside: 'positive', 'nonzero' or 'evenodd'. If it is None, components "
+      "that are inside out are flipped first, and the rule is 'positive'. If `surface` is true, "
+      "return the union of the faces instead. Raise OpenMesh if the mesh is not closed and "
+      "`surface` is false. The solid and all results of operations on it keep the `attributes` of "
+      "faces and corners:\n\n"
       "    paint = plumb.MeshAttributes(face_id=range(len(triangles)))\n"
       "    solid = plumb.Solid.from_mesh(vertices, triangles, attributes=paint)\n"
       "    (solid - other).to_mesh_with_attributes().face_id",
@@ -358,14 +359,14 @@ void def_makers(nb::class_<Nef3>& c) {
       "attributes"_a = nb::none());
   def_run_static(
       c, "from_polygons", &from_polygons,
-      "Return the solid that polygons bound. vertices: float64 (n, 3). face_begin: uint32 "
-      "(faces + 1,), where the corners of each face begin in `corners`: uint32 (k,). The other "
-      "parameters are those of from_mesh().",
+      "Return the solid that polygons bound. vertices: float64 (n, 3). face_begin: uint32 (faces "
+      "+ 1,), the indices in `corners` at which the corners of each face begin. corners: uint32 "
+      "(k,). The other parameters are those of from_mesh().",
       "vertices"_a, "face_begin"_a, "corners"_a, "rule"_a = nb::none(), "surface"_a = false,
       "attributes"_a = nb::none());
   def_run_static(c, "half_spaces", &half_spaces,
                  "Return the intersection of half-spaces a x + b y + c z + d <= 0, or < 0 if not "
-                 "`closed`. Each plane is (a, b, c, d), exact.",
+                 "`closed`. Each plane is given by four exact numbers (a, b, c, d).",
                  "planes"_a, "closed"_a = true);
   def_run_static(
       c, "half_space",
@@ -416,8 +417,8 @@ void def_reading(nb::class_<Nef3>& c) {
   def_run(c, "to_mesh", &to_mesh,
           "Return the boundary of regularization() as arrays: vertices float64 (n, 3), triangles "
           "uint32 (m, 3). With rounding='valid', the triangles meet only in common corners and "
-          "edges even after rounding; with 'nearest', coordinates are the nearest doubles, even if "
-          "triangles then cross.",
+          "edges even after rounding. With rounding='nearest', coordinates are the nearest "
+          "doubles, even if triangles then cross.",
           "rounding"_a = "valid");
   def_run(
       c, "to_polygons", &to_polygons,
@@ -425,12 +426,14 @@ void def_reading(nb::class_<Nef3>& c) {
       "uint32 (faces + 1,), corners uint32 (k,), facet uint32 (faces,).");
   def_run(
       c, "to_mesh_with_attributes", &to_mesh_with_attributes,
-      "Return the boundary of regularization(), valid after rounding, as MeshWithAttributes: for "
-      "each face the source that it is a part of, its material, group and id, and interpolated "
-      "numbers at its corners. pieces: parts of a facet are joined with 'same-attributes', joined "
-      "within each face of a source with 'same-face', or each in one triangle of a source with "
-      "'apart'. With `polygons`, planar parts stay polygons; with `floats`, coordinates are "
-      "float32 numbers, stored as float64.\n\n"
+      "Return the boundary of regularization(), valid after rounding, as MeshWithAttributes. For "
+      "each face, it states the source from which the face was made, and its material, group and "
+      "id. It also has interpolated numbers at the corners. A facet consists of parts, each of "
+      "which lies in one triangle of a source. `pieces` states which parts are joined to one "
+      "face: with 'same-attributes', neighbouring parts with the same attributes; with "
+      "'same-face', only those within one face of a source; with 'apart', none. If `polygons` is "
+      "true, planar faces stay polygons. If `floats` is true, coordinates are rounded to float32 "
+      "numbers, and stored as float64.\n\n"
       "    made = (red - blue).to_mesh_with_attributes()\n"
       "    from_blue = made.triangles[made.source == 1]",
       "pieces"_a = "same-attributes", "polygons"_a = false, "floats"_a = false);
@@ -452,7 +455,8 @@ void def_operations(nb::class_<Nef3>& c) {
       +[](Context& k, const Nef3& set, const std::vector<Exact<4>>& rows) {
         return set.transformed(map_of(rows), k);
       },
-      "Return the image under an invertible affine map: three rows (a, b, c, d), exact.",
+      "Return the exact image under an invertible affine map, which is given by three rows (a, b, "
+      "c, d).",
       "matrix"_a);
   def_run(
       c, "translated",
@@ -461,34 +465,37 @@ void def_operations(nb::class_<Nef3>& c) {
       },
       "Return the set moved by an exact vector.", "by"_a);
   def_run(c, "section", &section_of,
-          "Return the points of the set on one side of the plane a x + b y + c z + d = 0, given as "
-          "(a, b, c, d), exact. side: 'closed' (<= 0), 'open' (< 0) or 'plane' (= 0). With "
-          "keep='outside', return the other points of the set.",
+          "Return the points of the set on one side of the plane a x + b y + c z + d = 0, which "
+          "is given by four exact numbers (a, b, c, d). `side` is 'closed' (<= 0), 'open' (< 0) "
+          "or 'plane' (= 0). With keep='outside', return the other points of the set.",
           "plane"_a, "side"_a = "closed", "keep"_a = "inside");
   def_run_static(c, "evaluate", &value_of,
-                 "Return the value of an expression such as '(A + B) * !C': + union, * "
-                 "intersection, - difference, ^ symmetric difference, ! complement. `solids` has "
-                 "the solid of each name.",
+                 "Return the value of an expression such as '(A + B) * !C'. The operators are + "
+                 "(union), * (intersection), - (difference), ^ (symmetric difference) and ! "
+                 "(complement). `solids` contains the solid for each name.",
                  "expression"_a, "solids"_a);
   def_run(c, "decompose", &pieces_of,
-          "Return the convex parts of the set. method: 'best', 'cuts' or 'walls'. If `closed`, "
-          "return their closures.",
+          "Return the convex parts of the set. `method` is 'best', 'cuts' or 'walls'. If `closed` "
+          "is true, return the closures of the parts.",
           "method"_a = "best", "closed"_a = false);
   def_run(c, "reflex_edges", &reflex_edges_of,
           "Return the edges around which the solid spans more than half a turn.");
   def_run(
       c, "minkowski_sum",
       +[](Context& k, const Nef3& a, const Nef3& b) { return minkowski_sum(a, b, k); },
-      "Return the set of all sums of a point of this set and a point of the other.", "other"_a);
+      "Return the Minkowski sum: the set of all sums of a point of this set and a point of the "
+      "other set.",
+      "other"_a);
   def_run(
       c, "minkowski_erosion",
       +[](Context& k, const Nef3& a, const Nef3& b) { return minkowski_erosion(a, b, k); },
-      "Return the vectors by which the other set can be moved so that it lies in this set.",
+      "Return the set of the vectors by which the other set can be translated so that it lies in "
+      "this set.",
       "other"_a);
   def_run(
       c, "distance", &distance_of<Nef3>,
-      "Return the distance of the closures of this set and another, with nearest points and the "
-      "cells that contain them. One of the sets must be bounded.",
+      "Return the distance between the closures of this set and another set, with nearest points "
+      "and the cells that contain these points. One of the sets must be bounded.",
       "other"_a);
 }
 
@@ -512,10 +519,11 @@ void def_files(nb::class_<Nef3>& c) {
       "weld"_a = nb::none(), "reorient"_a = false, "fill_holes"_a = 0U, "fill_holes_below"_a = 0.0,
       nb::kw_only(), "keep"_a = "none", "threads"_a = 1U, "timeout"_a = nb::none(),
       "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
-      with_limits("Read a solid from OFF, OBJ, STL, PLY, glTF, 3MF or .nef. weld, reorient, "
-                  "fill_holes (edges) and fill_holes_below (diameter) mend a mesh first. keep: "
-                  "which attributes of the mesh stay with the solid: 'none', 'colours', 'ids' or "
-                  "'all'. Geometry that the set does not hold is a FileWarning."));
+      with_limits("Read a solid from OFF, OBJ, STL, PLY, glTF, 3MF or .nef. `weld`, `reorient`, "
+                  "`fill_holes` (a number of edges) and `fill_holes_below` (a length) repair a "
+                  "mesh first. `keep` selects the attributes of the mesh that the solid keeps: "
+                  "'none', 'colours', 'ids' or 'all'. A FileWarning reports geometry that the set "
+                  "does not represent."));
   c.def(
       "write",
       [](const Nef3& set, const Path& path, const std::optional<std::string>& format,
@@ -532,18 +540,20 @@ void def_files(nb::class_<Nef3>& c) {
       "path"_a, "format"_a = nb::none(), "rounding"_a = "valid", nb::kw_only(), "threads"_a = 1U,
       "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
       with_limits(
-          "Write the solid as a mesh, or exactly as .nef. The extension or `format` chooses. "
-          "The file is complete or absent. What it does not hold is a FileWarning. A mesh has the "
-          "attributes of the sources that the format holds; OBJ has its materials in a file .mtl "
-          "beside it."));
+          "Write the solid as a mesh, or exactly as .nef. The format is `format` if it is given; "
+          "otherwise the extension determines it. If writing fails, no incomplete file remains. A "
+          "FileWarning reports properties of the solid that the file does not represent. A mesh "
+          "has those attributes of the sources that the format can represent. The materials of an "
+          "OBJ file are written to a file .mtl beside it."));
 }
 
 }  // namespace
 
 void bind_solid(nb::module_& m) {
   nb::class_<Nef3> c(m, "Solid",
-                     "A set of points of space that half-spaces can make: bounded or not, open or "
-                     "closed, with dangling parts or not. Immutable and exact.");
+                     "A set of points of space that can be made from half-spaces by unions, "
+                     "intersections and complements. It may be bounded or unbounded, open or "
+                     "closed, and may have dangling parts. The set is immutable and exact.");
   def_set(c);
   def_bytes(c, &canonical_bytes, &from_bytes);
   def_makers(c);

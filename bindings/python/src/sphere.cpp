@@ -10,8 +10,9 @@ template <>
 struct SetTraits<NefSphere> {
   static constexpr std::size_t kDimension = 3;
   static constexpr const char* kShootDoc =
-      "Return the first marked cell on the walk along the great circle that starts at `origin`, "
-      "takes the shorter way to `direction` and goes on around the sphere, or None.";
+      "Return the first marked cell on a walk along a great circle, or None if the walk meets no "
+      "marked cell. The walk starts at `origin`, takes the shorter way to `direction`, and "
+      "continues until it returns to `origin`.";
 
   static SphereVector point_of(const Exact<3>& p) { return {p.value[0], p.value[1], p.value[2]}; }
   static std::vector<Rational> coordinates(const SphereVector& p) { return {p.x, p.y, p.z}; }
@@ -56,8 +57,9 @@ std::size_t hash_of_counts(const NefSphere& set) {
 
 void bind_sphere(nb::module_& m) {
   nb::class_<NefSphere> c(m, "SphereSet",
-                          "A set of directions that half-spheres can make. A direction is a vector "
-                          "of any length. Immutable and exact.");
+                          "A set of directions that can be made from half-spheres by unions, "
+                          "intersections and complements. A direction is given by a vector of any "
+                          "length. The set is immutable and exact.");
   def_set(c);
   c.def("__hash__", &hash_of_counts);
   c.def("counts", &sphere_counts, "Return the numbers of points, arcs and faces.");
@@ -94,7 +96,8 @@ void bind_sphere(nb::module_& m) {
         return NefSphere::arc(SetTraits<NefSphere>::point_of(from),
                               SetTraits<NefSphere>::point_of(to), boundary_of(closed));
       },
-      "Return the shortest arc between two directions; its ends belong to it if `closed`.",
+      "Return the shortest arc between two directions. The ends of the arc belong to the set if "
+      "`closed` is true.",
       "start"_a, "end"_a, "closed"_a = true);
   def_run_static(
       c, "points",

@@ -233,23 +233,23 @@ CountsOut surface_counts(const SurfaceDivision& division) {
 
 void bind_surface_class(nb::module_& m) {
   nb::class_<Surface> c(m, "Surface",
-                        "An orientable manifold of triangles, with or without a border. A point is "
-                        "the index of a vertex, or (face, u, v), exact: u and v are the weights of "
-                        "the second and the third corner.");
+                        "An orientable manifold of triangles, with or without a border. A point "
+                        "is given by the index of a vertex, or by (face, u, v). Here u and v are "
+                        "the exact weights of the second and the third corner of the face.");
   def_run_static(c, "from_mesh", &surface_from_arrays,
                  "Return the surface of triangles. vertices: float64 (n, 3). triangles: uint32 "
                  "(m, 3).",
                  "vertices"_a, "triangles"_a);
   def_run(c, "geodesic", &geodesic,
-          "Return a locally shortest path between two points, or None if no path joins them. With "
-          "`shortest`, no other path is shorter by more than 2**-40 of its length; this takes "
-          "longer.",
+          "Return a locally shortest path between two points, or None if no path joins them. If "
+          "`shortest` is true, the path is globally shortest: no other path is shorter by more "
+          "than 2**-40 of its length. This takes longer.",
           "start"_a, "end"_a, "shortest"_a = false);
   def_run(
       c, "divide", &divided,
-      "Divide the surface by closed polygons. A polygon is a list of points, which geodesics "
-      "join. `shapes` lists the polygons of each shape; by default each is one. Labels are 0 at "
-      "the face `outside`.",
+      "Divide the surface by closed polygons. A polygon is a list of points, which are joined by "
+      "geodesics. `shapes` lists the polygons of each shape; by default, each polygon is a shape. "
+      "Labels are 0 at the first corner of the face `outside`.",
       "polygons"_a, "shapes"_a = nb::none(), "outside"_a = nb::none());
   c.def_prop_ro(
       "vertex_count", [](const Surface& s) { return s.mesh->vertex_count(); },
@@ -287,7 +287,8 @@ void bind_paths(nb::module_& m) {
         for (const std::vector<double>& loop : r.borders) loops.push_back({loop});
         return loops;
       },
-      "The borders as rounded closed polygons, the region to their left: float64 (k, 3) each.");
+      "The borders of the region as rounded closed polygons, each float64 (k, 3). The region lies "
+      "to their left.");
 }
 
 void bind_division(nb::module_& m) {
@@ -335,7 +336,8 @@ void bind_division(nb::module_& m) {
           "Return triangles that follow the polygons: points float64 (n, 3), triangles uint32 "
           "(m, 3), and the cell of each triangle, uint32 (m,).");
   def_run(c, "write", &write_cells,
-          "Write the triangles with their cells as .obj or .ply. The file is complete or absent.",
+          "Write the triangles with their cells as .obj or .ply. If writing fails, no incomplete "
+          "file remains.",
           "path"_a);
   c.def("__repr__",
         [](const SurfaceDivision& d) { return "<plumb.SurfaceDivision: " + facts_of(d) + ">"; });

@@ -1,16 +1,16 @@
 // ArithmeticWatch: stops exact arithmetic on very long numbers within the limits of a Context.
 //
 // Operations call Context::checkpoint() between their steps. If a file has coordinates of thousands
-// of digits, a single step may take seconds. While an ArithmeticWatch exists, operations on such
-// numbers check the Context as well.
+// of digits, a single step may take seconds. While an ArithmeticWatch exists, each operation on
+// such long numbers checks the Context, too.
 //
 // Main flow:
 //   Context context(Limits{.max_seconds = 5});
 //   const ArithmeticWatch watch(context);
 //   Nef3 result = boolean_op(a, b, BooleanOp::Union, context);
 //
-// Cost: a few nanoseconds for each operation on fractions. Errors: those of
-// Context::checkpoint(), from every function that computes with numbers.
+// Cost: a few nanoseconds for each operation on fractions. Errors: while a watch exists, every
+// function that computes with numbers can throw the errors of Context::checkpoint().
 #pragma once
 
 #include "plumb/base/context.h"
@@ -20,9 +20,9 @@ namespace plumb {
 
 /// While the object exists, arithmetic of the calling thread on long fractions throws
 /// Error{Cancelled} if a stop of `context` was requested, and Error{ResourceLimit} if its time
-/// limit is exceeded. This holds also for the threads that an operation starts. The fractions of
-/// the caller are included. Watches of one thread must be destroyed in the reverse order of their
-/// construction.
+/// limit is exceeded. This holds for the operations of plumb, for the threads that these operations
+/// start, and for fractions that the caller adds, multiplies or compares. Watches of one thread
+/// must be destroyed in the reverse order of their construction.
 class ArithmeticWatch {
  public:
   /// Requires that the context outlives the watch.

@@ -20,10 +20,11 @@ namespace plumb {
 struct Limits {
   std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
   double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
-  /// Largest number of digits of one integer that is read. A fraction may have this number of
-  /// digits above and this number below together. Every double, written out exactly, has fewer.
+  /// Largest number of digits of one number that is read. In a fraction p/q, the digits of p and of
+  /// q are counted together. The default is enough for the exact decimal expansion of every double.
   std::uint32_t max_number_digits = 1100;
-  /// The largest absolute value of an exponent for which a number is read exactly.
+  /// The largest absolute value of a decimal exponent, as in 1e-300, for which a number is read
+  /// exactly.
   std::uint32_t max_decimal_exponent = 1100;
 };
 
@@ -63,9 +64,9 @@ class Context {
   /// checkpoint() does.
   void check_limits(std::string_view phase) const;
 
-  /// Charges memory that is about to be allocated. If `bytes` more bytes would exceed the memory
-  /// limit, the function charges nothing. In this case it throws Error{ResourceLimit} with a
-  /// message that names `what`.
+  /// Charges memory that the operation is about to allocate, that is, adds it to the memory that
+  /// counts against the limit. If `bytes` more bytes would exceed the memory limit, the function
+  /// charges nothing. In this case it throws Error{ResourceLimit} with a message that names `what`.
   void charge_memory(std::uint64_t bytes, std::string_view what);
   /// Subtracts `bytes` from the charged memory, which never falls below 0.
   void release_memory(std::uint64_t bytes);

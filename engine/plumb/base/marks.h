@@ -63,9 +63,10 @@ class MarkTable {
     return table;
   }
 
-  /// Returns the table that combines a set (the first mark) with walls (the second mark). The value
-  /// is kBeyond for a cell that belongs to the set and to a wall. The value is also kBeyond if at
-  /// least one of the marks is kBeyond. Otherwise the value is the mark of the set.
+  /// Returns the table that combines a set (the first mark) with walls (the second mark), which
+  /// divide the set into parts (convex/walls.h). The value is kBeyond for a cell that belongs to
+  /// the set and to a wall. The value is also kBeyond if at least one of the marks is kBeyond.
+  /// Otherwise the value is the mark of the set.
   static constexpr MarkTable walled() {
     MarkTable table(kDifference);
     table.table_ = {0, 0, kBeyond, 1, kBeyond, kBeyond, kBeyond, kBeyond, kBeyond};

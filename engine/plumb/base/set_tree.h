@@ -1,21 +1,26 @@
-// Expressions over sets as trees whose operators take any number of operands, and their evaluation.
+// Represents expressions over sets as trees, and evaluates such trees. An operator of a tree can
+// have any number of operands.
 //
 // Main flow:
 //  1. SetTreeBuilder  takes operands and binary operators. Equal subexpressions become one node
 //  2. finish()        rewrites the expression:
 //                     - chains of unions become one union, and chains of intersections become one
-//                       intersection; an operand that occurs twice in a chain is kept once
+//                       intersection. If an operand occurs twice in a chain, one occurrence is
+//                       dropped
 //                     - intersections with complements, and chains of differences, become one
 //                       difference: (intersection of some operands) - (union of the others)
 //                     - unions with complements become the complement of such a difference, so that
 //                       few sets are unbounded
-//                     A node with several users is evaluated once and ends the chains of its users
-//  3. evaluate_tree() calls functions for unions, intersections and differences of many sets, which
-//                     can choose the order in which they combine them (union_of() in nef3.h)
+//                     If the value of a node is used by several other nodes, the node is not merged
+//                     into a chain. It is evaluated once
+//  3. evaluate_tree() calls functions that compute the union, the intersection or the difference of
+//                     many sets. Each of these functions can choose the order in which it combines
+//                     the sets (an example is union_of() in nef3.h)
 // All rewriting steps are identities of Boolean algebra. So the value is exactly the value of the
 // expression from left to right, for every class of sets.
 //
-// Cost: O(n) for n operators, besides the operations on sets. Nothing recurses.
+// Cost: O(n) for n operators, plus the cost of the operations on sets. No function recurses, so
+// expressions may be nested to any depth.
 #pragma once
 
 #include <cstddef>
@@ -30,19 +35,21 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A rewritten expression. Nodes come after their children.
+/// A rewritten expression. Each node comes after its children in `nodes`.
 struct SetTree {
   /// A node. The children of a union or an intersection have no order. A difference subtracts all
-  /// other children from the first one. A complement has one child, and a symmetric difference two.
+  /// other children from its first child. A complement has one child, and a symmetric difference
+  /// has two children.
   struct Node {
-    SetOperator op = SetOperator::Operand;  ///< What the node is.
+    SetOperator op = SetOperator::Operand;  ///< The kind of the node.
     std::uint32_t operand = 0;              ///< The number of the operand, if `op` is Operand.
     std::uint32_t first_child = 0;          ///< Index into `children`.
     std::uint32_t child_count = 0;          ///< The number of children; 0 for an operand.
   };
   std::vector<Node> nodes;              ///< All nodes.
   std::vector<std::uint32_t> children;  ///< Indices of nodes.
-  std::uint32_t value = 0;              ///< The node whose value is that of the expression.
+  /// The node whose value is the value of the whole expression.
+  std::uint32_t value = 0;
 
   /// Returns the children of a node.
   std::span<const std::uint32_t> children_of(const Node& node) const {
@@ -53,18 +60,18 @@ struct SetTree {
 /// Collects an expression, and rewrites it.
 class SetTreeBuilder {
  public:
-  /// A subexpression.
+  /// A subexpression, as an index that the builder assigns.
   using Term = std::uint32_t;
 
-  /// Returns the operand with a number; the same term for the same number.
+  /// Returns the term for operand `number`. Calls with the same number return the same term.
   Term operand(std::uint32_t number);
-  /// Returns the complement of a term.
+  /// Returns the term for the complement of the term `of`.
   Term complement(Term of);
-  /// Returns the value of a binary operator. Requires an operator other than Operand and
-  /// Complement.
+  /// Returns the term for the value of a binary operator on the terms `a` and `b`. Requires an
+  /// operator other than Operand and Complement.
   Term combine(SetOperator op, Term a, Term b);
 
-  /// Returns the rewritten expression.
+  /// Returns the rewritten form of the expression whose value is the term `value`.
   [[nodiscard]] SetTree finish(Term value) const;
 
  private:
@@ -87,10 +94,11 @@ class SetTreeBuilder {
 /// Returns the rewritten form of a parsed expression. Operand i is expression.names[i].
 [[nodiscard]] SetTree rewritten(const SetExpression& expression);
 
-/// Returns the value of a tree. `operand(i)` returns the value of operand i, and `operations` has
-/// the members union_of(sets), intersection_of(sets) and difference_of(sets), which take a
-/// std::vector<Set> of at least two sets; symmetric_difference(a, b) and complement(a). A value is
-/// freed as soon as no operation needs it any more.
+/// Returns the value of a tree. The caller passes two objects. `operand(i)` returns the value of
+/// operand i. `operations` has the members complement(a), symmetric_difference(a, b),
+/// union_of(sets), intersection_of(sets) and difference_of(sets). The last three take a
+/// std::vector<Set> of at least two sets. A value is freed as soon as no operation needs it any
+/// more.
 template <class Set, class Operand, class Operations>
 [[nodiscard]] Set evaluate_tree(const SetTree& tree, const Operand& operand,
                                 Operations& operations) {

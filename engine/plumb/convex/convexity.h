@@ -1,20 +1,20 @@
 // Tests whether a mesh or a set of space is convex, and returns evidence. The evidence is the
-// number of reflex edges and the list of failing faces. A face fails if vertices lie strictly on
-// both sides of its plane. Each failing face is returned with one vertex that lies strictly on the
-// outer side of its plane.
+// number of reflex edges and the list of failing faces. A face fails if there are vertices strictly
+// on both sides of its plane. Each failing face is returned with one vertex that lies strictly on
+// the outer side of this plane.
 //
 // Main flow of is_convex_mesh(), for a mesh that is a closed 2-manifold:
 //  1. pair     checks that for every directed edge exactly one edge has the opposite direction
 //  2. star     finds a point o that lies strictly behind every face
 //  3. edges    checks that no edge is reflex and no polygon has a reflex corner
 //  4. degree   checks that one ray from o meets exactly one face
-// Steps 1 to 4 prove that the mesh is convex, for the following reason. Consider the projection of
-// the surface from o onto a sphere. Near each face the projection is a covering by step 2. Near
-// each edge it is a covering by step 3. So only vertices can be branch points of the projection.
-// The degree of the projection is the number of faces that a ray from o meets. By step 4 the degree
-// is 1. A covering of degree 1 has no branch points, so the surface is star-shaped about o. A
-// star-shaped surface without reflex edges is convex. Step 4 is needed. Without step 4, a double
-// pyramid that winds twice around its axis would pass the test.
+// Steps 1 to 4 prove that the mesh is convex, for the following reason. Project the surface from o
+// onto a sphere around o. By step 2, the projection is a covering near each face. By step 3, it is
+// a covering near each edge. So only vertices can be branch points of the projection. The degree of
+// the projection is the number of faces that a ray from o meets. By step 4 the degree is 1. A
+// covering of degree 1 has no branch points, so the surface is star-shaped about o. A star-shaped
+// surface without reflex edges is convex. Step 4 is needed. Without step 4, a double pyramid that
+// winds twice around its axis would pass the test.
 //
 // Step 2 may find no point o, because a body can be so flat that no point with double coordinates
 // lies inside the body. In this case the mesh is converted to a set, and the set is tested. The
@@ -38,10 +38,10 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Whether the mesh is the surface of one convex body and covers this surface exactly once. The
-/// faces must be oriented consistently: either all outwards or all inwards. Faces may be coplanar.
-/// Returns false if the mesh is open, is not connected, or is not a 2-manifold. Throws what
-/// complex_of_mesh() throws.
+/// Returns whether the mesh is the surface of one convex body and covers this surface exactly once.
+/// The faces must be oriented consistently: either all of them outwards or all of them inwards.
+/// Faces may be coplanar. Returns false if the mesh is open, is not connected, or is not a
+/// 2-manifold. Throws what complex_of_mesh() throws.
 [[nodiscard]] bool is_convex_mesh(const MeshView& mesh, Context& context = unlimited_context());
 /// Calls the function above for a mesh that owns its arrays.
 [[nodiscard]] inline bool is_convex_mesh(const PolygonMesh& mesh,

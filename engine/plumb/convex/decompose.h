@@ -11,8 +11,8 @@
 //                 bounded volume into fewer convex parts, the step also cuts this volume by walls.
 //                 The decomposition with fewer parts is kept
 //
-// The set is arbitrary. The set may be open, closed, half-open or unbounded, and need not be a
-// manifold. The set may have voids, several components, and dangling facets, edges and points.
+// Every set can be decomposed. The set may be open, closed, half-open or unbounded, and need not be
+// a manifold. The set may have voids, several components, and dangling facets, edges and points.
 //
 // In the names of functions and types, a convex part is a piece. Every piece has a dimension, and
 // its relative interior is convex. Points of the boundary of a piece may be missing, so the piece
@@ -23,10 +23,10 @@
 // Numbers. The plane of each cut contains an edge of the set. In addition, either the plane passes
 // through a vertex of the set, or its equation is an integer combination of the equations of the
 // two facet planes at the edge. No plane is defined by a point that an earlier cut constructed. So
-// the lengths of the numbers in cuts do not grow with the depth of the recursion. The lengths of
-// the numbers in walls grow with the number of rounds. More than one round is needed only if some
-// vertical line meets one cell in several segments. The planes of later rounds are combinations of
-// the planes of two walls (walls.h).
+// the lengths of the numbers in cuts do not grow with the depth of the recursion. Walls are made in
+// rounds (walls.h), and the lengths of the numbers in walls grow with the number of rounds. More
+// than one round is needed only if some vertical line meets one cell in several segments. The
+// equation of the plane of a later wall is a combination of the equations of two earlier walls.
 //
 // Origins distinguish walls from facets of the set. If a facet of a piece lies in a facet of the
 // set, both facets have the same facet_origin. Any other facet of a piece has kWallOrigin. A wall

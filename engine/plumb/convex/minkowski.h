@@ -3,8 +3,8 @@
 //
 // Main flow of minkowski_sum():
 //  1. parts          decomposes both operands into convex parts. Each part is closed or relatively
-//                    open. Relatively open parts are bodies without their boundary, open triangles,
-//                    open segments, and points
+//                    open. A relatively open part is a body (a part of dimension 3) without its
+//                    boundary, an open triangle, an open segment, or a point
 //  2. convex_sum     (convex_sum.h) computes the sum of each pair of parts, except for pairs that
 //                    cannot change the result
 //  3. union_of       unites the sums
@@ -20,12 +20,13 @@
 //                       other operand that do not lie in the boundary of another part. If neither
 //                       part of a pair is a body, the sum of this pair is always needed.
 // So the sum is open if at least one operand is open, and the sum is closed if both operands are
-// closed. Consider two half-open boxes and one facet, edge or vertex of the boundary of their sum.
-// The sum contains this cell if each of the two boxes contains its facet, edge or vertex in the
-// direction of this cell. Suppose that, in one direction, the facets of both operands are unmarked.
-// The sum's facet in this direction can still have marked parts, because marked edges and vertices
-// of the two facets are added, too. For example, the sum of two marked edges that are not parallel
-// is a marked parallelogram in the sum's facet.
+// closed. For example, let the operands be two half-open boxes. The boundary of their sum has one
+// cell (a facet, edge or vertex) in each direction, and so has the boundary of each box. The sum
+// contains its cell in a direction if each of the two boxes contains its own cell in this
+// direction. Suppose that, in one direction, the facets of both operands are unmarked. The sum's
+// facet in this direction can still have marked parts, because marked edges and vertices of the two
+// facets are added, too. For example, the sum of two marked edges that are not parallel is a marked
+// parallelogram in the sum's facet.
 //
 // Cost: let the operands have sizes n and m, and let the sum have k facets. The sum of two convex
 // sets takes O((n + m + k) log(n + m + k)) time under two conditions (convex_sum.h). The degrees of

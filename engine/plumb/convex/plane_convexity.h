@@ -1,19 +1,21 @@
 // Convexity of sets of the plane. The set is arbitrary: each cell may be open or closed, and the
 // set may be unbounded. The set may also be a line, a segment, or a set of points.
 //
-// Main flow of convexity_of_set(), where S is the set of a minimal complex:
-//  1. face    examines the marked faces. If there are two or more marked faces, S is not convex. In
-//             this case, a segment between two of the faces leaves S, or it crosses an edge or
-//             vertex that a minimal complex would not contain. If there is exactly one marked face
-//             f, it must have one boundary loop and no reflex corner. Then f is convex (Tietze
-//             1928). All other marked cells must lie on the boundary of f, so that S contains f and
-//             is contained in the closure of f
-//  2. sides   checks the segments between two points of S on the same side of f. The marked cells
-//             of each side must be consecutive
+// Main flow of convexity_of_set(), where S is the tested set, which is stored as a minimal complex:
+//  1. face    examines the marked faces. If there are two or more marked faces, S is not convex,
+//             for the following reason. If S were convex, a segment between two of the faces would
+//             lie in S. It would cross an edge or a vertex between the faces, and a minimal complex
+//             would not contain this edge or vertex. If there is exactly one marked face f, it must
+//             have one boundary loop and no reflex corner. Then f is convex (Tietze 1928). All
+//             other marked cells must lie on the boundary of f, so that S contains f and is
+//             contained in the closure of f
+//  2. sides   checks the sides of f. A side of f can consist of several edges and vertices on one
+//             line. Those of them that are marked must be consecutive, because S must contain the
+//             segment between any two of its points on this side
 //  3. none    examines a set without a marked face. Two marked edges on different lines span a
-//             triangle that is not in S. Two marked edges on the same line would be one edge if S
-//             were convex. So S is convex in three cases only: S is empty, S is one point, or S is
-//             one edge. Each end of this edge may or may not belong to S
+//             triangle that is not in S. Two marked edges on the same line would be a single edge
+//             if S were convex. So S is convex in three cases only: S is empty, S is one point, or
+//             S is one edge. Each end of this edge may or may not belong to S
 //
 // The convexity test in space uses the same argument in each plane. The evidence consists of the
 // reflex corners and the number of connected components. Cost: O(n). Proof: docs/design/walls.md.

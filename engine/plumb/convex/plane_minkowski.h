@@ -3,26 +3,34 @@
 // cells are exact, too.
 //
 // Main flow of minkowski_sum() for closed operands:
-//  1. decompose  splits the operand with fewer convex pieces into its pieces (plane_partition.h)
-//  2. convolve   makes, for each piece, the convolution of the border of the other operand with the
-//                border of the piece, and takes the points with a positive winding number
+//  1. decompose  splits one operand into convex pieces (plane_partition.h): the operand that has
+//                fewer of them
+//  2. convolve   makes, for each piece, the convolution of the border of this piece with the border
+//                of the other operand. A convolution is a set of closed polygons. The step takes
+//                all points around which these polygons have a positive winding number. These
+//                points are the sum of the piece and the other operand
 //  3. union_of   unites the results of all pieces
 // If an operand is not closed, both operands are split into relatively open convex cells: open
 // polygons, open segments, and points. The sum of two such cells is the relative interior of the
-// sum of their closures. An open polygon is added only to those cells of the other operand that do
-// not lie in the border of another cell, because the other sums lie within these.
+// sum of their closures. An open polygon P is added only to those cells of the other operand that
+// do not lie in the border of another cell. The reason is that, if a cell C lies in the border of a
+// cell D, the sum of P and C lies within the sum of P and D.
 //
-// Why the winding number is right: the convolution of a closed region A and a convex polygon B
-// winds around a point p as often as the Euler characteristic of the intersection of A with p - B.
-// This is the number of components of the intersection minus the number of its holes. As p - B is
-// convex, a loop of A that surrounds such a hole lies in p - B entirely. So one copy of B is added
-// at one vertex of each loop: its winding number is 1 for such a point p. The sum is positive
-// exactly for the points p for which the intersection is not empty.
+// Why the winding number is right: let A be a closed region and let B be a convex polygon. A point
+// p belongs to A + B exactly if A meets the polygon p - B. The winding number of the convolution of
+// A and B at p is the Euler characteristic of the intersection of A and p - B. The Euler
+// characteristic is the number of components of the intersection minus the number of its holes. So
+// the holes could make the winding number 0 or negative at a point of A + B. To prevent this, one
+// copy of B is added to the convolution at one vertex v of each loop of A: the polygon v + B. If a
+// loop of A surrounds a hole of the intersection, the whole loop lies in the convex polygon p - B.
+// Then p lies in v + B, and the copy adds 1 to the winding number at p. With these copies, the
+// winding number is positive exactly at the points p for which A meets p - B.
 //
 // Cost: let the closed operands have n and m vertices, and let one of them consist of k convex
-// pieces. A convolution with a piece has at most n (1 + m) segments, and for a border that does not
-// turn to and fro about n + m. Its sweep takes O((s + c) log s) for s segments and c crossings. For
-// operands that are not closed, the number of sums is the product of the numbers of cells. Numbers:
+// pieces. The convolution with one piece has at most n (1 + m) segments. If the border of the other
+// operand has few reflex corners, the convolution has about n + m segments. The sweep over a
+// convolution with s segments and c crossings takes O((s + c) log s). For operands that are not
+// closed, the number of sums is the product of the numbers of cells of the two operands. Numbers:
 // each vertex of the result is a sum of two vertices, or a crossing of two lines through such sums.
 // Sources: L. Guibas, L. Ramshaw, J. Stolfi, A kinetic framework for computational geometry, FOCS
 // 1983, 100-111; R. Wein, Exact and efficient construction of planar Minkowski sums using the

@@ -29,10 +29,11 @@
 // the closures of the pieces is the closure of the set.
 //
 // Bounds. Consider a face with r reflex corners and h holes of positive area. Method cuts makes at
-// most r + 1 - h parts. No partition has fewer than r / 2 + 1 - h parts, because each segment of a
-// partition ends at two corners at most. If 3 h <= r, these two bounds differ by a factor of at
-// most 4. If there are no holes, the two bounds differ by a factor of at most 2. Method diagonals
-// makes at most 2 r + 1 - h parts. The proofs are in docs/convex.md.
+// most r + 1 - h parts. No partition has fewer than r / 2 + 1 - h parts, because each reflex corner
+// must be divided by a segment of the partition, and one segment can divide at most two corners,
+// one at each of its ends. If 3 h <= r, these two bounds differ by a factor of at most 4. If there
+// are no holes, the two bounds differ by a factor of at most 2. Method diagonals makes at most 2 r
+// + 1 - h parts. The proofs are in docs/convex.md.
 //
 // Cost: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal. Method diagonals constructs
 // no points. Method cuts constructs only points that are intersections of two lines of the set.
@@ -88,24 +89,27 @@ struct PlanePieces {
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options = {},
                       Context& context = unlimited_context());
 
-/// Pieces whose vertices are doubles.
+/// Pieces whose vertices have doubles as coordinates.
 struct RoundedPieces {
-  /// For each piece, its closure with vertices at doubles. A piece that vanishes in doubles is
-  /// empty.
+  /// The closure of each piece, with vertices whose coordinates are doubles. If rounding leaves
+  /// nothing of a piece, its entry is the empty set.
   std::vector<Nef2> pieces;
-  /// The number of pieces that are not convex, because a side was bent to a corner of a neighbour.
+  /// The number of pieces that are not convex, because rounding bent a side to a corner of a
+  /// neighbour.
   std::size_t not_convex = 0;
   PlaneRoundingReport rounding;  ///< What rounding has changed.
 };
 
-/// Returns the closures of the pieces, rounded to doubles as one subdivision (plane_rounding.h). So
-/// bounded pieces with an area have disjoint interiors, and pieces that share a border still share
-/// it. If a corner of one piece lies on a side of another one and is not at doubles, this side may
-/// be bent to the corner, by at most rounding.largest_move. If all vertices are doubles, the result
-/// is the closures of the pieces. Requires that the pieces have disjoint interiors, as those of
-/// decompose() have. Pieces without area are rounded one by one, and unbounded pieces are returned
-/// exactly. Throws Error{NumberOutOfRange} if a coordinate lies beyond the largest double, and what
-/// the context throws. Cost: O(n log n) for n corners of all pieces.
+/// Returns the closures of the pieces, rounded to doubles. All pieces are rounded together, as one
+/// subdivision of the plane (plane_rounding.h). Therefore bounded pieces with an area still have
+/// disjoint interiors, and pieces that share a border still share it. Suppose that a corner of one
+/// piece lies on a side of another piece, and that this corner has to be rounded. Then the side may
+/// be bent, so that it still passes through the corner. No point of the side moves farther than
+/// rounding.largest_move. If all coordinates of vertices are doubles, the function returns the
+/// closures of the pieces unchanged. Requires that the pieces have disjoint interiors, like the
+/// pieces that decompose() returns. Pieces without area are rounded one by one, and unbounded
+/// pieces are returned exactly. Throws Error{NumberOutOfRange} if a coordinate lies beyond the
+/// largest double, and what the context throws. Cost: O(n log n) for n corners of all pieces.
 RoundedPieces round_to_doubles(std::span<const Nef2> pieces,
                                Context& context = unlimited_context());
 

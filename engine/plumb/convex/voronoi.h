@@ -1,18 +1,21 @@
-// Voronoi diagrams of points of the plane, exactly: the cell of a site consists of the points that
-// are at least as near to this site as to every other site.
+// Exact Voronoi diagrams of points of the plane. The points are called sites. The cell of a site
+// consists of all points of the plane that are at least as near to this site as to every other
+// site.
 //
 // Main flow of voronoi_cells():
-//  1. delaunay   (triangulation.h) finds which sites are neighbours
+//  1. delaunay   (triangulation.h) finds the neighbours of each site
 //  2. centres    computes the exact centre of the circle of each triangle. The centres of the
 //                triangles around a site inside the convex hull are the corners of its cell
-//  3. clip       cuts the cells to a box. The cell of a site on the convex hull is the box, cut by
+//  3. clip       intersects the cells with a box. The cell of a site on the convex hull is made by
+//                another method: it is the part of the box that remains after the box was cut by
 //                the bisectors between the site and its neighbours
 //
-// Corners are rational points, so equal corners of several cells are equal exactly, and cells share
-// their borders.
+// The corners of cells are exact rational points. So neighbouring cells have exactly the same
+// corners and the same common border.
 //
-// Cost: that of delaunay(), and O(d) exact steps for a site with d neighbours; O(d^2) if the site
-// lies on the convex hull.
+// Cost: the cost of delaunay(), plus the following costs for each site, where d is the number of
+// its neighbours. A site inside the convex hull takes O(d) exact steps, and a site on the convex
+// hull takes O(d^2) exact steps.
 #pragma once
 
 #include "plumb/base/context.h"
@@ -23,11 +26,12 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the Voronoi cells of sites inside the box between two corners, as a layer. Feature i is
-/// the cell of site i: a convex polygon, or no polygon if the cell does not meet the inside of the
-/// box, or if the site equals an earlier one. Features have no ids and no properties.
-/// repair_layer() rounds such a layer to doubles. Throws Error{BadArgument} unless the box has an
-/// area, and what the context throws.
+/// Returns the parts of the Voronoi cells that lie in a box, as a layer. `low` and `high` are two
+/// opposite corners of the box. Feature i is the cell of site i, which is a convex polygon. The
+/// feature has no polygon if the cell does not meet the interior of the box, or if the site equals
+/// an earlier site. Features have no ids and no properties. repair_layer() rounds such a layer to
+/// doubles. Throws Error{BadArgument} if the area of the box is not positive. Also throws what the
+/// context throws.
 [[nodiscard]] Layer voronoi_cells(const PointTable2& sites, const RationalPoint2& low,
                                   const RationalPoint2& high,
                                   Context& context = unlimited_context());

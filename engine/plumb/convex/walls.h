@@ -9,25 +9,28 @@
 //                       boundary of the set. Afterwards only vertical edges are reflex
 //  3. spread_walls      (wall_spread.h) takes each vertical reflex edge, and extends a wall from it
 //                       sideways into the reflex angle, up to the first facet or wall
-//  4. with_walls        (wall_complex.h) overlays all walls with the set, once after step 2 and
-//                       once after step 3
+//   4. with_walls        (wall_complex.h) overlays all walls with the set, once after step 2 and
+//                        once after step 3
+//  Steps 2 to 4 form a round. Rounds are repeated until no edge is reflex. One round is usually
+//                       enough.
 //
 // A wall is bounded. A wall of step 2 ends where it meets the boundary of the set. The sides of the
-// wall are vertical lines through the ends of its edge. Step 3 continues at these lines. Step 2
-// cuts a set with r reflex edges into O(r^2) cells, because every wall meets O(r) other walls. Step
-// 3 adds at most one part for each vertical edge. O(r^2) parts are optimal in the worst case
-// (Chazelle 1984).
+// wall are vertical lines through the ends of its edge. Step 3 extends further walls from these
+// lines. Step 2 cuts a set with r reflex edges into O(r^2) cells, because every wall meets O(r)
+// other walls. Step 3 adds at most one part for each vertical edge. O(r^2) parts are optimal in the
+// worst case (Chazelle 1984).
 //
 // Numbers. In the first round, the plane of each wall is the plane of a facet, or passes through
-// the common line of the planes of two facets. A test unites tetrahedra with 53-bit coordinates, or
-// subtracts them from a block (walls_test.cpp). With a vertical direction along an axis, the
-// longest number of a wall had 262 bits; the aim is at most 800 bits. Each coordinate of a chosen
-// vertical direction has at most 64 bits. A coordinate of k bits makes the numbers k bits longer.
-// Later rounds are needed only if some vertical line meets one cell in several segments. The plane
-// of each wall of a later round passes through the common line of the planes of two walls. So the
-// lengths of numbers grow with the number of rounds, but not with the number of walls. If a point
-// was removed from a volume, a wall through that point is needed, and the length of its numbers
-// depends on the point.
+// the common line of the planes of two facets. The test walls_test.cpp measures the lengths of
+// numbers in walls, for unions of tetrahedra with 53-bit coordinates and for blocks minus such
+// tetrahedra. If the vertical direction is the direction of an axis, the longest number has 262
+// bits. The test requires at most 800 bits. Each coordinate of a chosen vertical direction has at
+// most 64 bits. If a coordinate of the direction has k bits, the numbers become up to k bits
+// longer. Later rounds are needed only if some vertical line meets one cell in several segments.
+// The plane of each wall of a later round passes through the common line of the planes of two
+// walls. So the lengths of numbers grow with the number of rounds, but not with the number of
+// walls. If a point was removed from a volume, a wall through that point is needed, and the length
+// of its numbers depends on the point.
 //
 // In an unbounded set only the bounded volumes are cut by walls, because in an unbounded volume a
 // wall could reach to infinity. Unbounded volumes are cut by planes instead, as in the first method

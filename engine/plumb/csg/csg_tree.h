@@ -1,12 +1,15 @@
-// Trees of constructive solid geometry: primitives, maps, Booleans, hulls, sums and extrusions, as
-// OpenSCAD writes them in its flattened files (.csg).
+// Trees of constructive solid geometry (CSG). The nodes of a tree are primitives, affine maps,
+// Booleans, hulls, Minkowski sums and extrusions. OpenSCAD writes such trees in its flattened files
+// (.csg).
 //
 // The nodes of a tree are numbered in preorder: a node comes before its children, and the subtree
-// of a node is a range of nodes. All data are in flat arrays. The numbers and the indices of a node
-// are ranges of two common arrays; CsgKind says what they mean.
+// of a node is a range of nodes. All data are in flat arrays. A node has parameters: some numbers
+// (doubles) and some indices (integers). The numbers of all nodes are in one array, and the indices
+// of all nodes are in another array. The comments of CsgKind state which parameters a node of each
+// kind has.
 //
-// A node is a set of the plane, a set of space, or nothing. Groups, unions, colours and so on are
-// the unions of their children. evaluate.h says what a tree means.
+// The value of a node is a set of the plane, a set of space, or nothing. The file evaluate.h
+// defines the value of each kind of node.
 #pragma once
 
 #include <cstddef>
@@ -22,61 +25,79 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The kinds of nodes, and their numbers. A division of circles is three numbers: $fn, $fa and $fs.
+/// The kinds of nodes. Each comment states the value of the node and its numbers. The word
+/// "division" stands for three numbers $fn, $fa and $fs, which determine how circles are divided
+/// into chords (CircleDivision in primitives.h).
 enum class CsgKind : std::uint8_t {
   Root,   ///< The union of the children: the whole file.
   Group,  ///< The union of the children.
   Union,  ///< The union of the children.
-  /// The union of the children. Four numbers: red, green, blue, opacity; or none. A negative number
-  /// means that there is no colour.
+  /// The union of the children, with a colour. Either four numbers (red, green, blue and opacity)
+  /// or no numbers. Negative numbers mean that there is no colour.
   Color,
   Render,        ///< The union of the children.
-  Difference,    ///< The first child without all others.
-  Intersection,  ///< What lies in all children.
+  Difference,    ///< The first child minus all other children.
+  Intersection,  ///< The intersection of all children.
   Hull,          ///< The convex hull of all children together.
   Minkowski,     ///< The Minkowski sum of all children.
   Multmatrix,    ///< The image of the union of the children. Twelve numbers: three rows of a map.
-  /// The union of the children, scaled along the axes. Six numbers: the size along each axis, or 0;
-  /// then for each axis whether its factor is automatic.
+  /// The union of the children, scaled along the axes. Six numbers. The first three are the sizes
+  /// of the result along the axes; 0 means that no size is given. The last three belong to the
+  /// axes, too. They matter only for an axis without a size: 1 means that its factor is the
+  /// greatest factor of the other axes, and 0 means that its factor is 1.
   Resize,
-  /// The union of the children grown by a distance. Five numbers: distance; 0 for round joins, 1
-  /// for mitres, 2 for square joins; division of circles.
+  /// The union of the children, grown by a distance. Five numbers: the distance; 0 for round joins,
+  /// 1 for mitres, or 2 for square joins; the division.
   Offset,
-  /// The shadow of the children, or, if its one number is not 0, their slice at z = 0.
+  /// A set of the plane made from the union of the children. One number: 0 for the projection of
+  /// the union along the z-axis, any other value for the slice of the union at z = 0.
   Projection,
-  /// Nine numbers: height; whether it is centred; twist; slices, or 0; scale of x and y; division.
+  /// The solid that the union of the children sweeps along the z-axis. Nine numbers: the height; 1
+  /// if the solid is centred at z = 0, else 0; the twist; the number of slices, or 0 if it is not
+  /// given; the scales of x and y at the top; the division.
   LinearExtrude,
-  RotateExtrude,  ///< Four numbers: angle; division.
-  Cube,           ///< Four numbers: sizes; whether it is centred.
-  Sphere,         ///< Four numbers: radius; division.
-  Cylinder,       ///< Seven numbers: height; radius at the bottom and the top; centred; division.
-  /// The numbers are the coordinates of the points. The indices are the number of faces, the number
-  /// of corners of each face, and the corners of all faces, clockwise seen from outside.
+  /// The solid that the union of the children sweeps around the z-axis. Four numbers: the angle;
+  /// the division.
+  RotateExtrude,
+  /// A box. Four numbers: the three sizes; 1 if the box is centred at the origin, else 0.
+  Cube,
+  Sphere,  ///< Four numbers: radius; division.
+  /// A cylinder or cone. Seven numbers: the height; the radii at the bottom and at the top; 1 if it
+  /// is centred, else 0; the division.
+  Cylinder,
+  /// A solid bounded by listed faces. The numbers are the coordinates of the points. The indices
+  /// are the number of faces, then the number of corners of each face, and then the corners of all
+  /// faces. The corners of a face are in clockwise order, seen from outside.
   Polyhedron,
-  Square,  ///< Three numbers: sizes; whether it is centred.
+  /// A rectangle. Three numbers: the two sizes; 1 if the rectangle is centred at the origin, else
+  /// 0.
+  Square,
   Circle,  ///< Four numbers: radius; division.
-  /// The numbers are the coordinates of the points. The indices are as in a polyhedron, with paths
-  /// instead of faces. Points inside an odd number of paths belong to the set.
+  /// A set of the plane bounded by listed paths. The numbers are the coordinates of the points. The
+  /// indices are as in Polyhedron, with paths instead of faces. A point belongs to the set if it
+  /// lies inside an odd number of paths.
   Polygon,
-  Solid,  ///< A set of space from a file. One index: into CsgTree::solids.
-  Shape,  ///< A set of the plane from a file. One index: into CsgTree::shapes.
+  Solid,  ///< A set of space from a file. One index into CsgTree::solids.
+  Shape,  ///< A set of the plane from a file. One index into CsgTree::shapes.
 };
 
-/// Returns the word for a kind, as in a file. Sets from files are called "import".
+/// Returns the word by which a .csg file calls nodes of this kind, such as "linear_extrude". For
+/// Solid and Shape, which are sets from files, the word is "import".
 [[nodiscard]] std::string_view name_of(CsgKind kind);
-/// Whether nodes of a kind are the union of their children and nothing else.
+/// Whether the value of a node of this kind is simply the union of the node's children.
 [[nodiscard]] bool is_union(CsgKind kind);
 
 /// A tree. Node 0 is the root, and its kind is Root.
 struct CsgTree {
   /// A node.
   struct Node {
-    CsgKind kind = CsgKind::Root;    ///< What the node is.
-    std::uint32_t end = 1;           ///< The node after the last node of the subtree.
+    CsgKind kind = CsgKind::Root;  ///< The kind of the node.
+    /// The index of the node that follows the last node of this node's subtree.
+    std::uint32_t end = 1;
     std::uint32_t first_number = 0;  ///< Index into `numbers`.
-    std::uint32_t number_count = 0;  ///< How many numbers the node has.
+    std::uint32_t number_count = 0;  ///< The number of entries in `numbers`.
     std::uint32_t first_index = 0;   ///< Index into `indices`.
-    std::uint32_t index_count = 0;   ///< How many indices the node has.
+    std::uint32_t index_count = 0;   ///< The number of entries in `indices`.
     std::uint32_t line = 0;          ///< The line of the file, counted from 1; 0 if unknown.
     std::uint32_t column = 0;        ///< The column, counted from 1.
   };

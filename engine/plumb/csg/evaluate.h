@@ -1,35 +1,40 @@
-// The set that a tree of constructive solid geometry describes: evaluate(CsgTree), exactly.
+// Evaluates trees of constructive solid geometry (csg_tree.h): evaluate() returns the exact set
+// that a tree describes.
 //
 // Main flow:
 //  1. dimensions   finds which nodes are sets of the plane, sets of space, or nothing
-//  2. equal nodes  numbers the nodes so that equal subtrees have equal numbers; each is evaluated
-//                  once
-//  3. regions      the nodes of a maximal part of the tree that consists of Booleans are rewritten
-//                  together (base/set_tree.h), and evaluated with unions and differences of many
-//                  sets
-//  4. nodes        all other nodes are computed from their children: primitives (primitives.h),
-//                  maps, hulls, extrusions, slices, sums
+//  2. equal nodes  numbers the nodes so that equal subtrees have equal numbers. Of several equal
+//                  subtrees, only the first one is evaluated
+//  3. regions      rewrites Booleans. Each maximal connected part of the tree that consists of
+//                  Booleans only is rewritten as a whole (base/set_tree.h). It is then evaluated
+//                  with unions and differences of many sets
+//  4. nodes        computes all other nodes from their children. These nodes are primitives
+//                  (primitives.h), maps, hulls, extrusions, slices and Minkowski sums
 //
-// Meaning. Sets are closed and regular: each is the closure of its interior. So a difference is
-// closed, and an intersection of solids that only touch is empty. Coordinates of primitives are
-// doubles; the maps above them are applied exactly, and the results of Booleans, hulls, sums,
-// projections and slices are exact. Twisted, scaled and rotated extrusions have corners that are
-// rounded to doubles.
+// Meaning. The value of each node is a closed and regular set: it is the closure of its interior.
+// So a difference is closed, and an intersection of solids that only touch is empty. The
+// coordinates of primitives are doubles. Maps, Booleans, hulls, sums, projections and slices are
+// computed exactly. Twisted, scaled and rotational extrusions have corners that are rounded to
+// doubles.
 //
-// OpenSCAD's rules: the children of a node that is no Boolean are united. The first child that is
-// not nothing decides whether a node is a set of the plane or of space; children of the other
-// dimension are left out, with a note. A difference whose first child is nothing is nothing, and so
-// is an intersection with nothing. Hulls and sums pass over nothing. A map with a singular matrix
-// gives nothing, with a note.
+// The following rules are those of OpenSCAD. A node that is neither a Boolean nor a hull or sum
+// operates on the union of its children. A node without geometry below it has the value "nothing".
+// The first child whose value is not "nothing" decides whether a node is a set of the plane or of
+// space. Children of the other dimension are left out, and a note reports this. The value of a
+// difference is "nothing" if the value of its first child is "nothing". The value of an
+// intersection is "nothing" if the value of any child is "nothing". Hulls and sums ignore children
+// with the value "nothing". The value of a map with a singular matrix is "nothing", and a note
+// reports this.
 //
 // Colours. The colours of a set of space are stored in its sources (source_mesh.h), as materials of
-// the faces that primitives, extrusions, hulls and sums make. The outermost colour wins, also over
-// the colours of imported files. A hull, a sum or an extrusion does not keep the colours of its
-// children, with a note. Sets of the plane have no colours. Colours never change the set.
+// faces. The faces are those of primitives, extrusions, hulls and sums. If colours are nested, the
+// outermost colour is used. This colour also replaces the colours of imported files. A hull, a sum
+// or an extrusion does not keep the colours of its children, and a note reports this. Sets of the
+// plane have no colours. Colours never change the set.
 //
-// Cost: the sum of the operations. Errors: Error{BadArgument}, OpenMesh and other errors of the
-// operations get the place of the node, if the tree has places; so do ResourceLimit and NotFinite.
-// Nothing recurses over the tree.
+// Cost: the sum of the costs of all operations. Errors: Error{BadArgument}, Error{NotFinite},
+// Error{ResourceLimit}, OpenMesh and the other errors of the operations. If the tree states lines
+// and columns, an error names the position of the node. No function recurses over the tree.
 #pragma once
 
 #include <cstddef>
@@ -45,30 +50,36 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// What a node is.
+/// The kind of value that a node has.
 enum class CsgDimension : std::uint8_t {
   Nothing,  ///< The node has no geometry below it.
   Plane,    ///< A set of the plane.
   Space,    ///< A set of space.
 };
 
-/// How the value of a node was found.
+/// How evaluate() found the value of a node.
 enum class CsgWork : std::uint8_t {
-  LeftOut,    ///< The value has no influence on the result.
-  Computed,   ///< The node was evaluated.
-  Rewritten,  ///< The node is computed with its user: a Boolean of many sets, or a chain of maps.
-  Shared,     ///< The value is that of an equal node before it.
+  LeftOut,   ///< The value has no influence on the result.
+  Computed,  ///< The node was evaluated.
+  /// The node was computed together with the node above it, as a part of a Boolean of many sets or
+  /// of a chain of maps.
+  Rewritten,
+  Shared,  ///< The value was taken from an equal node with a lower index.
 };
 
-/// What is known of a node after an evaluation.
+/// A report about one node of an evaluated tree.
 struct CsgNodeReport {
-  CsgDimension dimension = CsgDimension::Nothing;  ///< What the node is.
+  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of its value.
   CsgWork work = CsgWork::LeftOut;                 ///< How its value was found.
-  /// If `work` is Shared, the node whose value was taken. Otherwise the node itself.
+  /// If `work` is Shared, the index of the node whose value was taken. Otherwise the index of this
+  /// node.
   std::uint32_t same_as = 0;
   std::size_t cells =
-      0;               ///< If `work` is Computed: the number of facets, or of edges in the plane.
-  double seconds = 0;  ///< If `work` is Computed: the time, without that of the nodes below it.
+      /// If `work` is Computed: the number of facets of a set of space, or of edges of a set of the
+      /// plane.
+      0;
+  /// If `work` is Computed: the time in seconds, without the time for the nodes below this node.
+  double seconds = 0;
 };
 
 /// The value of a tree.
@@ -77,21 +88,21 @@ struct CsgResult {
   Nef2 shape;                        ///< The value, if it is a set of the plane; otherwise empty.
   Nef3 solid;                        ///< The value, if it is a set of space; otherwise empty.
   std::vector<CsgNodeReport> nodes;  ///< A report for each node.
-  /// Notes for a human: what was left out. Each is one sentence, with the line and the column of
-  /// the node if the tree has places.
+  /// Notes for a human reader about contents of the tree that were left out. Each note is one
+  /// sentence. It begins with the line and the column of the node, if the tree states them.
   std::vector<std::string> notes;
 };
 
 /// Options of an evaluation.
 struct CsgEvaluateOptions {
-  /// Whether the value has the colours of the tree. A tree without colours costs the same either
-  /// way.
+  /// Whether the value has the colours of the tree. This costs time only if the tree has colours.
   bool colors = true;
 };
 
-/// Returns the value of a tree. The progress that is reported names the nodes: "hull at line 12".
+/// Returns the value of a tree. The phases that are reported to `context` name the nodes, as in
+/// "hull at line 12".
 [[nodiscard]] CsgResult evaluate(const CsgTree& tree, Context& context = unlimited_context());
-/// Returns the value of a tree as the function above does, with options.
+/// Does the same as the function above, with options.
 [[nodiscard]] CsgResult evaluate(const CsgTree& tree, const CsgEvaluateOptions& options,
                                  Context& context = unlimited_context());
 

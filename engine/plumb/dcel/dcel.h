@@ -8,8 +8,8 @@
 //   loop l      : is one boundary cycle of a face, or an isolated vertex in a face. A loop refers
 //                 to its first half-edge or to its isolated vertex. A loop also refers to its face,
 //                 and to the next loop of this face
-//   face f      : refers to its first loop; only the owner knows which loop is the outer loop,
-//                 because this depends on the geometry
+//   face f      : refers to its first loop. The structure does not know which loop is the outer
+//                 loop, because this depends on the geometry. Only the owner knows it
 //   vertex v    : refers to one half-edge that leaves v; an isolated vertex refers to its loop
 //   corner      : is a position at a vertex, inside a face, where an edge can be attached. A corner
 //                 at a half-edge h lies at origin(h), just before h on the loop of h. An isolated
@@ -20,8 +20,8 @@
 //
 // Main flow:
 //  1. Building
-//     Dcel::from_cycles      takes listed cycles of vertex ids; in all cycles together, every edge
-//                            occurs once in each direction
+//     Dcel::from_cycles      takes listed cycles of vertex ids. Every edge must occur in the cycles
+//                            exactly twice, once in each direction
 //     Dcel::from_links       takes half-edges with known successors
 //  2. Editing by Euler operators. The two operators of each pair undo each other
 //     add_face/remove_face       add and remove a face without loops (a whole plane or sphere)
@@ -34,9 +34,10 @@
 //  3. audit                      checks every invariant from scratch
 //
 // Removed cells leave holes in the numbering until compact() is called. The ids of all cells that
-// are not removed stay valid. New cells get new ids at the end, so that parallel arrays only grow
-// by push_back. All operations take O(1) time unless stated otherwise. If an operator finds that a
-// precondition is violated, the operator reports a broken invariant (PLUMB_CHECK in error.h).
+// are not removed stay valid. A new cell gets the next id after all ids of its kind. So the owner
+// adds an entry to its parallel array by push_back. All operations take O(1) time unless stated
+// otherwise. If an operator finds that a precondition is violated, the operator reports a broken
+// invariant (PLUMB_CHECK in error.h).
 //
 // The half-edges that leave a vertex form a ring in counter-clockwise order. A pinch is a vertex
 // whose half-edges form several rings. A pinch arises if listed cycles touch at a vertex without
@@ -70,8 +71,8 @@ constexpr EdgeId edge_of(HalfedgeId h) { return EdgeId(h.value() >> 1U); }
 /// Returns the half-edge with the even id of an edge.
 constexpr HalfedgeId first_half(EdgeId e) { return HalfedgeId(e.value() << 1U); }
 
-/// The id of a half-edge, an id of type `Other`, or no id. The top bit distinguishes the two kinds
-/// of ids.
+/// The id of a half-edge, an id of type `Other`, or no id. The top bit of the stored number
+/// distinguishes the two kinds of ids.
 template <class Other>
 class HalfedgeOr {
  public:
@@ -109,8 +110,8 @@ class Ring {
   /// Iterator that stops when it reaches the first id again.
   class Iterator {
    public:
-    using value_type = Id;                   ///< Every iterator has this type.
-    using difference_type = std::ptrdiff_t;  ///< Every iterator has this type.
+    using value_type = Id;                   ///< Required of every iterator.
+    using difference_type = std::ptrdiff_t;  ///< Required of every iterator.
     Iterator() = default;
     Iterator(Id first, Step step)
         : at_(first), first_(first), step_(step) {}  ///< Starts at `first`.
@@ -146,7 +147,7 @@ class Ring {
 };
 
 /// The new ids after compact(). Each array is indexed by old ids and contains new ids. The entry of
-/// a removed cell is the invalid id. The order of the cells is kept.
+/// a removed cell is the invalid id. The new ids are in the same order as the old ids.
 struct DcelCompaction {
   IdVector<VertexId, VertexId> vertex;  ///< New id of each old vertex.
   IdVector<EdgeId, EdgeId> edge;        ///< New id of each old edge.
@@ -205,10 +206,11 @@ class Dcel {
   ///   isolated       vertices without edges; a vertex id that occurs neither in a cycle nor in
   ///                  this array is a hole of the numbering (contains() returns false)
   /// Cycle c becomes loop c. The loops of the isolated vertices have the ids after the loops of the
-  /// cycles. The loops of a face are ordered by their ids. A vertex stores its half-edge with the
-  /// lowest corner position. Each edge has two corner positions, and edges are numbered in the
-  /// order of the lower position. The half-edge at the lower position gets the even id. The
-  /// function requires and checks the following conditions:
+  /// cycles. The loops of a face are ordered by their ids. A vertex stores the half-edge that has
+  /// the lowest corner position among those that leave the vertex. Each edge has two corner
+  /// positions. Edges are numbered in the order of the lower of these positions, and the half-edge
+  /// at the lower position gets the even id. The function requires and checks the following
+  /// conditions:
   ///   - twin is an involution without fixed points that pairs opposite directed edges;
   ///   - no cycle is empty;
   ///   - all ids are in range.
@@ -228,9 +230,9 @@ class Dcel {
   ///                 without gaps
   ///   isolated      vertices without edges; their loops have the ids after the other loops
   /// A loop or a vertex stores its half-edge with the least id. Requires that all ids are in range
-  /// and that next(h) begins where twin(h) begins. The function checks these two conditions. Also
-  /// requires that all half-edges of a chain of `next` have the same entry in `loop_of`. The
-  /// function does not check this. Cost: O(n).
+  /// and that next(h) begins where twin(h) begins. The function checks these two conditions. The
+  /// function also requires that all half-edges of a chain of `next` have the same entry in
+  /// `loop_of`, but does not check this condition. Cost: O(n).
   static Dcel from_links(std::size_t vertex_count, std::span<const VertexId> origin,
                          std::span<const HalfedgeId> next, std::span<const std::uint32_t> loop_of,
                          std::span<const FaceId> face_of_loop,
@@ -341,12 +343,13 @@ class Dcel {
   /// Removes a vertex and its loop. Requires that the vertex is isolated.
   void remove_vertex(VertexId v);
 
-  /// Adds an edge from vertex_at(a) to vertex_at(b). Returns the half-edge h of this edge that has
-  /// the even id. h leads from vertex_at(a) to vertex_at(b). Requires that both corners lie in the
-  /// same face.
-  ///   - If the corners lie in the same loop, this loop is split. h and the part of the loop from b
-  ///     to a form a new loop of the same face. (If a == b, the new loop consists of h alone, a
-  ///     self-loop.) twin(h) stays in the old loop. Cost: O(length of the new loop).
+  /// Adds an edge from vertex_at(a) to vertex_at(b). Returns the half-edge of the new edge that has
+  /// the even id. This half-edge, called h below, leads from vertex_at(a) to vertex_at(b). Requires
+  /// that both corners lie in the same face.
+  ///   - If the corners lie in the same loop, this loop is split. A new loop of the same face
+  ///     consists of h and of the part of the old loop from b to a. (If a == b, the new loop
+  ///     consists of h alone, which is a self-loop.) The rest of the old loop and twin(h) form the
+  ///     old loop. Cost: O(length of the new loop).
   ///   - If the corners lie in two loops, the loops are joined. The joined loop keeps the id of the
   ///     loop of a. Cost: O(length of the loop of b).
   HalfedgeId add_edge(Corner a, Corner b);
@@ -394,12 +397,12 @@ class Dcel {
   ///   face              the loops of a face form one ring, and each of them refers to the face
   std::optional<DcelFlaw> audit() const;
 
-  /// Checks that the structure is a map of the plane or sphere. Returns the first flaw, or no value
-  /// if there is no flaw. A component is an isolated vertex, or a set of half-edges that are
-  /// connected by next and twin. Half-edges that are connected only through a pinch belong to
-  /// different components. A ring is an isolated vertex, or a cycle of half-edges around a vertex
-  /// in which turn_left() leads from each half-edge to the next. The function checks two
-  /// conditions:
+  /// Checks that the structure represents a map of the plane or of the sphere. Returns the first
+  /// flaw, or no value if there is no flaw. A component is an isolated vertex, or a set of
+  /// half-edges that are connected by next and twin. Half-edges that are connected only through a
+  /// pinch belong to different components. A ring is an isolated vertex, or a cycle of half-edges
+  /// around a vertex in which turn_left() leads from each half-edge to the next. The function
+  /// checks two conditions:
   ///   - rings - edges + loops = 2 in each component;
   ///   - the graph whose nodes are the faces and the components, and whose arcs are the loops, is a
   ///     tree.

@@ -1,23 +1,25 @@
-// Reads OpenSCAD's flattened models: files .csg, as `openscad model.scad -o model.csg` writes them.
+// Reads the flattened models of OpenSCAD, which are files with the extension .csg. The command
+// `openscad model.scad -o model.csg` writes such a file.
 //
 // Main flow:
-//  1. parse    reads nodes, modifiers and parameters into a CsgTree (csg_tree.h). Nothing recurses,
-//              so groups may be nested to any depth
+//  1. parse    reads nodes, modifiers and parameters into a CsgTree (csg_tree.h). The parser does
+//              not recurse, so groups may be nested to any depth
 //  2. root     keeps only the subtree of a node with the modifier `!`, if there is one
 //  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h) and
 //              of sets of the plane (plane_io.h)
 //
-// Nodes: all that OpenSCAD 2021.01 writes except text() and surface(), which are refused.
-// Modifiers: `*` and `%` leave a node out, `#` changes nothing, and `!` makes its node the model.
-// Parameters that do not change the shape, such as convexity, are skipped; parameters with unknown
-// names are skipped with a note. A number is read as the nearest double. A colour is a vector, a
-// name of CSS, or #rgb, #rgba, #rrggbb or #rrggbbaa; an unknown name gives a note.
+// Nodes: the reader knows all nodes that OpenSCAD 2021.01 writes. The nodes text() and surface()
+// are refused. Modifiers: a node with `*` or `%` is left out, `#` has no effect, and a node with
+// `!` becomes the whole model. Parameters that do not change the shape, such as convexity, are
+// skipped; parameters with unknown names are skipped with a note. A number is read as the nearest
+// double. A colour is a vector, a CSS colour name, or a text of the form #rgb, #rgba, #rrggbb or
+// #rrggbbaa. An unknown colour name is reported by a note.
 //
-// Imports: a model names files. Unless the options allow more, a file must lie in the folder of the
-// model or below it, after symbolic links are resolved. The contents of a file that is refused for
-// its place are not read.
+// Imports: a model can name other files, which are then imported. By default, an imported file must
+// lie in the folder of the model or in a folder below it. Symbolic links are resolved before this
+// is checked. A file that lies elsewhere is refused before any of its contents are read.
 //
-// Cost: O(bytes), and the cost of the readers of imported files. Errors have the form
+// Cost: O(bytes), plus the cost of the readers of imported files. Errors have the form
 // FILE:LINE:COLUMN: message. They are:
 //   - Syntax, NotText and NumberOutOfRange for the text
 //   - BadArgument and BadIndex for parameters
@@ -39,17 +41,18 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Where the files that a model imports may lie.
+/// States which files a model may import.
 enum class CsgImports : std::uint8_t {
-  None,        ///< Nowhere: every import is refused.
-  BelowModel,  ///< In the folder of the model, or below it.
-  Anywhere,    ///< Anywhere.
+  None,        ///< No files: every import is refused.
+  BelowModel,  ///< Files in the folder of the model, and in folders below it.
+  Anywhere,    ///< All files.
 };
 
 /// Options of reading a model.
 struct CsgReadOptions {
-  CsgImports imports = CsgImports::BelowModel;  ///< Where imported files may lie.
-  /// Whether a number with a decimal point or an exponent of an imported file is read exactly.
+  CsgImports imports = CsgImports::BelowModel;  ///< Which files may be imported.
+  /// Whether numbers with a decimal point or an exponent in imported files are read exactly.
+  /// Otherwise such a number is rounded to the nearest double.
   bool exact_decimals = false;
   /// Which attributes of imported meshes are kept (solid_io.h).
   KeptAttributes attributes = KeptAttributes::None;
@@ -57,13 +60,14 @@ struct CsgReadOptions {
 
 /// A model read from a file.
 struct CsgRead {
-  CsgTree tree;                       ///< The model.
-  std::vector<std::string> notes;     ///< Notes for a human reader; each is one sentence.
+  CsgTree tree;  ///< The model.
+  /// Notes for a human reader about contents that were skipped. Each note is one sentence.
+  std::vector<std::string> notes;
   std::vector<std::string> warnings;  ///< Warnings of the readers of imported files.
 };
 
-/// Returns the model that `text` describes. `path` is the name of the file in messages; the files
-/// that the model imports are looked up in the folder of `path`, or in the working directory if
+/// Returns the model that `text` describes. `path` is the name of the file in messages. A relative
+/// path of an imported file is relative to the folder of `path`, or to the working directory if
 /// `path` is "-".
 [[nodiscard]] CsgRead read_csg(const std::string& path, std::string_view text,
                                const CsgReadOptions& options = {},

@@ -1,17 +1,19 @@
-// Reads layers of features from GeoJSON, TopoJSON, WKT and WKB, and writes layers as GeoJSON,
-// TopoJSON and WKT, and reports of checks and repairs as text, JSON and GeoJSON (docs/formats.md,
-// "Layers").
+// Reads and writes layers of features (docs/formats.md, "Layers"). Layers are read from GeoJSON,
+// TopoJSON, WKT and WKB, and written as GeoJSON, TopoJSON and WKT. Reports of checks and repairs
+// are written as text, JSON and GeoJSON.
 //
 // Main flow of read_layer():
-//  1. JsonValues     lists the values of the text, or of each text of a sequence (RFC 8142, or one
-//                    feature on each line)
-//  2. LayerReader    follows the features of a GeoJSON text, or the arcs and geometries of an
-//                    object of a TopoJSON text. Ids and properties are kept as they stand.
+//  1. JsonValues     lists the JSON values of the text. If the input is a sequence of JSON texts,
+//                    the step does so for each text. The texts of a sequence are separated as in
+//                    RFC 8142, or stand on separate lines
+//  2. LayerReader    reads the features of a GeoJSON text, or the arcs and geometries of one object
+//                    of a TopoJSON text. The texts of ids and properties are kept unchanged
 //
 // WKT and WKB are read by the readers of plane_io.h.
 //
-// Coordinates are the nearest doubles. The coordinates of a quantised TopoJSON text are computed in
-// doubles from its transform, so a point of an arc has the same coordinates in all features.
+// Coordinates are the nearest doubles. A quantised TopoJSON text lists integers and a transform.
+// The reader computes the coordinates of the points from these numbers, in doubles. A point of an
+// arc has the same coordinates in all features that use the arc.
 //
 // Errors: Syntax, NumberOutOfRange and BadShape name the file, line and column. The other errors
 // are CannotOpen, BadArgument, ResourceLimit and Cancelled. Cost: O(bytes).
@@ -32,7 +34,9 @@ namespace plumb {
 /// Options of reading a layer.
 struct LayerReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
-  std::string object;          ///< The object of a TopoJSON file. If empty, the first one is read.
+  /// The name of the object of a TopoJSON file that is read. If the name is empty, the first object
+  /// is read.
+  std::string object;
 };
 
 /// A layer read from a file.
@@ -41,21 +45,24 @@ struct LayerFile {
   std::vector<std::string> notes;  ///< Contents of the file that are not in `layer`.
 };
 
-/// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. In WKT and WKB, each
-/// polygon is one feature, without id and properties. A FeatureCollection has a feature
-/// for each of its features; a geometry is one feature. A sequence of GeoJSON texts is one layer.
-/// In TopoJSON each geometry of the object is one feature. Points and lines are left out; a feature
-/// that has nothing else stays, without polygons. Rings with fewer than three different positions
-/// are left out. The memory of the layer stays charged to `context`. Throws Error{BadArgument} if a
-/// TopoJSON text lacks the object, and the errors that the head of this file states.
+/// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. The features of the layer
+/// are:
+///   - in WKT and WKB: each polygon, without id and properties
+///   - in GeoJSON: each feature of a FeatureCollection, or the whole text if it is a feature or a
+///     geometry. A sequence of texts gives one layer
+///   - in TopoJSON: each geometry of the object
+/// Points and lines are left out. If a feature consists of points and lines only, the layer
+/// contains the feature without polygons. Rings with fewer than three different positions are left
+/// out. The memory of the layer stays charged to `context`. Throws Error{BadArgument} if a TopoJSON
+/// text lacks the object, and the errors that the head of this file states.
 LayerFile read_layer(std::string_view text, const LayerReadOptions& options = {},
                      Context& context = unlimited_context());
 
-/// Whether a text is a layer: JSON, WKT or WKB, by how it begins.
+/// Whether a text begins like a text in one of the formats of layers: JSON, WKT or WKB.
 bool begins_like_layer(std::string_view text);
 
-/// Throws Error{UnknownFormat} with the command that converts the file, if the extension of `path`
-/// is that of a format of geographic data which plumb does not read, such as .shp and .gpkg.
+/// Throws Error{UnknownFormat} if the extension of `path` belongs to a geographic format that plumb
+/// cannot read, such as .shp or .gpkg. The message names a command that converts the file.
 void require_layer_format(const std::string& path);
 
 /// Reads the file `path`, or standard input if `path` is "-". `options.name` is ignored. Throws the
@@ -63,28 +70,31 @@ void require_layer_format(const std::string& path);
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options = {},
                           Context& context = unlimited_context());
 
-/// Writes a layer as a FeatureCollection (RFC 7946), one feature a line. Coordinates are the
-/// nearest doubles. Features without polygons have the geometry null. Exceptions of `out` reach the
-/// caller.
+/// Writes a layer as a GeoJSON FeatureCollection (RFC 7946), with one feature on each line.
+/// Coordinates are the nearest doubles. Features without polygons have the geometry null.
+/// Exceptions of `out` reach the caller.
 void write_layer_geojson(std::ostream& out, const Layer& layer,
                          Context& context = unlimited_context());
 
-/// Writes a layer as TopoJSON, with one object "layer". Borders that features share are arcs, which
-/// are written once. Coordinates are the nearest doubles, and are not quantised. Exceptions of
-/// `out` reach the caller.
+/// Writes a layer as TopoJSON. The file has one object, with the name "layer". Borders are written
+/// as arcs. A border that several features share is written only once. Coordinates are the nearest
+/// doubles, and are not quantised. Exceptions of `out` reach the caller.
 void write_layer_topojson(std::ostream& out, const Layer& layer,
                           Context& context = unlimited_context());
 
-/// Writes the polygons of a layer as WKT, one feature a line, without ids and properties.
-/// Coordinates are the nearest doubles. Exceptions of `out` reach the caller.
+/// Writes the polygons of a layer as WKT, with one feature on each line. Ids and properties are not
+/// written. Coordinates are the nearest doubles. Exceptions of `out` reach the caller.
 void write_layer_wkt(std::ostream& out, const Layer& layer, Context& context = unlimited_context());
 
-/// Returns what a feature is called in reports, such as `feature 3 ("FR", "France")`: its number
-/// from 1, its id, and its property "name" or "NAME", if it has them; in ASCII.
+/// Returns the title of a feature in reports, such as `feature 3 ("FR", "France")`. The title
+/// consists of the number of the feature (counted from 1), its id, and the value of its property
+/// "name" or "NAME". An id or a property that the feature lacks is omitted. The title is ASCII
+/// text.
 std::string feature_title(const Layer& layer, std::uint32_t feature);
 
-/// Writes the regions of a report as a FeatureCollection: overlaps, gaps and holes with their
-/// polygons, areas, widths, features and owners. `layer` is the layer that was repaired.
+/// Writes the regions of a report, which are overlaps, gaps and holes, as a GeoJSON
+/// FeatureCollection. Each region is written with its polygons, its area, its width, its features
+/// (LayerReport::features) and its owner. `layer` is the layer that was checked or repaired.
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 Context& context = unlimited_context());
 

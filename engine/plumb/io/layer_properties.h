@@ -1,8 +1,9 @@
-// Properties of layers that were dissolved or overlaid (layer_dissolve.h, layer_overlay.h).
+// Computes the properties of features for layers that were dissolved or overlaid (layer_dissolve.h,
+// layer_overlay.h).
 //
-// Properties are JSON objects. Their values are kept as they stand in the file, byte for byte. Two
-// values are equal if they are the same text; texts in quotes are compared after their escapes are
-// resolved.
+// Properties are JSON objects. The text of a value is kept as it is in the file, byte for byte. Two
+// values are equal if their texts are equal. Escapes in strings are resolved before strings are
+// compared.
 //
 // Main flow of dissolving:
 //  1. group_features         puts features with the same value of a property into one group
@@ -10,8 +11,8 @@
 //  3. with_group_properties  gives each group its id and its properties
 // The flow of overlaying is overlay_layers(), then with_pair_properties().
 //
-// Errors: Error{Syntax} if properties or ids are no JSON; ResourceLimit and Cancelled. Cost:
-// O(bytes), and O(n log n) for n features.
+// Errors: Error{Syntax} if properties or ids are not valid JSON, ResourceLimit, and Cancelled.
+// Cost: O(bytes + n log n) for n features.
 #pragma once
 
 #include <cstddef>
@@ -27,36 +28,39 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Groups of features, numbered in the order of their first features.
+/// A division of features into groups. The groups are numbered in the order of their first
+/// features.
 struct FeatureGroups {
-  std::vector<std::uint32_t> group;  ///< For each feature, its group.
+  std::vector<std::uint32_t> group;  ///< The group of each feature.
   std::size_t count = 0;             ///< The number of groups.
 };
 
-/// Returns the groups of features with the same value of a property. The features that lack the
-/// property are a group, too. Throws Error{BadArgument} if there are features and none of them has
-/// the property.
+/// Returns groups such that two features are in the same group if they have the same value of
+/// `property`. All features that lack the property form one group. Throws Error{BadArgument} if
+/// there are features and none of them has the property.
 FeatureGroups group_features(const Layer& layer, const std::string& property,
                              Context& context = unlimited_context());
 
-/// Returns one group of all features.
+/// Returns a single group that contains all features.
 FeatureGroups one_group(const Layer& layer);
 
-/// Returns the dissolved layer `shapes` with ids and properties. A group has an id or a property if
-/// all its features have it with the same value. Properties come in the order of the first feature.
-/// A property named in `sums` is the sum of the numbers of all features of the group instead:
-/// integers are added exactly; if a number has a point or an exponent, the nearest doubles are
-/// added exactly, and the sum is rounded once. Missing values and null are left out of a sum.
-/// Throws Error{BadArgument} if a value to be added is no number, or if no feature has the
-/// property.
+/// Returns the dissolved layer `shapes` with ids and properties. A group gets an id or a property
+/// if all features of the group have the same value of it. The properties are in the order of the
+/// group's first feature. The properties named in `sums` are treated in another way: the value for
+/// a group is the sum of the values of its features. If all numbers are integers, the sum is exact.
+/// If a number has a decimal point or an exponent, each number is replaced by the nearest double,
+/// and their exact sum is rounded once. Missing values and null are left out of a sum. Throws
+/// Error{BadArgument} if a value to be added is no number, or if no feature has the property.
 Layer with_group_properties(Layer shapes, const Layer& layer, const FeatureGroups& groups,
                             std::span<const std::string> sums = {},
                             Context& context = unlimited_context());
 
-/// Returns the layer of an overlay with the properties of both partners of each pair. If both
-/// layers have a property of the same name, it is called NAME_1 and NAME_2. The ids of the partners
-/// are the properties id_1 and id_2, and the area, if it was computed, is the property area: the
-/// double nearest to the exact area. If such a name is taken already, underscores are appended.
+/// Returns the layer of an overlay. Each feature of this layer belongs to a feature of the first
+/// layer and a feature of the second layer, and gets the properties of both. If both layers have a
+/// property called NAME, the two properties are renamed to NAME_1 and NAME_2. The ids of the two
+/// features become the properties id_1 and id_2. If the overlay has areas, the double nearest to
+/// the exact area becomes the property area. If one of these names is taken already, underscores
+/// are appended to it.
 Layer with_pair_properties(LayerOverlay overlay, const Layer& first, const Layer& second,
                            Context& context = unlimited_context());
 

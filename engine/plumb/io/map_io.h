@@ -4,13 +4,13 @@
 //   - f lines, each with the 1-based vertex ids of one face
 //
 // Main flow of read_map:
-//  1. read_counts    reads the header, and checks that the number of bytes after the header is
-//                    enough for the counts in the header
+//  1. read_counts    reads the header, and checks that the rest of the text is long enough for n
+//                    vertices and f faces
 //  2. read_vertices  reads exactly two numbers from each line (record_reader.h)
 //  3. read_faces     reads the vertex ids of each face from its line. A line must have at least
-//                    three ids, and all ids must be in range. The same id must not occur twice in a
-//                    row. The points of these vertices must not all be collinear. The step decides
-//                    this exactly.
+//                    three ids, and all ids must be in range. Two neighbouring ids must differ. The
+//                    points of these vertices must not all be collinear. The step decides this
+//                    exactly.
 //  4. end            accepts only blank lines and comments after the faces
 //
 // Cost: O(bytes) time. The text and the map are in memory at the same time.
@@ -42,30 +42,35 @@ Map read_map(std::string_view text, const ReadOptions& options = {},
 Map read_map_file(const std::string& path, ReadOptions options = {},
                   Context& context = unlimited_context());
 
-/// Returns the coverage that polygons form, as a map without outer boundaries
-/// (OuterRule::Infer). Positions with equal coordinates become one vertex; vertices are numbered by
-/// their first corners. Cycle k is the outer ring of polygon k, counter-clockwise. After all outer
-/// rings come the holes of all polygons, clockwise. Rings are turned if they run the other way.
-/// Lines and single points are left out. Throws Error{DegenerateFace} if an outer ring has fewer
-/// than three different positions; such holes are left out. O(n log n).
+/// Returns the map that polygons form. Polygons do not list the outer boundary of the whole map, so
+/// the map must be checked with OuterRule::Infer. Corners with equal coordinates become one vertex.
+/// Vertices are numbered in the order of their first occurrences as corners. Cycle k is the outer
+/// ring of polygon k, counter-clockwise. After all outer rings come the holes of all polygons,
+/// clockwise. A ring that runs in the other direction is reversed. Lines and single points are left
+/// out. A hole with fewer than three different corners is left out. Throws Error{DegenerateFace} if
+/// an outer ring has fewer than three different corners. Cost: O(n log n).
 Map map_of_polygons(const PlaneShapes& shapes, Context& context = unlimited_context());
 
-/// What read_map_or_polygons() found.
+/// The result of read_map_or_polygons().
 struct MapFile {
-  Map map;                         ///< The map.
-  bool is_polygons = false;        ///< Whether the file lists polygons (map_of_polygons()).
-  std::vector<std::string> notes;  ///< Contents of a file of polygons that were passed over.
-  std::size_t dropped = 0;         ///< Number of lines and single points that were left out.
+  Map map;  ///< The map.
+  /// Whether the file lists polygons, which map_of_polygons() made into the map.
+  bool is_polygons = false;
+  /// Notes about contents of a file of polygons that are not in `map`.
+  std::vector<std::string> notes;
+  std::size_t dropped = 0;  ///< Number of lines and single points that were left out.
 };
 
-/// Reads the file `path`, or standard input if `path` is "-". A file in WKT, GeoJSON or WKB, by its
-/// extension or, if that is unknown, by how it begins, is read as a coverage of polygons; any other
-/// file is read by read_map(). `options.name` is ignored. Throws the errors of these readers.
+/// Reads the file `path`, or standard input if `path` is "-". If the file is in WKT, GeoJSON or
+/// WKB, its polygons are made into a map by map_of_polygons(). Any other file is read by
+/// read_map(). The format is determined by the extension of the file, or by its first bytes if the
+/// extension is unknown. `options.name` is ignored. Throws the errors of these readers.
 MapFile read_map_or_polygons(const std::string& path, ReadOptions options = {},
                              Context& context = unlimited_context());
 
-/// Returns the map or the coverage of a text that is read already. `path` is the name of its file:
-/// its extension selects the reader, as for the function above. Throws the errors of the readers.
+/// Does the same as the function above for a file whose contents `text` the caller has read
+/// already. `path` is the path of the file, and its extension determines the format. Throws the
+/// errors of the readers.
 MapFile read_map_or_polygons(std::string_view text, const std::string& path, ReadOptions options,
                              Context& context);
 

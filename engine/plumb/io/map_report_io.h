@@ -13,8 +13,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the verdict in words: "valid", "not a planar subdivision", "open" or
-/// "superposed".
+/// Returns a verdict in words: "valid", "not a planar subdivision", "open" or "superposed".
 std::string_view headline(MapVerdict verdict);
 
 /// Returns the name of a kind of defect: "duplicate", "open", "crossing", "twin", "mixed" or

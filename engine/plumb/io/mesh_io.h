@@ -7,8 +7,8 @@
 //
 // Writing: the coordinates in OFF, OBJ, PLY, 3MF and text STL are doubles. The coordinates in
 // binary STL and in glTF are floats. The coordinates in exact OFF are fractions. STL, glTF and 3MF
-// files contain triangles only.
-// as_written() returns the mesh that a reader of the written file will get.
+// files contain triangles only. The function as_written() returns the mesh that a reader of the
+// written file will get.
 #pragma once
 
 #include <cstddef>
@@ -34,13 +34,13 @@ struct MeshFile {
   /// that are not in `mesh`.
   std::vector<std::string> notes;
   /// Warnings for a human reader. Each warning is one sentence. The warnings report geometry of the
-  /// file that is not in `mesh`. A program should show them even if it shows no notes.
+  /// file that is not in `mesh`. A program should show warnings even if it does not show notes.
   std::vector<std::string> warnings;
-  /// How many faces of the file are not in `mesh` because two of their corners are equal. If there
-  /// are any, the faces of `mesh` have other numbers than in the file.
+  /// The number of faces of the file that are not in `mesh` because two of their corners are equal.
+  /// If this is not 0, a face can have another number in `mesh` than in the file.
   std::size_t faces_left_out = 0;
-  /// The attributes of `mesh`, if ReadOptions::attributes asks for them and the file has any.
-  /// OFF, OBJ and PLY files can have them.
+  /// The attributes of `mesh`, such as colours. They are empty unless ReadOptions::attributes is
+  /// true and the file has attributes. Attributes are read from OFF, OBJ and PLY files.
   MeshAttributes attributes = {};
 };
 
@@ -79,7 +79,7 @@ bool lists_triangles(MeshFormat format);
 ///     bytes agrees with this number of triangles
 ///   - OFF if the bytes begin with "OFF" in capital or small letters, with a variant of this word
 ///     such as "COFF", or with a number
-///   - STL if there are 84 bytes or more, with control characters among the first
+///   - STL if there are 84 bytes or more, and some of the first bytes are control characters
 ///   - OBJ in all other cases
 MeshFormat guess_mesh_format(std::string_view bytes);
 
@@ -97,9 +97,9 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
 
-/// Returns a sentence that states what the file has if the mesh has no faces although the file is
-/// not empty: the mesh has vertices, or the reader left something out. Otherwise returns an empty
-/// text.
+/// Returns a sentence for a mesh without faces whose file is not empty. The sentence states what
+/// the file contains instead of faces, such as vertices or contents that the reader left out.
+/// Returns an empty text if the mesh has faces or the file is empty.
 std::string lack_of_faces(const MeshFile& file);
 
 /// Reads the file `path`, or standard input if `path` is "-", and returns its mesh. If `format` is
@@ -119,27 +119,30 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
 ///   - Error{UnknownFormat} if the format is ThreeMf and plumb is built without libzip or expat
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
-/// Writes a mesh with those of its attributes that the format holds. docs/formats.md lists them for
-/// each format, and lost_attributes() names the others. In OFF and PLY, and in OBJ for colours of
-/// vertices, a vertex whose corners differ is written several times, at the same point. Sets that
-/// are made from the file are the same, because they have one vertex for equal points. If the
-/// format is Obj and `library` is not empty, the file names it as its material library, which
-/// write_material_library() writes. Throws the errors of write_mesh(). Also throws, before the
-/// first byte is written, Error{BadArgument} if an array of the attributes is neither empty nor
-/// complete.
+/// Writes a mesh with its attributes. Attributes that the format cannot represent are left out;
+/// lost_attributes() names them, and docs/formats.md lists the attributes that each format
+/// represents. Some attributes belong to corners of faces, but OFF and PLY store them at vertices,
+/// and so does OBJ for colours. If the corners at a vertex have different values, the vertex is
+/// written several times, with the same coordinates. This does not change the set that is made from
+/// the file, because equal points become one vertex of the set. If the format is Obj, `library` is
+/// the file name of the material library that the file refers to. The caller writes the library
+/// with write_material_library(). The file refers to no library if `library` is empty. Throws the
+/// errors of write_mesh(). Also throws, before the first byte is written, Error{BadArgument} if an
+/// array of the attributes is neither empty nor complete.
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes,
                 MeshFormat format, const std::string& library = {});
 
 /// Writes the materials of a mesh as a material library of OBJ: a text in the format MTL.
 void write_material_library(std::ostream& out, const MeshAttributes& attributes);
 
-/// Returns a sentence that names the attributes that a file of this format does not hold, or an
-/// empty text if it holds all of them. Colours of materials that are nearest to bytes are held.
+/// Returns a sentence that names the attributes that this format cannot represent. Returns an empty
+/// text if the format can represent all of them. A colour of a material that is only rounded to
+/// bytes does not count as lost.
 std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format);
 
 /// Writes a mesh to the file `path`. If `format` is not given, the extension of `path` determines
-/// the format: .off, .obj, .stl, .ply, .glb or .3mf. The file is created, or an existing file is
-/// replaced, only after all bytes have been written. Throws:
+/// the format: .off, .obj, .stl, .ply, .glb or .3mf. The bytes are first written to a temporary
+/// file. The file `path` is created or replaced only after all bytes have been written. Throws:
 ///   - Error{UnknownFormat} if `format` is not given and the extension is none of these
 ///     extensions
 ///   - Error{CannotWrite} if the file cannot be written

@@ -6,14 +6,15 @@
 // the caller may choose another rule (RingRule). A line stands for the set of its points. A file
 // stands for the union of the sets of all its polygons, lines and points.
 //
-// DXF and SVG files are drawings. Their curves are replaced by chords (ReadOptions). All rings of a
-// DXF file together enclose what the even-odd rule says. The shapes of an SVG file are united; each
-// encloses what its own fill rule says. Under another rule of the caller than RingRule::Odd, this
-// rule decides for all rings of the file together.
+// DXF and SVG files are drawings. Their curves are replaced by chords (ReadOptions). A DXF file
+// stands for the points that all its rings together enclose by the even-odd rule. An SVG file
+// stands for the union of its shapes. The fill rule of a shape decides which points the shape
+// encloses. If the caller chooses another rule than RingRule::Odd, this rule is applied to all
+// rings of the file together, for DXF as for SVG.
 //
 // Reading: a file in any of these formats cannot state which boundary points belong to the set. A
-// set that is read from such a file is closed. Notes name the contents of a file that a set cannot
-// hold.
+// set that is read from such a file is closed. Contents of a file that cannot be represented by a
+// set are reported by notes.
 //
 // Writing: .nef2 represents every set exactly. WKT, GeoJSON and WKB represent only polygons, lines
 // and points, whose coordinates are doubles. DXF represents only polygons. The set is rounded so
@@ -90,23 +91,24 @@ struct PlaneFile {
   std::vector<std::string> notes;
 };
 
-/// Returns the set for which the shapes stand under a rule other than RingRule::Odd, or the set of
-/// the function below under RingRule::Odd. Lines and points are united with the polygons.
+/// Returns the union of the polygons, lines and points. `rule` decides which points the rings of
+/// the polygons enclose. For RingRule::Odd, the result is that of the function below.
 Nef2 to_set(const PlaneShapes& shapes, RingRule rule, Context& context = unlimited_context());
 
-/// Returns the set that the shapes represent. First, each polygon whose rings meet at points other
-/// than common corners is resolved by a sweep of its own. Then one sweep handles all polygons
-/// together. A polygon needs no sweep of its own if its rings meet only at common corners, for
-/// example if a hole touches the outer ring at a corner. Cost: O((n + k) log n) for n corners and k
-/// crossings.
+/// Returns the union of the polygons, lines and points, where each polygon encloses points by the
+/// even-odd rule. First, each polygon whose rings meet at points other than common corners is swept
+/// separately. Then one sweep handles all other polygons together. The other polygons are those
+/// whose rings meet at most at common corners, for example at a corner where a hole touches the
+/// outer ring. Cost: O((n + k) log n) for n corners and k crossings.
 Nef2 to_set(const PlaneShapes& shapes, Context& context = unlimited_context());
 
 /// Returns the parts of a set as shapes, with exact coordinates.
 PlaneShapes to_shapes(const PlaneParts& parts, Context& context = unlimited_context());
 
-/// Returns the shapes with every coordinate rounded to the nearest double. Nothing is repaired:
-/// rings may cross or fall together. round_to_doubles() (plane_rounding.h) returns a set whose
-/// shapes are valid. Throws Error{NumberOutOfRange} if a coordinate lies beyond the largest double.
+/// Returns the shapes with every coordinate rounded to the nearest double. The function repairs
+/// nothing, so rings of the result may cross or coincide. round_to_doubles() (plane_rounding.h)
+/// returns a set whose shapes are valid. Throws Error{NumberOutOfRange} if a coordinate lies beyond
+/// the largest double.
 PlaneShapes with_nearest_doubles(PlaneShapes shapes, Context& context = unlimited_context());
 
 /// Formats for sets of the plane. Only the format Nef2 (.nef2) represents every set without loss.
@@ -119,10 +121,10 @@ enum class PlaneFormat : std::uint8_t { Wkt, GeoJson, Nef2, Wkb, Dxf, Svg };
 std::optional<PlaneFormat> plane_format_of(const std::string& path);
 
 /// Returns the format that the text seems to have. A text that begins with "{" or "[", or with a
-/// record separator before them, is GeoJSON. A text that begins with "plumb-" is .nef2. A file that
-/// begins with the code of a geometry is WKB (begins_like_wkb() in wkb.h). A text that begins with
-/// "<svg", "<?xml" or "<!" is SVG. A text that begins with a section or a comment of DXF is DXF
-/// (begins_like_dxf() in dxf.h). Any other text is WKT.
+/// record separator before them, is GeoJSON. A text that begins with "plumb-" is .nef2. A text that
+/// begins with the binary code of a geometry is WKB (begins_like_wkb() in wkb.h). A text that
+/// begins with "<svg", "<?xml" or "<!" is SVG. A text that begins with a section or a comment of
+/// DXF is DXF (begins_like_dxf() in dxf.h). Any other text is WKT.
 PlaneFormat guess_plane_format(std::string_view text);
 
 /// Returns the format that the extension of `path` names. If the extension names no format, returns
@@ -152,20 +154,21 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
 PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                               ReadOptions options = {}, Context& context = unlimited_context());
 
-/// Options of the writers of WKT, GeoJSON, WKB and DXF. They have no effect on .nef2.
+/// Options of the writers of WKT, GeoJSON, WKB and DXF. The options have no effect on .nef2.
 struct PlaneWriteOptions {
   OutputRounding rounding = OutputRounding::Valid;  ///< How coordinates become doubles.
-  /// If this has a value, coordinates are the nearest doubles of multiples of this step, and shapes
-  /// are valid. `rounding` is ignored. Requires a positive step.
+  /// The step of a grid. If it has a value, coordinates are rounded to multiples of the step, so
+  /// that the shapes are valid. The doubles nearest to these multiples are written, and `rounding`
+  /// is ignored. Requires a positive step.
   std::optional<Rational> grid = {};
 };
 
-/// Whether rounding changed the shape of a set or of a subdivision. A vertex that moves to a grid
-/// of the caller is not a change by itself.
+/// Whether rounding changed the shape of a set or of a subdivision. If the caller has chosen a
+/// grid, the movement of vertices to this grid does not count as a change.
 bool is_reshaped(const PlaneRoundingReport& report, const PlaneWriteOptions& options);
 
-/// Returns a sentence for people which says how rounding changed the shape, or an empty string if
-/// it did not.
+/// Returns a sentence for a human reader that states how rounding changed the shape. Returns an
+/// empty string if rounding did not change the shape.
 std::string rounding_sentence(const PlaneRoundingReport& report, const PlaneWriteOptions& options);
 
 /// The properties of a set that a written file does not represent.
@@ -175,9 +178,11 @@ struct PlaneLosses {
   /// The written closure has points inside that do not belong to the set (PlaneParts::filled). If
   /// this is true, `open` is true, too.
   bool filled = false;
-  bool thin = false;  ///< Lines and points were left out, because the format holds polygons only.
-  /// What rounding changes. For OutputRounding::Nearest, this is what a repair would change: if it
-  /// is not changed, the nearest doubles are valid.
+  /// Lines and points were left out, because the format represents polygons only.
+  bool thin = false;
+  /// The changes made by rounding. For OutputRounding::Nearest, rounding does not repair the
+  /// shapes. In this case, the report lists the changes that a repair would make. If the report
+  /// lists no change, the shapes with the nearest doubles are valid.
   PlaneRoundingReport rounding;
   PlaneWriteOptions options;  ///< How coordinates are rounded.
 
@@ -185,11 +190,12 @@ struct PlaneLosses {
   bool is_reshaped() const { return plumb::is_reshaped(rounding, options); }
   /// Whether anything is lost.
   bool any() const { return unbounded || open || thin || is_reshaped(); }
-  /// Returns a sentence for people which says that the closure was written, or an empty string if
-  /// the set is closed. This sentence is not one of sentences(). A difference of sets is seldom
-  /// closed, so the program prints this sentence only if the file must represent the set exactly.
+  /// Returns a sentence for a human reader, which states that the closure was written instead of
+  /// the set. Returns an empty string if the set is closed. This sentence is not among sentences(),
+  /// because a program need not always print it: differences of sets are seldom closed.
   std::string closing() const;
-  /// Returns all losses except the one that closing() states. Each loss is one sentence for people.
+  /// Returns a sentence for a human reader for each loss, except for the loss that closing()
+  /// states.
   std::vector<std::string> sentences() const;
 };
 

@@ -1,4 +1,4 @@
-// Options that are common to all readers, and to all writers.
+// Options that are common to several readers, and options that are common to several writers.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,26 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The points that the rings of a file of polygons enclose. The winding number of a point says how
-/// often the rings run around it counter-clockwise. Under all rules but Odd, a hole that runs the
-/// same way as the outer ring of its polygon is turned round first.
+/// A rule that decides which points the rings of a file of polygons enclose. The winding number of
+/// a point is the number of times that the rings run counter-clockwise around the point. A hole
+/// must run in the direction opposite to the outer ring of its polygon. For all rules except Odd, a
+/// hole that runs in the same direction is first reversed.
 enum class RingRule : std::uint8_t {
-  Odd,       ///< Each polygon by itself: the points whose winding number is odd. Polygons unite.
-  NonZero,   ///< All rings of the file together: the points whose winding number is not 0.
-  Positive,  ///< All rings of the file together: the points whose winding number is positive.
-  Negative,  ///< All rings of the file together: the points whose winding number is negative.
+  /// The union of the polygons, where each polygon encloses the points for which the winding number
+  /// of its own rings is odd.
+  Odd,
+  NonZero,   ///< The points for which the winding number of all rings of the file is not 0.
+  Positive,  ///< The points for which the winding number of all rings is positive.
+  Negative,  ///< The points for which the winding number of all rings is negative.
 };
 
-/// Which files a file may name, for example a scene its model. Whoever sends a file chooses these
-/// names, and the messages of a program may show where reading such a file failed.
+/// Which other files a file may name. For example, the file of a scene names the file of its model.
+/// If a file comes from somebody else, this person has chosen the names. A limit is needed because
+/// the messages of a program can reveal contents of the named files.
 enum class NamedFiles : std::uint8_t {
-  Below,     ///< Files in the folder of the file and below it, after symbolic links are resolved.
+  /// Files in the folder of the naming file and in folders below it. Symbolic links are resolved
+  /// first.
+  Below,
   Anywhere,  ///< All files.
 };
 
@@ -32,21 +38,24 @@ struct ReadOptions {
   /// is rounded to the nearest double.
   bool exact_decimals = false;
   NamedFiles named_files = NamedFiles::Below;  ///< Which other files the file may name.
-  RingRule rings = RingRule::Odd;  ///< For polygons of the plane; ignored for all other contents.
-  /// The largest distance of a curve from the chords that replace it, in the unit of the result,
-  /// for drawings (SVG, DXF) that are read as sets of the plane. Requires a positive number.
-  /// Without a value it is a thousandth of the larger side of the drawing.
+  /// The rule for polygons of the plane. All other contents ignore it.
+  RingRule rings = RingRule::Odd;
+  /// The largest allowed distance of a curve from the chords that replace it, in the unit of the
+  /// result. It is used for drawings (SVG, DXF) that are read as sets of the plane. Requires a
+  /// positive number. If there is no value, the largest distance is a thousandth of the larger side
+  /// of the drawing.
   std::optional<double> curve_tolerance = {};
-  /// For meshes: whether MeshFile::attributes is filled. Otherwise colours, materials, groups and
-  /// all other numbers of faces and corners are passed over. For sets of the plane in GeoJSON:
-  /// whether the caller keeps the ids and properties of features, so that no note reports them.
+  /// For meshes: whether MeshFile::attributes is filled. If it is false, the reader skips colours,
+  /// materials, groups and all other data of faces and corners. For sets of the plane in GeoJSON:
+  /// whether the caller keeps the ids and properties of features. If it is true, no note reports
+  /// that they are left out.
   bool attributes = false;
 };
 
-/// How a writer rounds coordinates that its format cannot hold.
+/// How a writer rounds coordinates that its format cannot represent exactly.
 enum class OutputRounding : std::uint8_t {
-  Valid,    ///< To numbers with which the written mesh or polygons are valid.
-  Nearest,  ///< To the nearest numbers, even if faces or edges then cross.
+  Valid,    ///< Rounds such that the written mesh or polygons are valid.
+  Nearest,  ///< Rounds to the nearest numbers, even if faces or edges of the result cross.
 };
 
 }  // namespace plumb

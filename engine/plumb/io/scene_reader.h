@@ -15,7 +15,7 @@
 // are ignored.
 //
 // Main flow of read_scene_file:
-//  1. parse      reads the text, and records where each index and each weight stands in the text
+//  1. parse      reads the text, and records the position of each index and each weight in the text
 //  2. model      reads the mesh (mesh_io.h), cuts it into triangles, and makes a SurfaceMesh
 //  3. points     decides exactly for each point whether it is a vertex, lies on an edge, or lies in
 //                the interior of a face (see "Exact decisions")
@@ -24,9 +24,9 @@
 //                trace is straight. If "paths" is "shortest", traces are shortest paths.
 //  5. draw       reads the drawings with svg_reader.h. The member "svg" is one drawing or a list of
 //                drawings. Each point of a drawing is put onto the surface along a straight line
-//                that starts at the member "center" (exponential_map.h). Traces join these points.
-//                Each element of a drawing becomes a shape. These shapes are numbered after the
-//                member "shapes".
+//                that starts at the member "center" (exponential_map.h). Traces join consecutive
+//                points of a drawing. Each element of a drawing becomes a shape. These shapes are
+//                numbered after the member "shapes".
 //
 // Exact decisions: the exact values of the written numbers decide where a point lies, even if the
 // numbers are decimals. For example, [f, 0.3, 0.7] lies on an edge of face f, because
@@ -41,8 +41,8 @@
 //
 // Cost: O(bytes), plus the cost of tracing.
 //
-// Errors name their position in the file:
-//   - the errors of the readers of JSON and of the model
+// An error names the position in the file where it was found. The errors are:
+//   - the errors of the JSON reader, and the errors of the reader of the model
 //   - DegenerateFace if the model has a face of fewer than three different corners
 //   - BadIndex
 //   - BadShape for a point outside its face, for two consecutive points that no path joins, and for
@@ -65,15 +65,15 @@ namespace plumb {
 /// A scene read from a file.
 struct SceneFile {
   SurfaceScene scene;  ///< The input of SurfaceDivision.
-  /// The number of points in the member "points". They are the first rows of
+  /// The number of points in the member "points". These points are the first elements of
   /// scene.polygons.points.
   std::size_t point_count = 0;
   std::string model;  ///< The path of the mesh.
-  /// Notes for a human. The readers of the mesh and of the drawings make these notes. Each note
-  /// names the file that it is about.
+  /// Notes for a human reader about contents of the mesh and of the drawings that were left out.
+  /// Each note names the file with these contents.
   std::vector<std::string> notes;
-  /// Warnings for a human: geometry in the file of the mesh that is not in the scene. A program
-  /// should show them even if it shows no notes.
+  /// Warnings for a human reader about geometry in the file of the mesh that is not in the scene. A
+  /// program should show warnings even if it does not show notes.
   std::vector<std::string> warnings;
 };
 

@@ -27,13 +27,13 @@ namespace plumb {
 
 /// Which attributes of a mesh (mesh_attributes.h) are kept with its set.
 enum class KeptAttributes : std::uint8_t {
-  None,     ///< No attributes. Nothing is paid for them.
+  None,     ///< No attributes. Then attributes cost no time and no memory.
   Colours,  ///< Materials, and the channel "color".
   Ids,      ///< Ids of faces, and groups.
   All,      ///< All attributes.
 };
 
-/// Removes those attributes that are not kept.
+/// Removes from `attributes` the attributes that `kept` does not select.
 void keep_only(KeptAttributes kept, MeshAttributes& attributes);
 
 /// Options of the conversion of a file to a set.
@@ -46,21 +46,22 @@ struct SolidReadOptions {
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
   /// is rounded to the nearest double.
   bool exact_decimals = false;
-  /// How a mesh is mended before it becomes a set. By default it is not.
+  /// How a mesh is repaired before it becomes a set. By default, it is not repaired.
   RepairOptions repair = {};
-  /// Whether the set may be empty although the mesh has faces. If it may not be, such a mesh is
-  /// refused with the error EnclosesNothing.
+  /// Whether the set may be empty although the mesh has faces. If this is false, the reader throws
+  /// EnclosesNothing for such a mesh.
   bool may_be_empty = false;
-  /// Which attributes of a mesh are kept. If the mesh has such attributes, the set has the mesh, as
-  /// it was before it was mended, as its source (Nef3::sources()).
+  /// Which attributes of a mesh are kept. If the mesh has such attributes, the mesh becomes the
+  /// source of the set (Nef3::sources()). The source is the mesh as it was before any repair.
   KeptAttributes attributes = KeptAttributes::None;
-  /// Whether the set has the mesh as its source even if the mesh has no attributes, so that the
-  /// faces of the mesh can stay apart in a result (PieceJoin::SameFace).
+  /// Whether the mesh becomes the source of the set even if it has no attributes. The source is
+  /// needed if coplanar faces of the mesh must remain separate faces in a result
+  /// (PieceJoin::SameFace).
   bool keeps_faces = false;
 };
 
-/// The error that is thrown if a mesh has faces, but no volume belongs to its set. For example,
-/// every face of a double-sided mesh occurs in both directions.
+/// The error that is thrown if a mesh has faces, but no volume belongs to its set. An example is a
+/// double-sided mesh, in which every face occurs once in each direction.
 class EnclosesNothing : public Error {
  public:
   /// Constructs the error from the reason, and the file of the mesh.
@@ -72,9 +73,9 @@ class EnclosesNothing : public Error {
 /// A set read from a file.
 struct SolidRead {
   Nef3 set;                        ///< The set that the file describes.
-  std::vector<std::string> notes;  ///< Notes for a human. Each note is one sentence.
-  /// Warnings for a human: geometry of the file that is not in the set. Each warning is one
-  /// sentence. A program should show them even if it shows no notes.
+  std::vector<std::string> notes;  ///< Notes for a human reader. Each note is one sentence.
+  /// Warnings for a human reader about geometry of the file that is not in the set. Each warning is
+  /// one sentence. A program should show warnings even if it does not show notes.
   std::vector<std::string> warnings;
 };
 
@@ -87,8 +88,8 @@ bool is_nef_file(const std::string& path, std::string_view bytes);
 ///   - Error{BadShape} if the audit (space_audit.h) finds a flaw in a .nef file
 ///   - Error{BadShape} if the mesh has no faces although the file is not empty, and
 ///     neither `options.surface` nor `options.may_be_empty` is true
-///   - OpenMesh, an Error{BadShape}, if the mesh is open and `options.surface` is false; the error
-///     lists the borders of the mesh, and its flipped faces
+///   - OpenMesh, an Error{BadShape}, if the mesh is open and `options.surface` is false. The error
+///     lists the borders and the flipped faces of the mesh
 ///   - EnclosesNothing, an Error{BadShape}, if the set of a mesh with faces is empty, unless
 ///     `options.surface` or `options.may_be_empty` is true
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options = {},
@@ -105,18 +106,21 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
 HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options = {},
                                     Context& context = unlimited_context());
 
-// Meshes that are refused.
+// Repair options for meshes that the reader refuses.
 
-/// Returns how a mesh must be mended so that read_solid() with these options reads it, if it
-/// refuses the mesh with OpenMesh or EnclosesNothing. The result changes as little as possible. It
-/// is one of the following, tried in this order, each combined with `options.repair`:
-///   - turning faces
-///   - dropping doubled faces, and turning faces
-///   - welding points at most 1e-9, ..., 1e-5 times the size of the mesh apart, and turning faces
-///   - turning faces and filling holes; for a double-sided mesh also dropping doubled faces
+/// Returns repair options for a mesh for which read_solid() with `options` throws OpenMesh or
+/// EnclosesNothing. With the returned options, read_solid() accepts the mesh. The function tries
+/// the following repairs in this order, and returns the first one that suffices. Each repair is
+/// combined with `options.repair`:
+///   - flipping faces
+///   - dropping doubled faces, and flipping faces
+///   - welding points whose distance is at most 1e-9, ..., 1e-5 times the size of the mesh, and
+///     flipping faces
+///   - flipping faces and filling holes; for a double-sided mesh also dropping doubled faces
 ///
-/// Returns nullopt if none of these helps. Every answer has been tried. The cost is at most that of
-/// reading the mesh some ten times. Throws what the context throws.
+/// Returns nullopt if none of these repairs suffices. The function tests each repair by repairing a
+/// copy of the mesh and making a set from it. The cost is at most about ten times the cost of
+/// reading the mesh. Throws what the context throws.
 std::optional<RepairOptions> remedy_for(const PolygonMesh& mesh, const SolidReadOptions& options,
                                         Context& context = unlimited_context());
 

@@ -38,19 +38,21 @@ void write_surface_ply(std::ostream& out, const SurfaceTriangulation& triangles,
 struct CellStep {
   CellId from;  ///< The cell to the right of the first polygon.
   CellId to;    ///< The cell to the left of the first polygon.
-  /// The polygons between the two cells, in ascending order of their indices. Each entry has the
-  /// index of a polygon. Each entry also has the value by which the coefficient of this polygon in
-  /// the label grows from `from` to `to`. The value of the first entry is positive.
+  /// The polygons between the two cells, in ascending order of their indices. Each entry consists
+  /// of the index of a polygon and a value: the coefficient of this polygon in the label of `to`
+  /// minus its coefficient in the label of `from`. The value of the first entry is positive.
   std::vector<SignedEntry> polygons;
 };
 /// Returns an edge of the graph, directed so that the entry of its first polygon is positive.
 CellStep upward_step(const SurfaceDivision& division, const CellEdge& edge);
 
 /// Writes the graph of the chosen cells for Graphviz. The graph has one node for each chosen cell.
-/// The node shows the label and the area of the cell. For each pair of chosen cells, the graph has
-/// one edge for each list of polygons between these cells. The edge has the direction that
-/// upward_step() returns. The text of an edge lists the indices of its polygons with their signs,
-/// as in "+0 -2*3".
+/// The node shows the label and the area of the cell. Two chosen cells can be neighbours along
+/// several parts of their borders. If the same polygons run along two such parts, the two parts are
+/// represented by one edge of the graph. Otherwise they are represented by different edges. The
+/// edge has the direction that upward_step() returns. The text of an edge lists its polygons, as in
+/// "+0 -2*3". Each entry consists of a sign, a factor followed by "*" unless the factor is 1, and
+/// the index of a polygon.
 void write_cell_graph(std::ostream& out, const SurfaceDivision& division, CellChoice chosen);
 
 /// Writes a scene as JSON. read_scene_file() reads exactly the same points from this text. Every

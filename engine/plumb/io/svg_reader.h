@@ -10,8 +10,8 @@
 //              it fills them.
 //  4. flatten  replaces curves by chords. The distance of a curve from its chords is at most the
 //              tolerance (svg_outline.h)
-//  5. turn     moves the middle or the lower left corner of the drawing to the origin and makes the
-//              y-axis point upwards (SvgFrame)
+//  5. turn     moves the origin to the middle or to the lower left corner of the drawing, and makes
+//              the y-axis point upwards (SvgFrame)
 //
 // Shapes: each element that has an outline becomes one shape, in the order of the file. The
 // subpaths of the element are the rings of the shape. The fill rule of each shape is reported.
@@ -43,13 +43,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The origin and the unit of a drawing that is read.
+/// The position of the origin and the unit of the points that read_svg() returns.
 enum class SvgFrame : std::uint8_t {
-  /// The origin is the middle of the drawing, and the unit is that of the drawing.
+  /// The origin is the middle of the drawing. The unit is the unit of the drawing.
   Middle,
   /// The origin is the lower left corner of the viewBox, or of the box with the stated width and
-  /// height. The unit is the millimetre if width or height have a physical unit (mm, cm, in, pt,
-  /// pc), else that of the drawing.
+  /// height. The unit is the millimetre if width or height has a physical unit (mm, cm, in, pt,
+  /// pc). Otherwise the unit is the unit of the drawing.
   Corner,
 };
 
@@ -81,8 +81,8 @@ struct SvgDrawing {
 /// curve from its chords, in units of the drawing. The tolerance must be positive. If `tolerance`
 /// is not given, the tolerance is a thousandth of the larger side of the viewBox. In a drawing
 /// without a viewBox, it is a thousandth of the larger of width and height. The memory of the
-/// drawing stays charged to `context`. Under SvgFrame::Corner the tolerance is measured in the unit
-/// of the result.
+/// drawing stays charged to `context`. If the frame is SvgFrame::Corner, the tolerance is measured
+/// in the unit of the result, not in units of the drawing.
 ///
 /// Cost: O(bytes + points). Errors name their position in the text. The errors are:
 ///   - the errors of the scanner (svg_syntax.h)

@@ -1,26 +1,30 @@
-// The distance of two sets of space or of the plane, exactly: the square of the distance, two
-// nearest points, and the cells on which they lie.
+// Computes the exact distance between two sets of space or of the plane. The result consists of the
+// square of the distance, a pair of nearest points, and the cells that contain these points.
 //
-// Distances are those of the closures: an open cube is as far from a point as a closed one, and two
-// sets that touch have the distance 0, whether or not they have a common point. The square of the
-// distance of two sets with rational coordinates is rational, and there are nearest points with
-// rational coordinates.
+// The distance between two sets is the distance between their closures. So it does not matter
+// whether the sets contain their boundaries: two sets that touch have the distance 0, even if they
+// have no common point. The coordinates of sets are rational. Therefore the square of a distance is
+// rational, and there are nearest points with rational coordinates.
 //
 // Main flow of distance():
-//  1. clip       an unbounded set is cut off at a box around the other set, which is grown until
-//                the distance is not greater than the margin of the box
-//  2. nearest    (nearest/simplex_tree.h) the facets of both sets are cut into triangles. A search
-//                in two trees of boxes finds the nearest triangles, free edges and isolated points:
-//                lower bounds in doubles choose candidates, and the candidates are compared exactly
-//  3. contained  if the boundaries do not meet, the distance is 0 only if a part of one boundary
-//                lies in the other set. One vertex of each part is located, unless boxes already
-//                show that the part lies outside
+//  1. clip       replaces an unbounded set by its part in a box around the other set. The box is
+//                made larger until the distance is at most the margin between the other set and the
+//                sides of the box
+//  2. nearest    (nearest/simplex_tree.h) cuts the facets of both sets into triangles, and searches
+//                for the nearest triangles, free edges and isolated points. The search uses one
+//                tree of boxes for each set. Lower bounds in doubles select candidates, and the
+//                candidates are compared exactly
+//  3. contained  looks for a set that lies inside the other one. If the boundaries do not meet, the
+//                distance is 0 only if a connected part of one boundary lies in the other set. To
+//                find out, the step locates one vertex of each such part in the other set. It omits
+//                parts whose boxes already show that they lie outside
 //
-// Cost: O(n log n) for the trees, usually O(log n) for the search. Two balls of 20,480 triangles
-// take some 10 ms. Every pair of triangles that doubles cannot tell from the nearest pair costs
-// about 10 us; if many facets of the sets are parallel and equally far apart, there are many such
-// pairs. Errors: Error{BadArgument} if a set is empty, or if both sets are unbounded; what the
-// context throws.
+// Cost: building the trees takes O(n log n). The search usually takes O(log n). For two balls of
+// 20,480 triangles, the function takes some 10 ms. If the lower bound of a pair of triangles is not
+// greater than the distance, the pair is compared exactly, which takes about 10 us. There are many
+// such pairs if many facets of the sets are parallel and equally far apart. Errors:
+// Error{BadArgument} if a set is empty, or if both sets are unbounded. Functions also throw what
+// the context throws.
 #pragma once
 
 #include <memory>
@@ -33,58 +37,59 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The distance of two sets of space.
+/// The distance between two sets of space.
 struct SpaceDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint3 at_a;  ///< A point of the closure of A.
   RationalPoint3 at_b;  ///< A point of the closure of B; the distance of the two is least.
-  /// The cell of A.complex() with `at_a`. If the distance is 0, this may be a volume.
+  /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a volume.
   SpaceLocation cell_a;
-  SpaceLocation cell_b;  ///< The cell of B.complex() with `at_b`.
+  SpaceLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
 };
 
-/// The distance of two sets of the plane.
+/// The distance between two sets of the plane.
 struct PlaneDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint2 at_a;  ///< A point of the closure of A.
   RationalPoint2 at_b;  ///< A point of the closure of B; the distance of the two is least.
-  /// The cell of A.complex() with `at_a`. If the distance is 0, this may be a face.
+  /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a face.
   PlaneLocation cell_a;
-  PlaneLocation cell_b;  ///< The cell of B.complex() with `at_b`.
+  PlaneLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
 };
 
-/// Returns the square root of a number that is not negative, with a relative error of at most
-/// 2^-52. Returns infinity if the root lies beyond the largest double.
+/// Returns the square root of a number, with a relative error of at most 2^-52. Requires that the
+/// number is not negative. Returns infinity if the root lies beyond the largest double.
 [[nodiscard]] double root_of(const Rational& square);
 
-/// Returns the distance of two sets. If several pairs of points are nearest, the result is one of
-/// them.
+/// Returns the distance between two sets. If several pairs of points have this distance, the result
+/// contains one of these pairs.
 [[nodiscard]] SpaceDistance distance(const Nef3& a, const Nef3& b,
                                      Context& context = unlimited_context());
-/// Returns the distance of a set and a point, which counts as a set of one vertex.
+/// Returns the distance between a set and a point. The point is treated as a set with one vertex.
 [[nodiscard]] SpaceDistance distance(const Nef3& a, const RationalPoint3& p,
                                      Context& context = unlimited_context());
-/// Returns the distance of two sets of the plane.
+/// Returns the distance between two sets of the plane.
 [[nodiscard]] PlaneDistance distance(const Nef2& a, const Nef2& b,
                                      Context& context = unlimited_context());
-/// Returns the distance of a set of the plane and a point.
+/// Returns the distance between a set of the plane and a point.
 [[nodiscard]] PlaneDistance distance(const Nef2& a, const RationalPoint2& p,
                                      Context& context = unlimited_context());
 
-/// A set that is prepared for many distances. Several threads may call const members at the same
-/// time.
+/// A set with a prepared tree of boxes, for queries of many distances. Several threads may call
+/// const members at the same time.
 class DistanceIndex {
  public:
-  /// Builds the trees. Throws Error{BadArgument} if the set is empty or unbounded. O(n log n).
+  /// Builds the tree of the set. Throws Error{BadArgument} if the set is empty or unbounded. O(n
+  /// log n).
   explicit DistanceIndex(const Nef3& set, Context& context = unlimited_context());
-  DistanceIndex(const DistanceIndex&);             ///< Copies share the trees.
-  DistanceIndex& operator=(const DistanceIndex&);  ///< Copies share the trees.
-  ~DistanceIndex();                                ///< Releases the trees.
+  DistanceIndex(const DistanceIndex&);             ///< Copies share the tree.
+  DistanceIndex& operator=(const DistanceIndex&);  ///< Copies share the tree.
+  ~DistanceIndex();                                ///< Releases the tree if no copy uses it.
 
-  /// Returns the distance of this set and another set.
+  /// Returns the distance between this set and another set.
   [[nodiscard]] SpaceDistance to(const DistanceIndex& other,
                                  Context& context = unlimited_context()) const;
-  /// Returns the distance of this set and a point. O(log n) usually.
+  /// Returns the distance between this set and a point. The query usually takes O(log n).
   [[nodiscard]] SpaceDistance to(const RationalPoint3& p,
                                  Context& context = unlimited_context()) const;
 

@@ -1,14 +1,19 @@
-// Solids swept by sets of the plane: along the z-axis, or around it.
+// Extrusions: solids that a set of the plane, the outline, sweeps along the z-axis or around the
+// z-axis.
 //
-// Main flow: the regularization of the outline is triangulated for the ends (space/planar), each of
-// its edges becomes a strip of faces, and Nef3::from_mesh() makes the set. Points that have the
-// winding number 1 or more belong to it. So an outline may touch itself, have holes and several
-// parts, and a twisted solid may cross itself.
+// Main flow of both functions:
+//  1. ends       triangulates the regularization of the outline (space/planar). The triangles form
+//                the two ends of the solid
+//  2. sides      makes a strip of faces from each edge of the outline
+//  3. from_mesh  makes the set from all faces (Nef3::from_mesh()). The set contains the points
+//                whose winding number is at least 1
+// The outline may touch itself, and may have holes and several parts. The faces of a twisted solid
+// may cross each other.
 //
-// Numbers: without a twist, the corners of the outline are taken exactly. With a twist, a scale
-// other than 1, or a rotation, corners are rounded to doubles.
+// Numbers: an extrusion along the z-axis without twist and scale is exact. In all other cases, the
+// corners of the solid are rounded to doubles.
 //
-// Cost: O(n log n + n s) for n corners of the outline and s slices, and what from_mesh() takes.
+// Cost: O(n log n + n s) for n corners of the outline and s slices, plus the cost of from_mesh().
 #pragma once
 
 #include <array>
@@ -23,24 +28,26 @@ namespace plumb {
 
 /// Options of linear_extrusion().
 struct LinearExtrusion {
-  double height = 1;         ///< The height; positive.
-  bool centred = false;      ///< Whether z runs from -height / 2 instead of 0.
+  double height = 1;  ///< The height, which must be positive.
+  /// Whether the solid extends from z = -height / 2 to z = height / 2, instead of from 0 to height.
+  bool centred = false;
   double twist = 0;          ///< The angle in degrees by which the top is turned clockwise.
-  std::uint32_t slices = 1;  ///< Layers of equal height; at least 1.
-  std::array<double, 2> scale = {1, 1};  ///< Factors of x and y at the top; at least 0.
+  std::uint32_t slices = 1;  ///< The number of layers of equal height; at least 1.
+  std::array<double, 2> scale = {1, 1};  ///< The factors of x and y at the top; each is at least 0.
 };
 
-/// Returns the closed solid between an outline at the bottom and its image at the top. It is empty
-/// if the outline has no area. Throws Error{BadArgument} if the outline is unbounded or an option
-/// is out of its range, and Error{NotFinite} if a number is not finite.
+/// Returns the closed solid between an outline at the bottom and its image at the top. The solid is
+/// empty if the outline has no area. Throws Error{BadArgument} if the outline is unbounded or an
+/// option is out of its range, and Error{NotFinite} if a number is not finite.
 [[nodiscard]] Nef3 linear_extrusion(const Nef2& outline, const LinearExtrusion& options,
                                     Context& context = unlimited_context());
 
-/// Returns the closed solid that an outline sweeps when it turns around the z-axis; its point (x,
-/// y) starts at (x, 0, y), or at (-x, 0, y) for a full turn. `angle` is in degrees; a negative one
-/// turns clockwise, and 360 or more is a full turn. The turn consists of `steps` equal steps.
-/// Requires that the outline does not have points on both sides of the line x = 0. Throws
-/// Error{BadArgument} if it has, or is unbounded, or if a step is 180 degrees or more.
+/// Returns the closed solid that an outline sweeps when it turns around the z-axis. Before the
+/// turn, the point (x, y) of the outline lies at (x, 0, y); for a full turn, it lies at (-x, 0, y).
+/// `angle` is the angle of the turn in degrees. A negative angle turns the outline clockwise. An
+/// angle of 360 or more stands for a full turn. The turn consists of `steps` equal steps. Throws
+/// Error{BadArgument} if the outline has points on both sides of the line x = 0, if the outline is
+/// unbounded, or if a step is 180 degrees or more.
 [[nodiscard]] Nef3 rotational_extrusion(const Nef2& outline, double angle, std::uint32_t steps,
                                         Context& context = unlimited_context());
 

@@ -1,19 +1,23 @@
-// Convex hulls of points and of sets, in space and in the plane, exactly. Input in any position is
-// handled: the hull of points in a plane is a polygon, that of points on a line a segment.
+// Computes exact convex hulls of points and of sets, in space and in the plane. Points may have any
+// position. For example, the hull of points in a common plane is a polygon, and the hull of points
+// on a line is a segment.
 //
 // Main flow of convex_hull() in space:
-//  1. a tetrahedron   finds four points that do not lie in a plane; if there are none, the hull is
-//                     flat, and is computed in a view of the plane
-//  2. insert          takes a face with points in front of it, and inserts the point that seems
-//                     farthest: the faces that the point sees are replaced by triangles to it, and
-//                     the points in front of them are distributed over the new triangles
+//  1. a tetrahedron   finds four points that do not lie in a common plane. If there are no such
+//                     points, the hull is flat, and it is computed as a hull in the plane
+//  2. insert          chooses a face with points in front of it, and inserts one of these points.
+//                     It chooses the point that is farthest from the face, up to rounding. A face
+//                     is visible from a point if the point lies strictly in front of the face. All
+//                     faces visible from the inserted point are replaced by triangles that have
+//                     this point as a corner. Each point in front of a removed face is assigned to
+//                     a new triangle, or dropped if it is not in front of any
 //  3. from_mesh       joins coplanar triangles
-// A face is removed only if the point lies strictly in front of it. So every new triangle has a
-// positive area, and all decisions are signs of determinants (input_predicates.h).
+// Only faces that are visible from the inserted point are removed. Therefore every new triangle has
+// a positive area. All decisions depend on exact signs of determinants (input_predicates.h).
 //
-// Cost: O(n log n) for usual input; O(n^2) at worst. In the plane O(n log n).
-// Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls, ACM
-// Transactions on Mathematical Software 22 (1996) 469-483.
+// Cost: in space, O(n log n) for usual input and O(n^2) in the worst case. In the plane, O(n log
+// n). Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls,
+// ACM Transactions on Mathematical Software 22 (1996) 469-483.
 #pragma once
 
 #include <span>
@@ -37,9 +41,10 @@ namespace plumb {
 /// is unbounded.
 [[nodiscard]] Nef3 convex_hull(std::span<const Nef3> sets, Context& context = unlimited_context());
 
-/// Returns the boundary of the convex hull as triangles that look outward; coplanar triangles are
-/// not joined. Only points that are corners of the mesh are kept. The mesh has no faces if all
-/// points lie in a plane. Throws Error{NotFinite} if a coordinate is not finite.
+/// Returns the boundary of the convex hull as a mesh of triangles that are oriented outwards.
+/// Coplanar triangles are not joined. The mesh contains only the points that are corners of
+/// triangles. The mesh has no faces if all points lie in a common plane. Throws Error{NotFinite} if
+/// a coordinate is not finite.
 [[nodiscard]] PolygonMesh hull_mesh(std::span<const Point3> points,
                                     Context& context = unlimited_context());
 

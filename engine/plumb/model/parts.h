@@ -1,4 +1,4 @@
-// The connected parts of a set of space, and the genus of its boundary.
+// Computes the connected components of a set of space, and the genus of its boundary.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,16 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the connected components of a set, in the order of their least cells: volumes first,
-/// then facets, edges and vertices. Two marked cells are connected if one lies in the border of the
-/// other. So two cubes that share a vertex are one component if the vertex belongs to the set, and
-/// two components if it does not. Cost: O(n) for the search, and O(n) for each component.
+/// Returns the connected components of a set. Components are ordered by their first cells, where
+/// volumes come before facets, facets before edges, and edges before vertices. Two marked cells are
+/// connected if one of them lies in the border of the other. For example, two cubes that share a
+/// vertex form one component if the vertex belongs to the set, and two components otherwise. Cost:
+/// O(n) for the search, and O(n) for each component.
 [[nodiscard]] std::vector<Nef3> components(const Nef3& set, Context& context = unlimited_context());
 
-/// Returns the sum of the genera of the components of the boundary: the number of handles. Returns
-/// nullopt if the set is not simple (Nef3::is_simple()) or is unbounded, since its boundary is then
-/// not a closed surface. O(n).
+/// Returns the number of handles of the boundary, which is the sum of the genera of its components.
+/// Returns nullopt if the set is unbounded or not simple (Nef3::is_simple()), because its boundary
+/// is then not a closed surface. Cost: O(n).
 [[nodiscard]] std::optional<std::uint64_t> genus(const Nef3& set);
 
 }  // namespace plumb

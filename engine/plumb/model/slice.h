@@ -1,14 +1,16 @@
-// Sets of the plane from sets of space: slices at a height, and shadows along the z-axis. Both are
-// exact.
+// Computes sets of the plane from sets of space: slices of a set at a given height, and the shadow
+// of a set, which is its projection along the z-axis. Both are exact.
 //
-// Main flow of slice(): the Boolean intersects the set with the plane; the cells of the flat result
-// become the cells of a subdivision of the plane, with their marks.
-// Main flow of shadow(): the borders of all facets are projected, each with its facet on the left;
-// the shadow consists of the points with a positive winding number, which is the number of facets
-// above the point.
+// Main flow of slice(): a Boolean intersects the set with the plane at the given height. The result
+// is a flat set of space. Its cells become the cells of a subdivision of the plane and keep their
+// marks.
+// Main flow of shadow(): the border of each facet is projected, and directed so that the projection
+// of the facet lies to its left. So the winding number of these borders at a point is the number of
+// facets whose projections contain the point. The shadow consists of the points with a positive
+// winding number.
 //
-// Cost: slice() costs as much as the Boolean; shadow() takes O((n + k) log n) for n edges and k
-// crossings of their projections.
+// Cost: slice() takes the time of the Boolean. shadow() takes O((n + k) log n) for n edges whose
+// projections have k crossings.
 #pragma once
 
 #include <span>
@@ -21,11 +23,11 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the points (x, y) for which (x, y, height) belongs to the set. The set and the slice may
-/// be unbounded.
+/// Returns the points (x, y) for which (x, y, height) belongs to the set. The set may be unbounded,
+/// and so may its slice.
 [[nodiscard]] Nef2 slice(const Nef3& set, const Rational& height,
                          Context& context = unlimited_context());
-/// Returns the slices at several heights.
+/// Returns one slice for each of the given heights, in the same order.
 [[nodiscard]] std::vector<Nef2> slices(const Nef3& set, std::span<const Rational> heights,
                                        Context& context = unlimited_context());
 /// Returns the closure of the set of points (x, y) for which some point (x, y, z) belongs to the

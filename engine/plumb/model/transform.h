@@ -1,5 +1,5 @@
-// Affine maps of space: rotations that are exactly orthogonal, reflections, scalings, and maps to a
-// given size. Nef3::transformed() applies them.
+// Constructs affine maps of space: exactly orthogonal rotations, reflections, translations,
+// scalings, and scalings to a given size. Nef3::transformed() applies a map to a set.
 #pragma once
 
 #include <array>
@@ -17,20 +17,21 @@ namespace plumb {
 /// Returns the determinant of the linear part.
 [[nodiscard]] Rational determinant(const AffineMap3& map);
 
-/// Returns the scaling of the axes by the given factors.
+/// Returns the map that multiplies x, y and z by the given factors.
 [[nodiscard]] AffineMap3 scaling(const std::array<Rational, 3>& factors);
-/// Returns the translation by a vector.
+/// Returns the translation by the vector `by`.
 [[nodiscard]] AffineMap3 translation(const std::array<Rational, 3>& by);
-/// Returns the reflection at the plane through the origin with the given normal. Throws
+/// Returns the reflection in the plane through the origin with the given normal. Throws
 /// Error{BadArgument} if the normal is zero.
 [[nodiscard]] AffineMap3 reflection(const std::array<Rational, 3>& normal);
 /// Returns a rotation about an axis through the origin. The matrix has rational entries and is
-/// exactly orthogonal. It is the rotation by `degrees` about `axis`, up to an error of 2^-50 in
-/// each entry; about a coordinate axis by a multiple of 90 degrees it is exact. Throws
-/// Error{BadArgument} if the axis is zero, and Error{NotFinite} if a number is not finite.
+/// exactly orthogonal. It approximates the rotation by `degrees` about `axis` with an error of at
+/// most 2^-50 in each entry. A rotation about a coordinate axis by a multiple of 90 degrees is
+/// exact. Throws Error{BadArgument} if the axis is zero, and Error{NotFinite} if a number is not
+/// finite.
 [[nodiscard]] AffineMap3 rotation(const std::array<double, 3>& axis, double degrees);
 
-/// The least box that contains a bounded set: the least and the greatest coordinates.
+/// The smallest axis-parallel box that contains a bounded set.
 struct BoundingBox3 {
   RationalPoint3 low;   ///< The least coordinates.
   RationalPoint3 high;  ///< The greatest coordinates.
@@ -40,9 +41,11 @@ struct BoundingBox3 {
 /// Error{BadArgument} if the set is unbounded. O(n).
 [[nodiscard]] std::optional<BoundingBox3> bounding_box(const Nef3& set);
 
-/// Returns the scaling about the origin after which the bounding box has the given size; an axis
-/// with the size 0 keeps its size, or, if `is_automatic` says so, gets the greatest factor of the
-/// others. Throws Error{BadArgument} if a size is negative, or an axis has no extent and a size.
+/// Returns the scaling about the origin that scales `box` to the given size. Along an axis whose
+/// entry in `size` is 0, the factor is 1. If the entry of this axis in `is_automatic` is true, the
+/// factor is instead the greatest factor of the other axes. Throws Error{BadArgument} if a size is
+/// negative. Also throws Error{BadArgument} if a size is positive but the box has the length 0
+/// along this axis.
 [[nodiscard]] AffineMap3 resizing(const BoundingBox3& box, const std::array<Rational, 3>& size,
                                   const std::array<bool, 3>& is_automatic = {});
 

@@ -1,5 +1,5 @@
-// A software rasteriser. For each sample the rasteriser stores a colour, a depth, and the patch
-// that is visible at the sample.
+// A software rasteriser. It stores a grid of samples. Each sample has a colour, a depth, and the
+// patch that is visible at the sample. A patch is a flat part of a scene (scene.h).
 #pragma once
 
 #include <algorithm>
@@ -38,8 +38,8 @@ class Canvas {
 
   /// Calls visit(sample, spot) for each sample whose middle `spot` lies in the triangle a b c. The
   /// triangle may have either orientation. If two triangles lie on different sides of a common
-  /// edge, each sample beside this edge is visited for exactly one of the two triangles. Exceptions
-  /// are possible at places where rounding moves the edge. Cost: O(rows + samples visited).
+  /// edge, each sample beside this edge is visited for exactly one of the two triangles, except
+  /// where rounding moves the edge. Cost: O(rows + samples visited).
   template <class Visit>
   void for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const;
 
@@ -53,28 +53,28 @@ class Canvas {
     patch_[sample] = patch;
     colour_[sample] = colour;
   }
-  /// Mixes a colour into the colour of a sample. The weight `part` is from 0 to 1.
+  /// Mixes `colour` into the colour of a sample. `part` is the weight of `colour`, from 0 to 1.
   void blend(std::size_t sample, Colour colour, double part);
 
-  /// Draws a line. Nearer patches hide the line, but the two patches in `patches` never hide it. At
-  /// each spot, the colour of the line is mixed into the colour of the patches. The weight of the
-  /// line is `part_at(spot)`, from 0 to 1. The canvas stores the line; finish() draws all lines
-  /// over the patches.
+  /// Draws a line from a to b. The line is hidden where a patch is nearer to the viewer. The two
+  /// patches listed in `patches` never hide the line. At each spot, the colour of the line is mixed
+  /// into the colour of the patches. The weight of the line is `part_at(spot)`, from 0 to 1. The
+  /// canvas stores the line; finish() draws all lines over the patches.
   template <class PartAt>
   void line(Spot a, Spot b, double width, const std::array<std::uint32_t, 2>& patches,
             Colour colour, const PartAt& part_at);
-  /// Draws a dot. The dot is a disc, or a ring around a white disc if `is_hollow` is true. Nearer
-  /// patches hide the dot. The weight `part` is from 0 to 1, as in line().
+  /// Draws a dot. The dot is a disc, or a ring around a white disc if `is_hollow` is true. The dot
+  /// is hidden if a patch is nearer to the viewer. `part` is the weight of `colour`, from 0 to 1.
   void dot(Spot at, double radius, Colour colour, bool is_hollow, double part);
 
-  /// Draws a line with round ends. No patch hides this line.
+  /// Draws a line with round ends, which no patch hides.
   void stroke(Point2 a, Point2 b, double width, Colour colour);
   /// For each sample, returns the patch that is visible at the sample, or Scene::kNoPatch if no
   /// patch is visible.
   const std::vector<std::uint32_t>& patches() const { return patch_; }
 
   /// Draws the lines and dots over the patches, and returns the image. The colour of a pixel is the
-  /// mean colour of a square block of samples. A side of the block has `samples` samples.
+  /// mean colour of a square block of `samples` times `samples` samples.
   Image finish(std::uint32_t samples);
 
  private:

@@ -18,8 +18,8 @@ struct MapSvgOptions {
   std::string title = {};       ///< The title, such as the name of the file. May be any bytes.
   std::size_t max_listed = 20;  ///< The largest number of defects listed below the map.
   std::size_t max_insets = 6;   ///< The largest number of close-ups, 0 to 6.
-  /// The context, whose checkpoint() is called before the map and before each close-up. Null stands
-  /// for no limits, no stop request and no progress callback.
+  /// The context. Its checkpoint() is called before the map and before each close-up are drawn. A
+  /// null pointer means that there are no limits, no stop request and no progress callback.
   Context* context = nullptr;
 };
 

@@ -30,8 +30,8 @@ struct Nef2SvgOptions {
   /// Convex parts of the set. Each part of dimension 2 is drawn in its own colour, and thin lines
   /// separate the parts.
   std::span<const Nef2> pieces = {};
-  /// The context of the picture. Null stands for no limits, no stop request and no progress
-  /// callback.
+  /// The context of the picture. A null pointer means that there are no limits, no stop request and
+  /// no progress callback.
   Context* context = nullptr;
 };
 

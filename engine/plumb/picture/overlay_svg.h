@@ -19,8 +19,8 @@ struct OverlaySvgOptions {
   std::string title = {};             ///< The title, such as the names of files. May be any bytes.
   std::string first = "first map";    ///< Name of the first map in the legend. May be any bytes.
   std::string second = "second map";  ///< Name of the second map in the legend. May be any bytes.
-  /// The names of the regions of the first map, and of the regions of the second map. Entry r is
-  /// the name of region r. Entry 0 is not used.
+  /// The names of the regions of the two maps. Entry r of a list is the name of region r of its
+  /// map. Entry 0 is not used.
   std::vector<std::string> first_names = {}, second_names = {};
 };
 
@@ -32,8 +32,7 @@ void write_overlay_svg(std::ostream& out, const MapOverlay& overlay,
 
 /// The colour of a pair of regions. A colour is a shade of a tint. All pairs with the same region
 /// of the first map have the same tint. Different shades distinguish these pairs. Neighbouring
-/// faces have different colours if the numbers of tints and shades are large enough for the
-/// overlay.
+/// faces get different colours, unless the overlay needs more tints or shades than there are.
 struct OverlayColour {
   /// The tint, from 0 to kTints - 1. The value kTints stands for faces in the unbounded region of
   /// the first map.

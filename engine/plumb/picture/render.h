@@ -1,6 +1,7 @@
 // Renders a scene as an image. Every sample of the image shows the facet that is nearest to the
 // viewer. The light comes from one side. Lines and dots are drawn over the facets, unless a nearer
-// facet hides them. The text of a group is placed on the visible part of the group.
+// facet hides them. If the patches of a scene form groups, the text of each group is written on the
+// visible part of the group.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +21,11 @@ struct PlacedText {
   std::string text;  ///< The text. May be any bytes.
 };
 
-/// Returns the texts of the groups with their positions. The middle of a text is the sample that is
-/// farthest from the border of the visible part of its group. The height of a text is `most` if a
-/// text of this height fits into the visible part. Otherwise the height is the largest one that
-/// fits, but at least `least`. If a text of height `least / 2` does not fit, the group gets no
-/// text. Cost: O(samples).
+/// Chooses a position and a height for the text of each group, and returns the texts. The middle of
+/// a text is the sample that is farthest from the border of the visible part of its group. The
+/// height of a text is `most` if a text of this height fits into the visible part. Otherwise the
+/// height is the largest one that fits, but at least `least`. If a text of height `least / 2` does
+/// not fit, the group gets no text. Cost: O(samples).
 std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, double least,
                                     double most);
 
@@ -37,7 +38,7 @@ class Camera {
   Camera(const Scene& scene, double width, double height);
 
   Spot place(const Point3& p) const;  ///< Returns the image of a point.
-  /// Returns the point of the scene whose image is `spot`.
+  /// Returns the point of space whose image is `spot`.
   Point3 point_at(const Spot& spot) const;
   /// Returns the unit vector towards the viewer.
   const Point3& viewer() const { return axes_[2]; }

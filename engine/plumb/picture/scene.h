@@ -28,7 +28,7 @@ enum class Paint : std::uint8_t {
   ClosedFacet,  ///< A facet in the set, with a marked volume behind it.
   OpenFacet,    ///< A facet not in the set, with a marked volume behind it.
   Sheet,        ///< A facet in the set, with no marked volume beside it.
-  Cut,          ///< A facet where the window cuts a marked volume.
+  Cut,          ///< A facet where the window (space_scene.h) cuts a marked volume.
   Edge,         ///< An edge in the set.
   OpenEdge,     ///< An edge not in the set.
   FreeEdge,     ///< An edge in the set, with no facet beside it.
@@ -133,15 +133,16 @@ struct Scene {
   std::vector<Dot> dots;            ///< Vertices and points.
   std::vector<Group> groups;        ///< Groups of patches. The scene of one set has no groups.
   std::vector<Layer> layers;        ///< Layers. The scene of one set has no layers.
-  std::uint8_t shown = kAllLayers;  ///< Bit i is 1 if layer i is shown.
+  std::uint8_t shown = kAllLayers;  ///< Bit i is 1 if layer i is currently shown.
 
   bool is_flat = false;  ///< Whether the scene lies in the plane z = 0 and is seen from above.
   bool fades = false;    ///< Whether the scene fades out towards the sides of its box.
-  /// Half the side lengths of the box around all points. The box is centred at the origin.
+  /// Half the side lengths of the box around all points of the scene. The centre of the box is the
+  /// origin.
   Point3 half = {1, 1, 1};
-  /// A quarter of the centre. The point p of the scene represents the point `centre + scale * p` of
-  /// the set. The centre and the scale are stored divided by 4, so that no difference of doubles
-  /// overflows.
+  /// A quarter of the centre. A point p of the scene represents the point `centre + scale * p` of
+  /// the set. Instead of the centre and the scale, a quarter of each is stored, because differences
+  /// of large doubles could overflow.
   Point3 quarter_centre = {0, 0, 0};
   double quarter_scale = .25;  ///< A quarter of the scale.
 
@@ -167,9 +168,9 @@ struct Scene {
   ///   - A legend explains Paint::Cut if and only if the scene fades out.
   ///   - If a shown layer has tints, a legend does not explain the paints of patches.
   std::array<bool, kPaints> legend(std::uint8_t layers_seen = kAllLayers) const;
-  /// Returns the weight, from 0 to 1, with which the scene is drawn at a point. If the scene fades
-  /// out, the weight is 1 in the inner part of the scene's box and decreases to 0 at the sides of
-  /// the box. Otherwise the weight is 1 everywhere.
+  /// Returns the opacity, from 0 to 1, with which the scene is drawn at a point. If the scene fades
+  /// out, the opacity is 1 in the inner part of the scene's box, and it decreases to 0 towards the
+  /// sides of the box. Otherwise the opacity is 1 everywhere.
   double strength(const Point3& p) const;
 };
 

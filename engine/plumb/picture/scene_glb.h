@@ -2,14 +2,14 @@
 // and the lines that are shown. Dots are left out.
 //
 // Main flow of write_scene_glb:
-//  1. vertices    writes a separate vertex for each corner of each facet. So the vertices of a
-//                 facet have the normal of this facet.
+//  1. vertices    writes a separate vertex for each corner of each facet. Facets share no vertices,
+//                 so each vertex has the normal of its facet.
 //  2. primitives  writes one primitive for each paint of facets, with the triangles and the
 //                 material of this paint. If the scene has groups, the step writes one mesh for
 //                 each group instead. Then the step writes one primitive for each paint of lines.
-//  3. node        writes the rotation that makes the y-axis point upwards. A scale and a
-//                 translation map the coordinates of the scene to the coordinates of the set. The
-//                 step also writes this scale and this translation if floats can represent them.
+//  3. node        writes the rotation that makes the y-axis point upwards. It also writes the scale
+//                 and the translation that map coordinates of the scene to coordinates of the set,
+//                 if floats can represent these numbers.
 #pragma once
 
 #include <iosfwd>

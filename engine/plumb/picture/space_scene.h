@@ -1,7 +1,7 @@
-// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex. It
-// shows a vertex as a dot where the edges do not show whether the vertex belongs to the set.
-// exploded_scene() shows several sets in one scene and moves the sets apart. coloured_scene() shows
-// a set in the colours of the meshes from which it was made.
+// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex. A
+// vertex is shown as a dot only if the edges at the vertex do not show whether it belongs to the
+// set. exploded_scene() shows several sets in one scene and moves the sets apart. coloured_scene()
+// shows a set in the colours of the meshes from which it was made.
 //
 // Main flow of scene_of(set):
 //  1. window  makes the window, a box (SpaceWindow). The box contains all vertices. The box also
@@ -29,10 +29,10 @@ bool has_colours(const Nef3& set);
 
 /// Returns the scene of a set in the colours of its sources (mesh_with_attributes.h). The facets
 /// beside marked volumes are divided into triangles. A triangle has the colour of its material,
-/// multiplied by the mean of the channel "color" at its corners. This mean is rounded to one of 16
-/// values for each of red, green and blue, so that a scene has few colours. Triangles of one colour
-/// are a group. An unbounded set, and a set without colours, has the scene of scene_of(). Cost:
-/// that of mesh_with_attributes().
+/// multiplied by the mean of the channel "color" at its corners. So that the scene has few colours,
+/// the red, green and blue of this mean are rounded to one of 16 values each. All triangles with
+/// the same colour form a group. If the set is unbounded or has no colours, the function returns
+/// scene_of(set). Cost: the cost of mesh_with_attributes().
 Scene coloured_scene(const Nef3& set, Context& context = unlimited_context());
 
 /// Returns a scene of several sets in one layer. Each set is a group with its own colour. Each set

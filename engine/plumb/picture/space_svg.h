@@ -22,12 +22,12 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Render options for the image of a page. The width and the height of the image must have the same
-/// ratio as in these options.
+/// Render options for the image of a page. An image of another size is possible, if the ratio of
+/// its width to its height is the same.
 inline constexpr RenderOptions kPageImage{1104, 828};
 
 /// Returns facts about a set in one line, such as "12 vertices, 18 edges, 8 facets, 2 volumes;
-/// volume 3".
+/// volume 3". The last number is the measure of the set.
 std::string facts_of(const Nef3& set, Context& context = unlimited_context());
 /// Returns the kind of a set in words, such as "bounded, closed".
 std::string kind_of(const Nef3& set);
@@ -42,7 +42,7 @@ void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std
 /// from the scene.
 struct ScenePage {
   SceneText text;                 ///< Title, kind and facts.
-  std::string_view png;           ///< A PNG file of the size of kPageImage.
+  std::string_view png;           ///< The bytes of a PNG file with the size of kPageImage.
   std::vector<PlacedText> texts;  ///< Texts over the image. Positions are in pixels of the image.
   std::string middle;             ///< The text that replaces the image if nothing is visible.
 };

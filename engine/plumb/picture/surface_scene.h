@@ -42,8 +42,9 @@ std::string layer_name(SurfaceLayer layer);
 /// select the layers that are shown. Cost: O(n log n).
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result);
-/// Returns the scene of a division in the colours of labels. If `result` is not null, the scene
-/// holds the selected cells and the borders of the result only. Cost: O(n log n).
+/// Returns the scene of a division in which cells with equal labels have equal colours. If `result`
+/// is not a null pointer, the scene contains only the selected cells and the borders of the result.
+/// Cost: O(n log n).
 Scene labelled_scene(const SurfaceDivision& division, const SurfaceResult* result,
                      Context& context = unlimited_context());
 

@@ -4,7 +4,7 @@
 //
 // Main flow of arrange():
 //  1. in_sweep_order  renumbers points and curves in the order of the sweep, so that memory is read
-//                     in sequence. This step is taken only if all coordinates of points are doubles
+//                     in sequence. This step is omitted if a coordinate of a point is not a double
 //                     (arrangement.cpp).
 //  2. sweep           visits all events in one exact sweep (sweep.h, docs/design/sweep.md)
 //  3. PlaneBuilder    makes an edge for each part of a curve between two vertices, and replaces the
@@ -13,9 +13,9 @@
 //                     connected component
 //
 // Cost: O((n + k) log n) for n curves and k crossings. This bound also holds if curves overlap. For
-// example, suppose that n nested segments lie on one line. Then the sets of curves of all edges
-// together have n^2 members. The bound holds because the class SegmentSets stores common members of
-// these sets once.
+// example, suppose that n segments on one line contain each other, like the intervals [-i, i]. Then
+// there are about n^2 pairs of an edge and a curve that contains it. The bound holds because the
+// class SegmentSets does not store each pair separately.
 #pragma once
 
 #include <cstddef>
@@ -34,22 +34,23 @@ namespace plumb {
 
 // --- sets of curves ---------------------------------------------------------------------------
 
-/// Sets of curves that share memory. For each edge of an arrangement, one of these sets records
-/// which curves contain the edge. The sets are persistent balanced trees (treaps: R. Seidel, C. R.
-/// Aragon, Randomized search trees, Algorithmica 16, 1996).
+/// A family of sets of curves that share memory. An arrangement has one such set for each edge,
+/// which contains the curves that run along the edge. The sets are persistent balanced trees
+/// (treaps: R. Seidel, C. R. Aragon, Randomized search trees, Algorithmica 16, 1996).
 ///
 /// An id (Set) names a set. There are three forms of ids:
 ///   - An id less than the number of curves names the set that consists of this one curve.
 ///   - The invalid id names the empty set.
 ///   - Any other id names the root of a treap, whose nodes never change.
-/// A change makes a new set and leaves the old set as it is. The new set has new nodes on the path
-/// from the root to the change. The new set shares all other nodes with the old set. The priority
-/// of a curve in a treap is a hash of the index of the curve. So the shape of a treap depends only
-/// on its curves, and not on the order of the changes.
+/// Adding or removing a curve makes a new set and leaves the old set unchanged. The new set has new
+/// nodes only on the path from the root to the added or removed node. It shares all other nodes
+/// with the old set. The priority of a curve in a treap is a hash of the index of the curve. So the
+/// shape of a treap depends only on its curves, and not on the order in which they were added.
 ///
-/// A change may consist of several steps (begin_change()). A step reuses the nodes that earlier
-/// steps of the same change made. This has two consequences: the intermediate sets of a change are
-/// lost, and a set of m curves that is built in one change takes at most m nodes.
+/// Several steps, each of which adds or removes one curve, may be joined to one change
+/// (begin_change()). A step may overwrite nodes that earlier steps of the same change made. So a
+/// set of m curves that is built in one change takes at most m nodes, but the intermediate sets of
+/// the change are lost.
 ///
 /// Cost: a step that changes a set of m curves takes expected O(log m) time and makes expected
 /// O(log m) nodes. A set of one curve needs no node.
@@ -57,8 +58,8 @@ class SegmentSets {
  public:
   /// The id of a set. The invalid id stands for the empty set.
   using Set = StrongId<struct SegmentSetTag>;
-  /// Memory of a node in bytes. A node has 12 bytes. The value is twice as large because the array
-  /// of nodes grows by doubling.
+  /// Memory of a node in bytes. A node has 12 bytes. The array of nodes grows by doubling, so up to
+  /// 24 bytes are allocated for each node.
   static constexpr std::size_t kBytesPerNode = 24;
 
   SegmentSets() = default;  ///< Makes a family of sets over no curves.
@@ -109,7 +110,7 @@ class SegmentSets {
 
   std::size_t curves_ = 0;
   std::vector<Node> nodes_;
-  // The current change made the nodes with this index and with greater indices.
+  // All nodes from this index on were made by the current change.
   std::size_t own_from_ = std::numeric_limits<std::size_t>::max();
   Set free_;  // First free node of the current change. `left` links the free nodes to a list.
 };
@@ -118,9 +119,9 @@ class SegmentSets {
 
 /// The subdivision of the plane by curves.
 struct Arrangement {
-  /// The subdivision. No cell is marked. The subdivision need not be minimal: every end point of a
-  /// curve is a vertex. For example, an end point in the interior of another curve on the same line
-  /// is a vertex.
+  /// The subdivision. No cell is marked. The subdivision need not be minimal, because every end
+  /// point of a curve is a vertex. This holds even for an end point in the interior of another
+  /// curve on the same line.
   PlaneComplex complex;
   SegmentSets origin_sets;  ///< Sets of curves, shared by all edges.
   /// For each ordinary edge, the set of the curves that contain it. The set belongs to origin_sets.
@@ -137,7 +138,8 @@ struct Arrangement {
 
 /// Returns the arrangement of curves and points. `isolated` contains indices of points that become
 /// vertices even if no curve meets them. Curves of length zero become vertices, too. Requires that
-/// the ends of each curve lie on the line of the curve (SweepCurve). Throws:
+/// the two ends of each curve lie on the line through the points a and b of the curve (SweepCurve).
+/// Throws:
 ///   - Error{BadIndex} if an index is not the index of a point, or if a or b of a curve is not the
 ///     index of an input point
 ///   - ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested
@@ -146,8 +148,8 @@ Arrangement arrange(const PlanePoints& points, std::span<const SweepCurve> curve
                     Context& context = unlimited_context());
 
 /// Returns the arrangement of segments between input points. Segments of length zero become
-/// vertices. A point that is the end of no segment is no vertex, unless a segment meets it. The
-/// requirements and errors are the same as for the function above.
+/// vertices. A point that is not the end of a segment becomes a vertex only if a segment passes
+/// through it. The requirements and errors are the same as for the function above.
 Arrangement arrange(PointTable2 points, std::span<const SweepSegment> segments,
                     Context& context = unlimited_context());
 

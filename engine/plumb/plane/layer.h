@@ -1,25 +1,27 @@
-// Layers of features, and their repair. A layer is a list of features, such as countries. A feature
-// has an id, properties and polygons. In a coverage, features may touch but do not overlap.
+// Layers of features, and the repair of layers. A layer is a list of features, such as countries. A
+// feature has an id, properties and polygons. A coverage is a layer whose features do not overlap.
+// Features of a coverage may touch each other.
 //
 // repair_layer() finds the regions in which features overlap and the gaps between features, gives
 // each of these regions to one feature, and returns a coverage whose vertices are doubles.
 //
 // Main flow of repair_layer():
-//  1. CoveredCells      arranges the rings of all features exactly. Each face gets the list of the
-//                       features that cover it. A polygon covers the points that its rings enclose
-//                       by the even-odd rule.
-//  2. LayerRegions      unites neighbouring faces with the same list to regions. Each region that
-//                       several features cover is one overlap. Each bounded region that no feature
-//                       covers is one gap or one hole.
+//  1. CoveredCells      arranges the rings of all features exactly. Each face of the arrangement
+//                       gets the list of the features that cover it. A polygon covers the points
+//                       that its rings enclose by the even-odd rule.
+//  2. LayerRegions      joins neighbouring faces with the same list to regions. A region that
+//                       several features cover is an overlap. A bounded region that no feature
+//                       covers is a gap or a hole.
 //  3. RegionOwners      gives each overlap and each gap to one feature
 //  4. layer_of_labels   keeps the edges between different owners, rounds their vertices together
 //                       (plane_rounding.h), and traces the polygons of each feature
 //
-// Exactness: the arrangement, the lists and the areas are exact. Widths and lengths of borders are
-// computed in doubles. They only select the owner of a region that is determined exactly.
+// Exactness: the arrangement, the lists of features and the areas are exact. Widths of regions and
+// lengths of borders are computed in doubles. They decide only whether a region is a gap or a hole,
+// and which feature gets the region. The region itself is exact.
 //
-// Cost: O((n + k) log n) for n corners and k crossings, and the total length of the lists of
-// features.
+// Cost: O((n + k) log n + s) for n corners and k crossings, where s is the sum of the lengths of
+// all lists of features.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +53,8 @@ struct Layer {
   /// For each feature, its first polygon. The last entry is the number of polygons.
   std::vector<std::uint32_t> feature_begin = {0};
   std::string json;  ///< The ids and properties of all features as JSON texts, end to end.
-  /// For feature f, its id begins at json_begin[2 f] and its properties at json_begin[2 f + 1].
+  /// Offsets in `json`: the id of feature f begins at json_begin[2 f], and its properties begin at
+  /// json_begin[2 f + 1]. The last entry is the size of `json`.
   std::vector<std::uint64_t> json_begin = {0};
 
   std::size_t feature_count() const { return feature_begin.size() - 1; }  ///< Number of features.
@@ -61,16 +64,20 @@ struct Layer {
   std::span<const std::uint32_t> ring(std::size_t r) const {
     return {ring_corners.data() + ring_begin[r], ring_corners.data() + ring_begin[r + 1]};
   }
-  /// Returns the id of feature `f` as a JSON text, such as "FR" in quotes. Empty if there is none.
+  /// Returns the id of feature `f` as a JSON text, such as "FR" including the quotes. Returns an
+  /// empty text if the feature has no id.
   std::string_view id(std::size_t f) const { return json_text(2 * f); }
-  /// Returns the properties of feature `f` as a JSON text. Empty if there are none.
+  /// Returns the properties of feature `f` as a JSON text. Returns an empty text if the feature has
+  /// no properties.
   std::string_view properties(std::size_t f) const { return json_text(2 * f + 1); }
 
-  /// Ends a ring, which consists of the corners after the previous ring.
+  /// Ends a ring. The ring consists of the corners that were appended after the previous ring
+  /// ended.
   void end_ring() { ring_begin.push_back(static_cast<std::uint32_t>(ring_corners.size())); }
-  /// Ends a polygon, which consists of the rings after the previous polygon.
+  /// Ends a polygon. The polygon consists of the rings that ended after the previous polygon ended.
   void end_polygon() { polygon_begin.push_back(static_cast<std::uint32_t>(ring_count())); }
-  /// Ends a feature, which consists of the polygons after the previous feature.
+  /// Ends a feature. The feature consists of the polygons that ended after the previous feature
+  /// ended. `id` and `properties` are JSON texts.
   void end_feature(std::string_view id, std::string_view properties) {
     feature_begin.push_back(static_cast<std::uint32_t>(polygon_count()));
     for (const std::string_view text : {id, properties}) {
@@ -86,8 +93,8 @@ struct Layer {
 };
 
 /// How the owner of an overlap or a gap is selected. The candidates for an overlap are the features
-/// that cover it. The candidates for a gap are the features along its boundary. If candidates are
-/// equal, the one that comes first in the layer is selected.
+/// that cover it. The candidates for a gap are the features along its boundary. If several
+/// candidates are equally good, the one that comes first in the layer is selected.
 enum class OwnerRule : std::uint8_t {
   LongestBorder,  ///< The candidate that has the longest common border with the region.
   Largest,        ///< The candidate with the largest area.
@@ -100,11 +107,13 @@ struct LayerRepairOptions {
   OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners are selected.
   /// An enclosed region that no feature covers is a gap if its width is less than this value.
   /// Otherwise it is a hole, such as a lake, and stays as it is. If there is no value, the bound is
-  /// 1/10000 of the diagonal of the bounding box of the layer, and a region that is narrower than
-  /// this bound is nevertheless a hole if it looks like a small lake: at most two features are
-  /// along its boundary, it is less than 100 times as long as it is wide (4 A / p^2 >= 1/100 for
-  /// its area A and its perimeter p), and its width is at least 1e-9 of the diagonal, which is more
-  /// than what rounding of coordinates leaves.
+  /// D / 10000, where D is the diagonal of the bounding box of the layer. In this case, a region
+  /// that is narrower than the bound is nevertheless a hole if it looks like a small lake. A region
+  /// looks like a small lake if it meets three conditions:
+  ///   - At most two features lie along its boundary.
+  ///   - It is less than about 100 times as long as it is wide: 4 A / p^2 >= 1/100 for its area A
+  ///     and its perimeter p.
+  ///   - Its width is at least 1e-9 D. Gaps that come from rounding of coordinates are narrower.
   std::optional<double> gaps_below = {};
 };
 
@@ -112,7 +121,7 @@ struct LayerRepairOptions {
 enum class LayerRegionKind : std::uint8_t {
   Overlap,  ///< Several features cover the region.
   Gap,      ///< No feature covers the region, and it is narrow (LayerRepairOptions::gaps_below).
-  Hole,     ///< No feature covers the region, and it is wide. A hole is no defect.
+  Hole,     ///< No feature covers the region, and it is wide. A hole is not a defect.
 };
 
 /// Returns "overlap", "gap" or "hole": the name of a kind in files, pictures and bindings.
@@ -121,30 +130,32 @@ constexpr const char* name_of(LayerRegionKind kind) {
   return kind == LayerRegionKind::Gap ? "gap" : "hole";
 }
 
-/// A region of a report: a connected overlap of the same features, a gap or a hole.
+/// A region of a report: a gap, a hole, or a connected region in which the same features overlap.
 struct LayerRegion {
   /// The owner of a region that belongs to no feature.
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
-  LayerRegionKind kind;          ///< What the region is.
+  LayerRegionKind kind;          ///< The kind of the region.
   Rational area;                 ///< The exact area.
   double width;                  ///< Twice the area, divided by the perimeter.
   std::uint32_t features_begin;  ///< First entry in LayerReport::features.
-  std::uint32_t features_end;    ///< Behind the last entry in LayerReport::features.
+  std::uint32_t features_end;    ///< The entry after the last entry in LayerReport::features.
   std::uint32_t owner;           ///< The feature that gets the region; kNobody for a hole.
 };
 
-/// What repair_layer() has found and changed.
+/// The regions that check_layer() or repair_layer() found, and the changes that repair_layer()
+/// made.
 struct LayerReport {
   std::vector<LayerRegion> regions;  ///< Overlaps, gaps and holes.
-  /// For each region, the features that cover it, or the features along the boundary of a gap or a
-  /// hole, in ascending order.
+  /// The features of all regions, end to end; features_of() returns those of one region. The
+  /// features of an overlap are the features that cover it. The features of a gap or a hole are the
+  /// features along its boundary. The features of a region are in ascending order.
   std::vector<std::uint32_t> features;
-  /// Polygons of the regions. Feature k belongs to regions[k] and has no id and no properties. A
-  /// region that vanishes in doubles has no polygons.
+  /// The polygons of the regions, rounded to doubles. Feature k of `shapes` is regions[k], and has
+  /// no id and no properties. It has no polygons if rounding leaves nothing of the region.
   Layer shapes;
-  double gaps_below = 0;               ///< The bound for the widths of gaps.
-  std::vector<std::uint32_t> emptied;  ///< Features that had an area before and have none.
+  double gaps_below = 0;               ///< The bound that was used for the widths of gaps.
+  std::vector<std::uint32_t> emptied;  ///< The features that lost their whole area by the repair.
   PlaneRoundingReport rounding;        ///< What rounding has changed.
 
   /// Returns the features of a region.
@@ -162,20 +173,20 @@ struct RepairedLayer {
   /// The features with their ids and properties, in the order of the input. Polygons are valid,
   /// their vertices are doubles, and features meet only in common edges and vertices.
   Layer layer;
-  LayerReport report;  ///< What was found and changed.
+  LayerReport report;  ///< The regions that were found, and the changes that were made.
 };
 
-/// Returns the overlaps, gaps and holes of a layer. No region has an owner, and nothing is rounded
-/// but the corners of LayerReport::shapes. `options.rule` has no effect. Throws as repair_layer()
-/// does.
+/// Returns the overlaps, gaps and holes of a layer. The layer is not changed, so no region has an
+/// owner, and `options.rule` has no effect. Only the corners of LayerReport::shapes are rounded.
+/// Throws as repair_layer() does.
 LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = {},
                         Context& context = unlimited_context());
 
-/// Returns the layer without overlaps and gaps, and a report. An overlap that covers a feature
-/// completely, together with other overlaps, goes to this feature, whatever the rule is. So such a
-/// feature does not vanish, unless several features are equal. Throws Error{NumberOutOfRange} if
-/// coordinates are too large to be rounded, ResourceLimit if a limit of the Context is exceeded,
-/// and Cancelled if a stop is requested.
+/// Returns the layer without overlaps and gaps, and a report. There is one exception to the rule
+/// for owners. If overlaps cover a feature completely, these overlaps are given to this feature.
+/// Otherwise the feature could vanish. It can still vanish if several features are equal. Throws
+/// Error{NumberOutOfRange} if coordinates are too large to be rounded, ResourceLimit if a limit of
+/// the Context is exceeded, and Cancelled if a stop is requested.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
                            Context& context = unlimited_context());
 

@@ -1,13 +1,18 @@
-// The overlay of two layers: every pair of a feature of the first layer and a feature of the second
-// layer that have common points becomes one feature.
+// Computes the overlay of two layers. If a feature of the first layer and a feature of the second
+// layer overlap, their intersection becomes a feature of the overlay. So each feature of the
+// overlay belongs to a pair of features, called partners. The overlay can also contain the parts of
+// a feature that no feature of the other layer covers. In the pairs of such parts, one partner is
+// missing.
 //
 // Main flow of overlay_layers():
-//  1. CoveredCells     arranges the rings of both layers exactly. Each face gets the list of the
-//                      features that cover it.
-//  2. pairs            each face belongs to the pair of the first feature of each layer that covers
-//                      it; the second partner or the first partner may be missing
-//  3. rounded_labels   leaves out the edges between faces of one pair, and rounds all crossings
-//                      together, so that the pairs stay a coverage
+//  1. CoveredCells     arranges the rings of both layers exactly. Each face of the arrangement gets
+//                      the list of the features that cover it.
+//  2. pairs            assigns each face to a pair. The partners are the first feature of the first
+//                      layer that covers the face, and the first feature of the second layer that
+//                      covers it. One of them may be missing
+//  3. rounded_labels   leaves out the edges between faces of the same pair, and rounds all
+//                      crossings to doubles. All crossings are rounded together, so that the
+//                      features of the result form a coverage
 //  4. layer_of_labels  traces the polygons of each pair
 //
 // The layers may have lakes, overlaps, gaps, and rings that touch.
@@ -27,41 +32,44 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Which pairs an overlay keeps.
+/// Selects the pairs that the overlay contains.
 enum class OverlayPairs : std::uint8_t {
-  All,        ///< What any of the layers covers.
-  First,      ///< What the first layer covers, whether the second one covers it or not.
-  Both,       ///< What both layers cover.
-  FirstOnly,  ///< What the first layer covers and the second one does not cover.
+  All,        ///< All pairs.
+  First,      ///< Pairs with a first partner, whether or not the second partner is missing.
+  Both,       ///< Pairs without a missing partner.
+  FirstOnly,  ///< Pairs whose second partner is missing.
 };
 
 /// Options of overlay_layers().
 struct LayerOverlayOptions {
-  OverlayPairs pairs = OverlayPairs::All;  ///< Which pairs are kept.
-  /// Whether LayerOverlay::area is computed. Exact areas of many crossings take longer than the
-  /// overlay.
+  OverlayPairs pairs = OverlayPairs::All;  ///< Selects the pairs of the overlay.
+  /// Whether LayerOverlay::area is computed. If there are many crossings, computing the exact areas
+  /// takes longer than computing the overlay.
   bool with_areas = false;
 };
 
 /// The overlay of two layers.
 struct LayerOverlay {
-  /// A pair of features. A partner that is missing is LayerRegion::kNobody.
+  /// A pair of features. If a partner is missing, its entry is LayerRegion::kNobody.
   struct Pair {
     std::uint32_t first;   ///< Feature of the first layer.
     std::uint32_t second;  ///< Feature of the second layer.
     friend bool operator==(const Pair&, const Pair&) = default;
   };
 
-  /// Feature k is pair k. The result is a coverage: polygons are valid, vertices are doubles, and
-  /// features meet only in common edges and vertices. There are no ids and no properties.
+  /// Feature k belongs to pairs[k]. The layer is a coverage: polygons are valid, vertices are
+  /// doubles, and features meet only in common edges and vertices. The features have no ids and no
+  /// properties.
   Layer layer;
-  /// The pairs in ascending order. A missing partner comes last.
+  /// The pairs in ascending order. They are compared by their first partners, and then by their
+  /// second partners. A missing partner counts as greater than all others.
   std::vector<Pair> pairs;
-  /// For each pair, the exact area before rounding. Empty if no areas were asked for.
+  /// The exact area of each pair before rounding. It is empty if LayerOverlayOptions::with_areas is
+  /// false.
   std::vector<Rational> area;
-  std::vector<Pair> vanished;  ///< Pairs of which nothing remains after rounding.
-  /// The numbers of regions that several features of the first layer cover, and of the second
-  /// layer. Such a region belongs to the first one of these features.
+  std::vector<Pair> vanished;  ///< Pairs whose whole area vanished by rounding.
+  /// The number of regions that several features of the first layer cover, and the corresponding
+  /// number for the second layer. Such a region is assigned to the first of these features.
   std::size_t first_overlaps = 0, second_overlaps = 0;
   PlaneRoundingReport rounding;  ///< What rounding has changed.
 };

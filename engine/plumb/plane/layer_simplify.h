@@ -1,4 +1,4 @@
-// Simplifying a layer: borders get fewer corners, and the layer stays a coverage.
+// Simplifies a layer: borders get fewer corners, and the result is a coverage (layer.h).
 //
 // Main flow of simplify_layer():
 //  1. CoveredCells, rounded_labels   make the subdivision of the features, with doubles as vertices
@@ -8,14 +8,17 @@
 //  3. labelled_arrangement           arranges the remaining borders exactly
 //  4. layer_of_labels                traces the polygons of each feature
 //
-// A border that two features share is simplified once, for both. A corner v between the corners u
-// and w of a border may be removed if the closed triangle u v w contains no other corner, and if u
-// and w are not joined already. Both are decided exactly. Then no borders cross or touch afterwards
-// that did not before: an edge that meets the triangle, but has no end in it, would cross u v or v
-// w. So all polygons, holes and neighbours stay, and every ring keeps at least three corners.
-// Corners where three or more borders meet stay where they are.
+// A border that two features share is stored only once, so both features get the same simplified
+// border. Let u, v and w be consecutive corners of a border. The corner v may be removed, so that
+// the segment u w replaces the segments u v and v w, under two conditions: the closed triangle u v
+// w contains no other corner, and no edge joins u and w already. Both conditions are decided
+// exactly. The removal then makes no borders cross or touch: an edge that crosses u w, but has no
+// end in the triangle, would also cross u v or v w, and edges of borders do not cross. So no
+// polygon or hole vanishes, features have the same neighbours as before, and every ring keeps at
+// least three corners. A corner where three or more borders meet is never removed.
 //
-// Areas of triangles are computed in doubles. They only order the corners.
+// Areas of triangles are computed in doubles. These areas only decide in which order corners are
+// removed, and when the removal stops.
 //
 // Cost: O(n log n) for n corners if triangles contain few corners, and O(n) memory.
 #pragma once
@@ -33,14 +36,15 @@ namespace plumb {
 /// Options of simplify_layer() and simplify_borders(). A corner is removed only if all options
 /// allow this.
 struct LayerSimplifyOptions {
-  /// Corners are removed while their triangle has at most this area, in square units of the layer.
-  /// Infinity sets no bound.
+  /// The largest area of a triangle u v w (see above) whose corner v may be removed, in square
+  /// units of the layer. Infinity means that there is no bound.
   double tolerance = 0;
-  /// The part of the removable corners that stays, between 0 and 1. A corner is removable if
-  /// exactly two edges of borders meet there.
+  /// The fraction of the removable corners that is kept, between 0 and 1. A corner is removable if
+  /// exactly two edges of borders meet at the corner.
   double kept = 0;
-  /// Every point of the borders stays within this distance of the borders before, and every point
-  /// of the borders before is as near to a border that is left. Infinity sets no bound.
+  /// The largest distance by which borders may move. Every point of the simplified borders lies
+  /// within this distance of the original borders, and every point of the original borders lies
+  /// within this distance of the simplified borders. Infinity means that there is no bound.
   double within = std::numeric_limits<double>::infinity();
 };
 
@@ -50,16 +54,19 @@ struct SimplifiedLayer {
   /// coverage: polygons are valid, vertices are doubles, and features meet only in common edges and
   /// vertices. Corners of the result are corners of the input or crossings of its edges.
   Layer layer;
-  std::size_t corners_before = 0;  ///< Corners of borders; a common corner counts once.
-  std::size_t corners_after = 0;   ///< Corners of borders that are left.
-  std::size_t fixed = 0;  ///< Corners that are not removable, as three or more borders meet.
-  /// Removable corners that the options would let go, but that stay because their triangle contains
-  /// a corner, or because a ring would collapse.
+  /// The number of corners of the original borders. A corner of several borders is counted once.
+  std::size_t corners_before = 0;
+  std::size_t corners_after = 0;  ///< The number of corners of the simplified borders.
+  /// The number of corners that are not removable because three or more borders meet there.
+  std::size_t fixed = 0;
+  /// The number of corners that the options allow to remove, but that are kept for another reason:
+  /// their triangle contains a corner, or a ring would collapse.
   std::size_t blocked = 0;
   /// An upper bound for the distance between the borders before and after (Hausdorff distance).
-  /// What rounding has moved is not included.
+  /// Movements by rounding are not included.
   double borders_moved = 0;
-  /// The number of regions that several features cover. Such a region belongs to the first one.
+  /// The number of regions that several features cover. Such a region is assigned to the first of
+  /// these features.
   std::size_t overlaps = 0;
   PlaneRoundingReport rounding;  ///< What rounding has changed before corners were removed.
 };

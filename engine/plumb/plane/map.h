@@ -1,5 +1,6 @@
-// A planar map as a user lists it: points, and cycles of indices of points. A Map only stores this
-// list. check_map() decides whether the cycles subdivide the plane (map_check.h).
+// A planar map in the form in which a user lists it: points, and cycles of indices of points. The
+// struct Map only stores these lists. check_map() decides whether the cycles subdivide the plane
+// (map_check.h).
 #pragma once
 
 #include <cstdint>
@@ -12,11 +13,11 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Regions as a user lists them (format: docs/formats.md, "map"). In a valid map, the outer
-/// boundary of each bounded face runs counter-clockwise. The boundaries of holes run clockwise. The
-/// outer boundary of each connected component runs clockwise, too, because it bounds a hole in the
-/// face around the component. check_map() decides whether a map is valid. Ids are 0-based in this
-/// struct and 1-based in every text format.
+/// A list of points, and a list of cycles that bound regions (format: docs/formats.md, "map"). In a
+/// valid map, the outer boundary of each bounded face runs counter-clockwise. The boundaries of
+/// holes run clockwise. The outer boundary of each connected component runs clockwise, too, because
+/// it bounds a hole in the face around the component. check_map() decides whether a map is valid.
+/// Ids are 0-based in this struct and 1-based in every text format.
 struct Map {
   PointTable2 points;                  ///< Points of the vertices; equal points are allowed.
   std::vector<std::uint32_t> corners;  ///< Vertex indices of all cycles, end to end.

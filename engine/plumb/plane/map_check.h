@@ -3,9 +3,9 @@
 // positions.
 //
 // Notation: a directed edge (half-edge) is a pair (u, v) of vertices. A listed cycle uses the
-// directed edges from each corner to the next. The twin of (u, v) is (v, u). An undirected edge is
-// a pair {u, v} such that a cycle uses (u, v) or (v, u). The id of a vertex or cycle is its 0-based
-// index in the input.
+// directed edge from each of its corners to the next corner. The twin of (u, v) is (v, u). An
+// undirected edge is a pair {u, v} such that a cycle uses (u, v) or (v, u). The id of a vertex or
+// cycle is its 0-based index in the input.
 //
 // Main flow of check_map() (docs/maps.md defines every defect):
 //  1. match_twins       sorts the half-edges into buckets by the lesser of their two vertex ids,
@@ -16,8 +16,9 @@
 //                         - the order of the edges around each vertex
 //                         - for each component, the edge below its first vertex
 //  3. classify_open     follows chains of open edges. An edge is open if a cycle uses one of its
-//                       half-edges and no cycle uses the other. Each chain bounds a gap between the
-//                       listed faces, is a missing outer boundary, or bounds an overlap of regions.
+//                       half-edges and no cycle uses the other. Each chain has one of three
+//                       meanings: it bounds a gap between the listed faces, it bounds an overlap of
+//                       regions, or it is an outer boundary that is not listed.
 //  4. trace_orbits      traces the boundaries of the faces of the induced graph, and finds the
 //                       mixed faces. The induced graph is the planar graph of all undirected edges.
 //                       At each vertex, the order of the edges around the vertex determines the
@@ -29,8 +30,9 @@
 //  6. settle_touching_rings  finds regions whose rings touch each other at vertices. Their faces
 //                       are not mixed. This step is taken only if step 4 found mixed faces.
 //  7. describe_defects  describes the defects in a fixed order. A description has the exact point
-//                       of the defect and a hint for the user. For the hints, the arrangement of
-//                       all edges shows which regions overlap (check/map_claims.h).
+//                       of the defect and a hint for the user. To find out for the hints which
+//                       regions overlap, the step computes the arrangement of all edges
+//                       (check/map_claims.h).
 //
 // Cost: O((n + k) log n) time and O(n + d) memory for n corners, k crossings and d described
 // defects.
@@ -53,8 +55,9 @@ namespace plumb {
 /// The requirement on outer boundaries.
 enum class OuterRule {
   Listed,  ///< The outer boundary of every component must be listed, clockwise.
-  /// Clockwise chains of open edges become the missing outer cycles, with a warning. If no edges
-  /// are in contact, a chain around an overlap of regions stays open.
+  /// If an outer boundary is not listed, its edges form a clockwise chain of open edges. Such a
+  /// chain is added as an outer cycle, and a warning reports this. A chain that bounds an overlap
+  /// of regions is not added if no edges cross; its edges are reported as open.
   Infer,
   /// An open edge is not a defect. But if a component lies inside a listed face, the outer boundary
   /// of the component must be listed. If it is not listed, the component is a Nested defect.
@@ -77,10 +80,10 @@ enum class DefectKind {
   Crossing,   ///< Two undirected edges have a common point that is not a common vertex.
   Twin,       ///< One cycle uses an edge in both directions.
   /// The boundary of a face of the induced graph does not consist of the listed cycles as required.
-  /// The outer boundary of a bounded face must be one counter-clockwise listed cycle, or the face
-  /// must be a part of a region of rings: one counter-clockwise cycle and clockwise cycles that
-  /// touch it or each other at vertices. The outer boundary of a component must consist of
-  /// clockwise listed cycles only.
+  /// The outer boundary of a bounded face must be one counter-clockwise listed cycle. There is one
+  /// exception: the face may be a part of a region whose boundary consists of one counter-clockwise
+  /// cycle and clockwise cycles, if these cycles touch each other only at vertices. The outer
+  /// boundary of a component must consist of clockwise listed cycles only.
   Mixed,
   Nested  ///< A component lies in a listed face, but the component's outer boundary is not listed.
 };
@@ -93,8 +96,8 @@ struct MapCheckOptions {
   /// The largest number of defects that are described. Defects that are not described are counted,
   /// too.
   std::uint64_t max_defects = 1000;
-  /// Whether hints name vertices by their coordinates instead of their numbers, because the file
-  /// from which the map was made does not number them.
+  /// Whether hints name vertices by their coordinates instead of their numbers. Set this to true if
+  /// the file from which the map was made does not number its vertices.
   bool name_places = false;
 };
 
@@ -122,7 +125,7 @@ struct MapDefect {
   std::string hint;  ///< A sentence that explains the defect and how to correct it.
 };
 
-/// The counts of all defects, whether they are described or not (definitions: docs/maps.md).
+/// The counts of all defects, including defects that are not described (definitions: docs/maps.md).
 struct MapDefectCounts {
   std::uint64_t duplicate = 0;  ///< Repeated uses of a directed edge.
   std::uint64_t open = 0;       ///< Directed edges without a twin; 0 under OuterRule::Ignore.

@@ -5,8 +5,8 @@
 //
 // Main flow of overlay_maps(): one sweep visits the edges of both maps. Every face gets a label.
 // The label is a pair: the region of the first map and the region of the second map that contain
-// the face. At every event, the sweep visits the edges from bottom to top. The label of the face
-// above an edge is derived from the label of the face below this edge (plane_builder.h,
+// the face. At every event, the sweep visits the edges from bottom to top. It computes the label of
+// the face above an edge from the label of the face below this edge (plane_builder.h,
 // docs/design/sweep.md). Cost: O((n + k) log n) time for n edges and k crossings.
 #pragma once
 
@@ -40,8 +40,8 @@ struct MapOverlay {
 MapOverlay overlay_maps(const MapReport& first, const MapReport& second,
                         Context& context = unlimited_context());
 
-/// Returns one subdivision in the form of a MapOverlay. Origin::second is 0 for every face. Throws
-/// as overlay_maps() does.
+/// Returns a single subdivision in the form of a MapOverlay. The index Origin::second is 0 for
+/// every face. Throws as overlay_maps() does.
 MapOverlay overlay_map(const MapReport& report, Context& context = unlimited_context());
 
 // --- areas of an overlay ----------------------------------------------------------------------

@@ -80,10 +80,10 @@ struct AffineMap2 {
   Rational y0 = 0;  ///< Constant term of y'.
 };
 
-/// The first cell on a ray that answers the query, and the first point of this cell on the ray. If
-/// the ray enters a face through the boundary of the face, the face has no first point on the ray,
-/// because the boundary is not a part of the face. In this case, `point` is the point where the ray
-/// crosses the boundary.
+/// The result of shoot() or shoot_to_boundary(): a cell that a ray meets, and the first point of
+/// this cell on the ray. If the ray enters a face, there is no first point of the face on the ray,
+/// because a face does not contain its boundary. In this case, `point` is the point where the ray
+/// crosses the boundary of the face.
 struct PlaneHit {
   PlaneLocation location;  ///< The cell that the ray meets.
   RationalPoint2 point;    ///< The point where the ray meets the cell.
@@ -107,10 +107,10 @@ struct PlaneParts {
   bool dropped_unbounded = false;      ///< Whether unbounded faces, rays or lines were left out.
   /// Whether the set is not closed. If it is not closed, its closure has additional points.
   bool dropped_open = false;
-  /// Whether some of the additional points are not on the border of the closure. Such points fill a
-  /// crack or a puncture in a face, or a gap of one point between two edges. The value is false if
-  /// every additional point is an end of an edge or lies on the border of a face. For a difference
-  /// of closed sets, the value is usually false.
+  /// Whether some of the additional points do not lie on the border of the closure. Such points
+  /// fill a crack or a puncture in a face, or a gap of one point between two edges. The value is
+  /// false if every additional point lies on the border of a face of the closure, or is an end of a
+  /// chain of edges. The value is usually false for a difference of closed sets.
   bool filled = false;
 };
 
@@ -137,7 +137,8 @@ struct PlaneSelector {
   std::function<bool(FaceId)> face;      ///< Accepts faces.
 };
 
-// Not attributes of the declarations: g++ warns of these if the classes are defined already.
+// These declarations have no visibility attributes, because g++ warns about attributes here if the
+// classes are already defined.
 #pragma GCC visibility push(hidden)
 class PlaneLocator;
 class PlaneTrapezoids;
@@ -175,7 +176,7 @@ class PlaneTrapezoids;
 /// A set of the plane. The head of this file describes such sets.
 class Nef2 {
  public:
-  // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
+  // --- types that all classes of sets have (nef_set.h) -----------------------------------------
 
   using Point = RationalPoint2;    ///< An element of the set.
   using Complex = PlaneComplex;    ///< The representation of the set.
@@ -184,9 +185,9 @@ class Nef2 {
   using Location = PlaneLocation;  ///< The cell that contains a point.
   using Hit = PlaneHit;            ///< The first cell that a ray meets.
   using Selector = PlaneSelector;  ///< The cells whose marks an operation uses.
-  using Flaw = DcelFlaw;           ///< A broken invariant.
+  using Flaw = DcelFlaw;           ///< A broken invariant and its location.
 
-  // --- sets to start from -----------------------------------------------------------------------
+  // --- constructors ----------------------------------------------------------------------------
 
   Nef2();                                               ///< Makes the empty set.
   [[nodiscard]] static Nef2 empty() { return Nef2(); }  ///< Returns the set without points.
@@ -207,17 +208,19 @@ class Nef2 {
 
   /// Returns the set that closed chains of points bound. Chain c has the points
   /// corners[chain_begin[c]], ..., corners[chain_begin[c + 1] - 1]. The last point of a chain is
-  /// joined to its first point. A face belongs to the set if `rule` accepts its winding number.
-  /// `boundary` decides which edges and vertices on the chains belong to the set:
+  /// joined to its first point. The chains divide the plane into faces. A face belongs to the set
+  /// if `rule` accepts its winding number. `boundary` decides which edges and vertices on the
+  /// chains belong to the set:
   ///   Closed  An edge belongs to the set in two cases: if a face beside it belongs to the set, or
   ///           if the chains run over the edge equally often in both directions (a spike). A vertex
   ///           belongs to the set if an edge or face around it belongs to the set, or if the vertex
   ///           is a chain of one point.
-  ///   Open    Usually no edge on a chain belongs to the set. The exception is an edge that can be
-  ///           crossed without leaving the inside. To decide this, the chains that run over the
-  ///           edge are crossed one after the other. The rule must accept the winding number after
-  ///           each of these crossings, for every order of the chains. A vertex belongs to the set
-  ///           if all edges and faces around it belong to the set.
+  ///   Open    Usually no edge on a chain belongs to the set. The exception is an edge at which no
+  ///           chain separates inside from outside. To test an edge, start at the winding number of
+  ///           the face on one side, and cross the chains that run over the edge one after the
+  ///           other. The edge belongs to the set if the rule accepts the winding number before and
+  ///           after each crossing, for every order of the chains. A vertex belongs to the set if
+  ///           all edges and faces around it belong to the set.
   [[nodiscard]] static Nef2 polygons(const PointTable2& points,
                                      std::span<const std::uint32_t> corners,
                                      std::span<const std::uint32_t> chain_begin, WindingRule rule,
@@ -265,7 +268,7 @@ class Nef2 {
   /// O(n).
   [[nodiscard]] Nef2 with_marks(PlaneMarks marks, Context& context = unlimited_context()) const;
 
-  // --- reading ----------------------------------------------------------------------------------
+  // --- reading ---------------------------------------------------------------------------------
 
   /// Returns the minimal complex: vertices, half-edges and faces, with their geometry and marks.
   [[nodiscard]] const PlaneComplex& complex() const&;
@@ -309,9 +312,9 @@ class Nef2 {
 
   /// Returns the first marked cell that the ray from `origin` meets, or nullopt if the ray meets no
   /// marked cell. The first cell on the ray is the cell that contains `origin`. Throws
-  /// Error{BadArgument} if the direction is zero. The first call builds an index. For this index,
-  /// vertical lines cut the faces into trapezoids. Later calls take O(log n) for each cell on the
-  /// way, plus O(1) for each trapezoid on the way.
+  /// Error{BadArgument} if the direction is zero. The first call builds an index. In this index,
+  /// vertical lines cut the faces into trapezoids. Each later call takes O(log n) for each cell
+  /// that the ray passes, plus O(1) for each trapezoid that it passes.
   [[nodiscard]] std::optional<PlaneHit> shoot(const RationalPoint2& origin,
                                               const RationalPoint2& direction,
                                               Context& context = unlimited_context()) const;
@@ -325,8 +328,8 @@ class Nef2 {
   /// Returns the exact area, or nullopt if the area is infinite. Cost: O(n) additions of rational
   /// numbers.
   [[nodiscard]] std::optional<Rational> area(Context& context = unlimited_context()) const;
-  /// Returns area(). Generic code can call measure() for sets of the plane and of space:
-  /// Nef3::measure() returns the volume.
+  /// Returns area(). Generic code can call measure() for sets of the plane and for sets of space,
+  /// because Nef3::measure() returns the volume.
   [[nodiscard]] std::optional<Rational> measure(Context& context = unlimited_context()) const {
     return area(context);
   }
@@ -338,7 +341,7 @@ class Nef2 {
   /// nullopt if all invariants hold. O(n log n).
   [[nodiscard]] std::optional<DcelFlaw> audit(Context& context = unlimited_context()) const;
 
-  // --- operations -------------------------------------------------------------------------------
+  // --- operations ------------------------------------------------------------------------------
 
   /// Returns the set of the points that do not belong to this set. O(n).
   [[nodiscard]] Nef2 complement(Context& context = unlimited_context()) const;

@@ -1,5 +1,5 @@
-// Conversions between plain arrays and points or maps of the plane. The arrays contain coordinates
-// x y x y ... and indices of points.
+// Converts plain arrays to points and maps of the plane, and points to arrays. The arrays contain
+// coordinates x y x y ... and indices of points.
 //
 //   input   points_of(xy) makes a table of points. Nef2::polygons(points, corners, chain_begin,
 //           ...) and arrange(points, ...) take such a table. map_of_cycles(xy, cycle_begin,
@@ -37,8 +37,9 @@ Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cyc
                   std::span<const std::uint32_t> corners);
 
 /// Returns the coordinates x y x y ... of all points. A coordinate that is not a double is rounded
-/// to the nearest double. Nothing is repaired: segments between rounded points may cross. The
-/// points of a set that round_to_doubles() (plane_rounding.h) returns are doubles. O(n).
+/// to the nearest double. The function repairs nothing, so segments between rounded points may
+/// cross. To avoid this, first round the set with round_to_doubles() (plane_rounding.h). The
+/// coordinates of the rounded set are doubles. O(n).
 std::vector<double> coordinates_of(const PointTable2& points);
 
 }  // namespace plumb

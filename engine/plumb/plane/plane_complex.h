@@ -1,5 +1,5 @@
-// A subdivision of the plane with a mark for each cell. A Nef2 and an Arrangement are stored as
-// such a subdivision. The edges of the subdivision may be unbounded.
+// A subdivision of the plane with a mark for each cell. The classes Nef2 and Arrangement store such
+// a subdivision. The edges of the subdivision may be unbounded.
 //
 // The frame: a subdivision with unbounded edges has a frame. The frame is a symbolic circle that
 // surrounds all bounded cells. The vertices of the frame are called frame vertices. The frame
@@ -21,14 +21,14 @@
 //     unbounded below, its left end precedes all points with the same x.
 //   - Edges with the same left end are ordered from bottom to top.
 //
-// Faces: face 0 is the lowest face at the far left. Face 0 contains every point (x, y) for which x
-// is small enough and y is small enough for this x. The other faces are numbered in ascending order
-// of the least half-edge on their boundaries.
+// Faces: face 0 is the lowest face at the far left. More exactly: if x is less than some bound,
+// face 0 contains all points (x, y) for which y is less than a bound that depends on x. The other
+// faces are numbered in ascending order of the least half-edge on their boundaries.
 //
 // Coordinates are implicit. Each vertex is an input point, or the crossing of two lines through
-// input points. After any number of operations, each vertex is still an input point or the crossing
-// of two lines through input points. So the numbers in a complex do not become longer from
-// operation to operation. audit() (plane_audit.h) checks all invariants above.
+// input points. This remains true after any number of operations, so the numbers in a complex do
+// not become longer from operation to operation. audit() (plane_audit.h) checks all invariants
+// above.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,8 @@ namespace plumb {
 /// A directed line through two different input points.
 struct PlaneLine {
   std::uint32_t a;  ///< Index of an input point on the line.
-  std::uint32_t b;  ///< Index of an input point on the line, lexicographically greater than a.
+  /// Index of an input point on the line that is lexicographically greater than point a.
+  std::uint32_t b;
   friend bool operator==(const PlaneLine&, const PlaneLine&) = default;
 };
 
@@ -98,7 +99,7 @@ struct PlaneComplex {
   bool is_beyond(FaceId f) const { return f.value() >= face_count(); }
 
   /// Returns the next ordinary half-edge after h along the boundary of its face. If h ends at
-  /// infinity, a half-edge of the frame follows h. This half-edge is skipped. O(1).
+  /// infinity, a half-edge of the frame follows h. The function then skips this half-edge. O(1).
   HalfedgeId next(HalfedgeId h) const {
     const HalfedgeId n = dcel.next(h);
     return is_frame(n) ? dcel.next(n) : n;

@@ -1,8 +1,9 @@
-// The bounded faces of a set of the plane as a layer: one feature with one polygon for each face.
+// Makes a layer from the bounded marked faces of a set of the plane. Each face becomes one feature
+// with one polygon.
 //
-// The union of some segments, for instance, has faces that the segments bound. The complement of
-// this union has these faces as marked faces, so layer_of_faces(lines.complement()) makes polygons
-// of lines.
+// For example, let `lines` be a union of segments. The segments bound faces, which are not marked
+// in `lines`, but are marked in the complement. So layer_of_faces(lines.complement()) returns the
+// polygons that the segments bound.
 #pragma once
 
 #include "plumb/base/context.h"
@@ -12,10 +13,10 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns a layer with a feature for each bounded marked face, in the order of the faces. Its
-/// polygon is the closure of the face: an outer ring and a ring for each hole. Edges that have the
-/// face on both sides are left out. Coordinates are exact. Features have no ids and no properties.
-/// Cost: O(n log n). Throws what the context throws.
+/// Returns a layer with a feature for each bounded marked face, in the order of the faces. The
+/// polygon of a feature is the closure of its face. It has an outer ring, and a ring for each hole.
+/// Edges that have the face on both sides are left out. Coordinates are exact. Features have no ids
+/// and no properties. Cost: O(n log n). Throws what the context throws.
 [[nodiscard]] Layer layer_of_faces(const Nef2& set, Context& context = unlimited_context());
 
 }  // namespace plumb

@@ -25,8 +25,8 @@ std::optional<Rational> marked_area(const PlaneComplex& complex,
 /// counter-clockwise. The rings of the holes follow and run clockwise. The first vertex of a ring
 /// is not repeated at its end. If a boundary touches itself at a vertex, the boundary is cut at
 /// this vertex. So no ring visits a vertex twice. Isolated vertices, and edges with f on both
-/// sides, are left out. Cost: O(b log b) for a boundary of b half-edges. In addition, each ring
-/// costs the degree of its least vertex.
+/// sides, are left out. Cost: O(b log b) for a boundary of b half-edges. For each ring, the degree
+/// of the ring's lexicographically least vertex is added to this cost.
 std::vector<std::vector<VertexId>> face_rings(const PlaneComplex& complex, FaceId f);
 
 }  // namespace plumb

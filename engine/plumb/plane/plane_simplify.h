@@ -1,18 +1,18 @@
-// Simplifying a set of the plane: borders and lines get fewer corners, and the set keeps its
+// Simplifies a set of the plane: borders and lines get fewer corners, and the set keeps its
 // topology.
 //
 // Main flow of simplify_borders():
-//  1. round_to_doubles      makes the closure of the set, with doubles as vertices
+//  1. round_to_doubles      makes the closure of the set, and rounds its vertices to doubles
 //                           (plane_rounding.h)
 //  2. BorderGraph           removes corners in the order of Visvalingam and Whyatt, exactly as
 //                           simplify_layer() does (layer_simplify.h)
 //  3. labelled_arrangement  arranges the remaining edges exactly
-//  4. Nef2::from_complex    makes the set of the labels
+//  4. Nef2::from_complex    makes the simplified set from the labelled faces
 //
-// A corner is removed only if its closed triangle contains no other vertex, so no edges cross or
-// touch afterwards that did not before. Faces, holes, lines and isolated points stay, and every
-// ring keeps at least three corners. Vertices at which not exactly two edges meet stay where they
-// are.
+// The triangle of a corner has the corner and its two neighbours along the border as vertices. A
+// corner is removed only if its closed triangle contains no other vertex. So the removal makes no
+// edges cross or touch. No face, hole, line or isolated point vanishes, and every ring keeps at
+// least three corners. Only vertices at which exactly two edges meet are removed.
 //
 // Cost: O(n log n) for n corners if triangles contain few corners, and O(n) memory.
 #pragma once
@@ -31,13 +31,13 @@ namespace plumb {
 struct SimplifiedSet {
   /// The closed set. Its vertices are vertices of the rounded closure of the input.
   Nef2 set;
-  std::size_t corners_before = 0;  ///< Vertices of the rounded closure.
-  std::size_t corners_after = 0;   ///< Vertices that are left.
-  /// Vertices that the options would let go, but that stay because their triangle contains another
-  /// vertex, or because a ring would collapse.
+  std::size_t corners_before = 0;  ///< The number of vertices of the rounded closure.
+  std::size_t corners_after = 0;   ///< The number of vertices of the simplified set.
+  /// The number of vertices that the options allow to remove, but that are kept for another reason:
+  /// their triangle contains another vertex, or a ring would collapse.
   std::size_t blocked = 0;
   /// An upper bound for the distance between the borders before and after (Hausdorff distance).
-  /// What rounding has moved is not included.
+  /// Movements by rounding are not included.
   double borders_moved = 0;
   PlaneRoundingReport rounding;  ///< What rounding has changed before corners were removed.
 };

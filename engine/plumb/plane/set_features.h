@@ -1,18 +1,21 @@
-// The features of a set of the plane: which parts of a set come from which features of the layers
-// that it was made from. For example, the intersection of a layer of countries with a circle is a
-// set; set_features() divides it into the countries again, with their ids and properties.
+// Divides a set of the plane into features. The set was made from the features of layers, and each
+// part of the set is assigned to the feature from which it was made. For example, suppose that a
+// set is the intersection of some countries with a circle. Then set_features() divides this set
+// into countries again, with their ids and properties.
 //
-// Nothing is threaded through operations. A set is laid over the features afterwards, exactly:
-// operations make no points that their operands do not have, so a part of a result that lies in a
-// feature comes from this feature.
+// Operations on sets do not keep track of features. Instead, set_features() computes the exact
+// overlay of the set and the features. This finds the right feature for each part: a union,
+// intersection or difference contains only points of its operands, so a part of the result that
+// lies in a feature was made from this feature.
 //
 // Main flow of set_features():
 //  1. CoveredCells      arranges the rings of all features and the borders of the set exactly. Each
-//                       face gets the list of the features that cover it.
-//  2. labels            each face of the set belongs to the first feature that covers it, or to
-//                       none
-//  3. rounded_labels    leaves out the edges between faces of one feature, and rounds the others
-//                       together, so that the parts stay a coverage
+//                       face of the arrangement gets the list of the features that cover it.
+//  2. labels            assigns each face of the set to the first feature that covers it, or to no
+//                       feature
+//  3. rounded_labels    leaves out the edges between faces of the same feature, and rounds the
+//                       other edges. All of them are rounded together, so that the parts form a
+//                       coverage
 //  4. layer_of_labels   traces the polygons of each feature
 //
 // Cost: O((n + k) log n) for n corners and k crossings.
@@ -31,26 +34,29 @@ namespace plumb {
 
 /// A set, divided into the features from which its parts come.
 struct SetFeatures {
-  /// A feature for each source feature that has a part of the set, in the order of the sources,
-  /// with its id and its properties. If there are parts that no source feature covers, they are the
-  /// last feature, which has no id and no properties. The result is a coverage of the closure of
+  /// The parts of the set as features. There is one feature for each source feature that covers a
+  /// part of the set. It has the id and the properties of the source feature. Features are in the
+  /// order of the source features. If there are parts that no source feature covers, they form one
+  /// more feature at the end, without id and properties. The layer is a coverage of the closure of
   /// the set: polygons are valid, vertices are doubles, and features meet only in common edges and
   /// vertices.
   Layer layer;
-  /// For each feature of `layer`, the source feature; LayerRegion::kNobody for the last one if no
-  /// source feature covers it.
+  /// For each feature of `layer`, the index of its source feature. The entry is
+  /// LayerRegion::kNobody for the feature of the parts that no source feature covers.
   std::vector<std::uint32_t> source;
-  std::vector<std::uint32_t> vanished;  ///< Source features of whose parts rounding leaves nothing.
-  bool is_unbounded = false;            ///< Whether unbounded faces were left out.
-  bool has_thin_parts = false;          ///< Whether lines and points were left out.
-  PlaneRoundingReport rounding;         ///< What rounding has changed.
+  /// Source features whose parts of the set vanished completely by rounding.
+  std::vector<std::uint32_t> vanished;
+  bool is_unbounded = false;     ///< Whether unbounded faces were left out.
+  bool has_thin_parts = false;   ///< Whether lines and points were left out.
+  PlaneRoundingReport rounding;  ///< What rounding has changed.
 };
 
-/// Returns the parts of a set that the features of a layer cover. Where several features cover a
-/// part, it belongs to the first of them, so the features of the first operand of an operation
-/// should come first (append_layer()). A feature covers the points that the rings of its polygons
-/// enclose by the even-odd rule. Throws Error{NumberOutOfRange} if coordinates are too large to be
-/// rounded, and what the context throws.
+/// Divides a set into the parts that the features of `sources` cover. A part that several features
+/// cover is assigned to the first of them. So if the set was made by a Boolean operation, `sources`
+/// should contain the features of the first operand before those of the second operand
+/// (append_layer()). A feature covers the points that the rings of its polygons enclose by the
+/// even-odd rule. Throws Error{NumberOutOfRange} if coordinates are too large to be rounded, and
+/// what the context throws.
 [[nodiscard]] SetFeatures set_features(const Nef2& set, const Layer& sources,
                                        Context& context = unlimited_context());
 

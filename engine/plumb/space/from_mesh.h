@@ -2,23 +2,26 @@
 // neither volumes nor marks.
 //
 // Main flow of complex_of_mesh():
-//  1. ordered_in_space     sorts a mesh of 4,096 or more triangles so that neighbours are close
-//                          together in memory; the step does nothing if MeshOptions::surface is set
-//  2. merge_equal_points   makes one vertex of all points with equal coordinates, and drops points
-//                          that no face uses
-//  3. flatten_mesh         gives every face a plane. Faces that are not planar or not simple are
-//                          triangulated; faces without area are dropped. All such faces are listed
-//                          in the report
+//  1. ordered_in_space     sorts the faces of the mesh so that neighbours in space are close
+//                          together in memory. This step is taken only for a mesh of 4,096 or more
+//                          triangles, and only if MeshOptions::surface is false
+//  2. merge_equal_points   replaces all points with equal coordinates by one vertex, and drops
+//                          points that no face uses
+//  3. flatten_mesh         finds the plane of every face. Faces that are not planar or not simple
+//                          are triangulated, and faces without area are dropped. All such faces are
+//                          listed in the report
 //  4. merge_doubled        makes one facet of all facets with the same boundary. Its jump
 //                          (MeshComplex::jump) is the sum of the jumps of these facets
 //  5. trace_borders        cuts each directed edge at the vertices that lie on the edge. Then the
 //                          step checks that each directed part of an edge occurs as often as the
 //                          same part in the opposite direction. If this is not the case, the step
-//                          lists the borders in the order of the input, and orient_faces
-//                          (mesh_orientation.h) tells flipped faces and holes apart
+//                          lists the borders in the order of the input. Then orient_faces()
+//                          (mesh_orientation.h) finds out which borders are caused by flipped
+//                          faces, and which by missing faces
 //  6. link_facets          makes edges, edge uses, the radial order of the edge uses, and stars
 //  7. find_components      finds the connected components and the signs of their volumes
-//  8. find_mesh_crossings  finds where the mesh meets itself outside common vertices and edges
+//  8. find_mesh_crossings  finds pairs of facets that have a common point outside their common
+//                          vertices and edges
 //  9. CoplanarMerge        if MeshOptions::joins_coplanar is set, joins neighbouring facets in the
 //                          same plane into one facet (simplify.h)
 //
@@ -28,7 +31,8 @@
 //  - a rule turns winding numbers into marks,
 //  - simplification merges coplanar neighbours.
 //
-// If a mesh crosses itself, its facets are cells of a valid complex only after arrange().
+// If a mesh crosses itself, its facets overlap or cross before arrange(). So only after arrange()
+// are they cells of a valid complex.
 //
 // Cost: O(n log n + c) for n corners and c pairs of triangles whose bounding boxes meet. Memory:
 // about 300 bytes per triangle. Source: docs/design/meshes.md.
@@ -50,11 +54,11 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// How complex_of_mesh() reads a mesh.
+/// Options of complex_of_mesh().
 struct MeshOptions {
-  /// Whether the mesh is read as the set of its facets. In this case the mesh may be open, and
-  /// vertices and facets keep the order of the input. If this option is false, an open mesh gives
-  /// only a report with the borders, but no complex.
+  /// Whether the mesh represents the union of its facets, and not a solid. In this case the mesh
+  /// may be open, and vertices and facets keep the order of the input. If this option is false, an
+  /// open mesh gives only a report with the borders, but no complex.
   bool surface = false;
   /// Whether neighbouring facets in the same plane become one facet, as in minimal sets. In this
   /// case, consecutive edges on one line also become one edge, and no second plane is stored for an
@@ -67,22 +71,24 @@ struct MeshOptions {
 
 struct MeshReport;
 
-/// How Nef3::from_mesh() makes a set from a mesh.
+/// Options of Nef3::from_mesh().
 struct FromMeshOptions {
   /// The rule that determines which winding numbers are inside. If there is no value, the rule is
   /// Positive. In this case, each component of negative volume that does not lie inside another
-  /// component is flipped first. So a mesh whose faces look inwards also becomes a solid.
+  /// component is flipped first. So a mesh whose faces are all oriented inwards also becomes a
+  /// solid.
   std::optional<WindingRule> rule;
   /// Whether the set consists of the facets of the mesh instead of the volumes that the facets
   /// bound. The mesh may then be open.
   bool surface = false;
   /// The greatest number of crossing pairs that are listed. The count includes all pairs.
   std::uint64_t max_listed = 1000;
-  MeshReport* report = nullptr;  ///< If not null, receives what was found in the mesh.
+  /// If this pointer is not null, a report on the mesh is stored there.
+  MeshReport* report = nullptr;
 };
 
-/// What was found in a mesh. Faces and vertices are 0-based indices of the input. All lists are in
-/// ascending order.
+/// A report on a mesh: its defects and other special cases, such as merged points. Faces and
+/// vertices are 0-based indices of the input. All lists are in ascending order.
 struct MeshReport {
   using FacePair =
       std::pair<std::uint32_t,
@@ -104,24 +110,26 @@ struct MeshReport {
   /// Closed chains of vertices along which faces are missing or flipped. Each chain has the
   /// direction that the boundary of a missing face would have.
   std::vector<std::vector<std::uint32_t>> borders;
-  // The next three lists say why there are borders. They are filled if the mesh is open and was not
-  // read as a surface.
-  /// Faces whose direction disagrees with that of their neighbours, so that they should be turned:
-  /// the smaller part of each connected set of faces. If both parts have the same number of faces,
-  /// the volume is positive after these faces have been turned.
+  // The next three lists state the causes of borders. They are filled if the mesh is open and was
+  // not read as a surface.
+  /// Faces whose orientation disagrees with that of their neighbours, so that they should be
+  /// flipped. If the orientations in a connected set of faces disagree, the set consists of two
+  /// parts such that the orientations agree after one of the parts has been flipped. The smaller
+  /// part is listed here. If both parts have the same number of faces, the list contains the part
+  /// that must be flipped to make the volume positive.
   std::vector<std::uint32_t> flipped;
-  /// Closed chains of vertices along which faces are missing after `flipped` have been turned. If
-  /// this list is empty, turning these faces closes the mesh.
+  /// Closed chains of vertices along which faces are missing after the faces in `flipped` have been
+  /// flipped. If this list is empty, flipping these faces closes the mesh.
   std::vector<std::vector<std::uint32_t>> holes;
-  /// For each connected set of faces whose directions cannot agree, as on a Moebius strip, its face
-  /// with the least index.
+  /// A face of each connected set of faces whose orientations cannot agree, as on a Moebius strip:
+  /// the face with the least index.
   std::vector<std::uint32_t> one_sided;
   /// Number of pairs of facets that meet outside common vertices and edges.
   std::uint64_t crossing_count = 0;
   std::vector<FacePair> crossings;  ///< The first pairs of faces that cross; each pair occurs once.
-  /// For each component of negative volume, its face with the least index.
+  /// A face of each component with negative volume: the face with the least index.
   std::vector<std::uint32_t> inside_out;
-  /// For each component that was flipped, its face with the least index.
+  /// A face of each component that was flipped: the face with the least index.
   std::vector<std::uint32_t> turned;
 
   /// Whether every directed edge occurs as often as the edge in the opposite direction.
@@ -136,7 +144,7 @@ class OpenMesh : public Error {
  public:
   /// Constructs the error from the report and an optional position in a file.
   explicit OpenMesh(MeshReport report, TextPlace place = {});
-  /// Returns what was found in the mesh; borders is not empty.
+  /// Returns the report on the mesh. Its list of borders is not empty.
   [[nodiscard]] const MeshReport& report() const { return *report_; }
 
  private:
@@ -144,9 +152,9 @@ class OpenMesh : public Error {
 };
 
 /// A complex made from a mesh, and the origins of its facets. The complex has no volumes, and all
-/// its marks are 0. The complex is not minimal in general, even if neighbours were joined. A sheet
-/// is a facet of the mesh before arrange() cuts the facets. After arrange(), a sheet can consist of
-/// several facets.
+/// its marks are 0. In general, the complex is not minimal, even if neighbouring coplanar facets
+/// were joined. A sheet is a facet of the mesh before arrange() cuts the facets. After arrange(), a
+/// sheet can consist of several facets.
 struct MeshComplex {
   /// The complex. The facet_origin of each facet is the index of the input face from which the
   /// facet was made. If several faces became one facet, facet_origin is the least of their indices.
@@ -161,17 +169,18 @@ struct MeshComplex {
   std::vector<std::uint32_t> component;
   /// For each component, 1 if its volume is negative, else 0.
   std::vector<std::uint8_t> is_inside_out;
-  /// The pairs of sheets that meet outside common vertices and edges. Each pair occurs once.
+  /// The pairs of sheets that have a common point outside their common vertices and edges. Each
+  /// pair occurs once.
   std::vector<std::pair<FacetId, FacetId>> crossings;
-  /// For each vertex, 1 if find_fans() found a fan (mesh_topology.h). The list is empty after the
-  /// volumes have been found.
+  /// For each vertex, 1 if find_fans() found that the corners at the vertex form a fan
+  /// (mesh_topology.h), else 0. The list is empty after the volumes have been found.
   std::vector<std::uint8_t> has_fan;
   // arrange() fills the next two fields.
   /// For each facet, the index in `sheet` at which its sheets start. The last entry is the size of
   /// `sheet`.
   std::vector<std::uint32_t> sheet_begin;
   std::vector<std::uint32_t> sheet;  ///< For each facet, the sheets that contain it, ascending.
-  MeshReport report;                 ///< What was found in the mesh.
+  MeshReport report;                 ///< The report on the mesh.
 
   /// Whether arrange() has cut the facets along each other.
   bool is_arranged() const { return !sheet_begin.empty(); }

@@ -26,7 +26,7 @@ class HalfSpaceList {
   /// Appends the next coefficient. The four coefficients of a half-space are appended in the order
   /// a, b, c, d. If `value` is not finite, throws Error{NotFinite} and appends nothing.
   void add_number(double value);
-  void add_number(Rational value);  ///< Appends the next coefficient, exactly.
+  void add_number(Rational value);  ///< Appends the next coefficient, which is stored exactly.
   /// Completes a half-space. Requires that exactly four coefficients were appended since the
   /// previous call of end().
   void end(Boundary boundary);

@@ -1,11 +1,10 @@
-// The sphere map at a vertex, edge or facet of a complex: the intersection of the complex with a
-// small sphere around a point of that cell.
+// Computes sphere maps. The sphere map at a vertex, edge or facet of a complex is the intersection
+// of the complex with a small sphere around a point of that cell.
 //
 //   vertex   the half-edges at the vertex are points of the map, the corners of facets are arcs,
 //            and the parts of volumes around the vertex are faces
-//   edge     the map of an edge has two opposite points, which are joined by one half-circle for
-//            each edge use
-//   facet    the map of a facet has one loop between two faces
+//   edge     the map has two opposite points, which are joined by one half-circle for each edge use
+//   facet    the map consists of a great circle (a loop) between two faces
 //
 // If the map of a vertex is connected, no arithmetic is needed. Otherwise a face of the map can
 // have several boundary cycles. Walks along great circles determine which cycles bound the same
@@ -25,8 +24,8 @@ namespace plumb {
 struct LocalMap {
   SphereMap map;  ///< The map, seen from the centre of the sphere.
   /// The half-edge of each point of the map. In the map of a vertex, this half-edge leaves the
-  /// vertex in the direction of the point. In the map of an edge, the two points have the two
-  /// half-edges of the edge.
+  /// vertex in the direction of the point. In the map of an edge, the two half-edges of the edge
+  /// belong to the two points.
   std::vector<HalfedgeId> halfedge;
   /// The edge use of each arc. In the map of a vertex, the arc is the corner of the use. In the map
   /// of an edge, the arc is the half-circle of the use. A loop belongs to no edge use, so its entry
@@ -54,7 +53,7 @@ struct LocalMap {
 /// vertex, edge or facet.
 void local_map(const SpaceComplex& complex, SpaceItem item, LocalMap& out);
 
-/// Returns the direction of a half-edge.
+/// Returns the direction of a half-edge, given by the two planes of its edge.
 inline SphereDirection direction_of(const SpaceComplex& complex, HalfedgeId h) {
   const auto& [p, q] = complex.edge_planes[h.value() >> 1U];
   return SpaceComplex::is_reverse(h) ? SphereDirection{q, p} : SphereDirection{p, q};

@@ -1,5 +1,5 @@
-// Polygon meshes with shared vertices. Mesh files contain such meshes. Sets of space are made from
-// such meshes and can be converted to such meshes.
+// Polygon meshes with shared vertices. Such meshes are read from and written to mesh files, and are
+// converted to sets of space and back.
 //
 // A program can pass its own arrays without conversion. One array contains the coordinates of all
 // points (x y z x y z ...). Another array contains the corners of each face as indices of points,
@@ -9,12 +9,13 @@
 //          a MeshView
 //   out    coordinates_of(mesh), mesh.corners and mesh.face_begin are the arrays of a mesh
 //
-// A view is read in place, with one exception: a mesh of 4,096 or more triangles is copied in
-// sorted order, and the copy is released early. A set stores its vertices in tables of its own, so
-// the arrays may be released when the set has been made. The functions of this header do not check
-// that corners are indices of points, and do not check that coordinates are finite. The function
-// complex_of_mesh() reads the mesh and checks both conditions. If a condition is violated,
-// complex_of_mesh() throws Error{BadIndex} or Error{NotFinite}.
+// A view does not copy the arrays, and functions read them in place. There is one exception:
+// complex_of_mesh() copies a mesh of 4,096 or more triangles in sorted order, and releases this
+// copy early. A set stores its own copy of all data, so the arrays may be released when the set has
+// been made. The functions of this header do not check that corners are indices of points, and do
+// not check that coordinates are finite. The function complex_of_mesh() reads the mesh and checks
+// both conditions. If a condition is violated, complex_of_mesh() throws Error{BadIndex} or
+// Error{NotFinite}.
 #pragma once
 
 #include <cstddef>

@@ -1,35 +1,41 @@
 // Converts a set of space to a mesh that has the attributes of the meshes from which the set was
 // made: materials, groups, ids, and numbers at corners such as colours and texture coordinates.
 //
-// Nothing is threaded through operations. A set keeps the list of its sources (source_mesh.h). The
-// planes of a set are exact, and operations add no planes. So each part of the boundary that comes
-// from a source lies in the plane of a face of this source, and the face is found again from the
-// plane alone.
+// Operations on sets do not keep track of attributes. Instead, a set keeps the list of its sources,
+// the meshes from which it was made (source_mesh.h). The planes of a set are exact, and operations
+// add no planes. So each part of the boundary that comes from a source lies exactly in the plane of
+// a face of this source. Therefore the face can be found again from this plane.
 //
 // Main flow of mesh_with_attributes():
-//  1. SourceTriangles  finds the planes of the triangles of all sources in the tables of the set,
-//                      most of them by one look-up. Equal planes have equal ids
-//  2. cut_boundary     lays each facet over the source triangles of its plane. A facet inside the
-//                      only triangle of its plane, or that is a face of a source, is one piece.
-//                      Other facets are overlaid with the triangles by an exact sweep. Neighbouring
-//                      pieces of one facet are joined as AttributeOptions::join says
+//  1. SourceTriangles  finds the plane of each triangle of all sources in the table of planes of
+//                      the set. For most triangles, one look-up is enough. Equal planes have equal
+//                      ids
+//  2. cut_boundary     cuts each facet into pieces along the source triangles in the same plane. A
+//                      facet is one piece if it lies inside the only source triangle of its plane,
+//                      or if it is a face of a source. For other facets, an exact sweep computes
+//                      the overlay of the facet and the triangles. Then neighbouring pieces of one
+//                      facet are joined as AttributeOptions::join states
 //  3. round_mesh       rounds the mesh of the pieces and repairs it, as valid_mesh() does
-//  4. fill_channels    copies the numbers at corners of source faces, and computes all others by
-//                      barycentric weights
+//  4. fill_channels    computes the numbers at the corners of the new faces. At a corner of a
+//                      source face, the numbers are copied. At all other points they are
+//                      interpolated with barycentric weights
 //
 // Rules:
-// - If several source triangles cover a piece, those with the same orientation as the boundary come
-//   before those with the opposite one. Among these, the first source in Nef3::sources() wins: the
-//   first operand. Within a source, the face of the least index wins.
-// - A piece of the opposite orientation is flipped. So is the boundary of a subtracted set.
-//   Channels named "normal" are negated there. They are also transformed by the inverse transpose
-//   of the map of their source, and keep their length.
-// - A piece that no source triangle covers, for instance in the plane of a half-space, has no
-//   source. Its ids are MeshAttributes::kNone and its numbers are 0.
+// - If several source triangles cover a piece, one of them is chosen. Triangles with the same
+//   orientation as the piece are preferred to triangles with the opposite orientation. Among these,
+//   a triangle of the first source in Nef3::sources() is chosen, which belongs to the first
+//   operand. Among several faces of this source, the face with the least index is chosen.
+// - A piece is flipped if its orientation is opposite to that of its source triangle. For example,
+//   this holds for the boundary of a subtracted set. The values of channels named "normal" are
+//   negated on flipped pieces. If the source has a map, these values are also transformed by the
+//   inverse transpose of the map, and keep their length.
+// - A piece that no source triangle covers has no source. An example is a piece in the plane of a
+//   half-space. Its ids are MeshAttributes::kNone, and its numbers are 0.
 // - The weights are computed exactly from the exact point and then rounded to the nearest doubles.
-//   For a point that a repair has moved, the weights are those of the moved point, seen along the
-//   axis nearest to the normal of the triangle. Negative weights become 0.
-// - A triangle that a repair makes belongs to one of the pieces from which it was made.
+//   If a repair has moved a point out of the plane of its triangle, the point and the triangle are
+//   first projected along the coordinate axis that is nearest to the normal of the triangle.
+//   Negative weights are replaced by 0.
+// - A triangle that a repair makes gets the attributes of one of the pieces from which it was made.
 //
 // Cost: the cost of valid_mesh(), O(n) for the triangles of the sources, and O(m log m) for m
 // corners and crossings in planes in which a facet is cut. Errors: Error{BadArgument} if a marked
@@ -50,33 +56,37 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// How facets are divided into pieces. A facet that is exactly one face of a source, with no other
-/// source in its plane, is one piece unless PieceJoin::None is given.
+/// Determines which pieces of a facet are joined. If a facet is exactly one face of a source, and
+/// no other source has a face in its plane, the facet is one piece, except for PieceJoin::None.
 enum class PieceJoin : std::uint8_t {
   /// Neighbouring pieces of a facet are joined if they come from the same source and have the same
-  /// material, group and id, and if each channel is the same affine function over both pieces.
+  /// material, group and id, and if a single affine function describes the values of each channel
+  /// on both pieces.
   SameAttributes,
-  None,  ///< Each piece lies in one triangle of a source.
-  /// As SameAttributes, and only pieces of the same face of a source are joined. So the faces of
-  /// the input stay apart from each other, even if they lie in one plane.
+  None,  ///< No pieces are joined, so each piece lies in one triangle of a source.
+  /// Pieces are joined as for SameAttributes, but only if they also come from the same face of a
+  /// source. So two faces of the input remain separate faces, even if they lie in one plane.
   SameFace,
 };
 
 /// Options of mesh_with_attributes().
 struct AttributeOptions {
-  PieceJoin join = PieceJoin::SameAttributes;    ///< How facets are divided into pieces.
-  CoordinateType type = CoordinateType::Double;  ///< The numbers to which points are rounded.
-  /// How pieces become faces. A piece stays a polygon under the conditions that MeshFaces states
-  /// for facets; others are cut into triangles. Meshes of floats consist of triangles.
+  PieceJoin join = PieceJoin::SameAttributes;  ///< Which pieces of a facet are joined.
+  /// The type of number to which points are rounded.
+  CoordinateType type = CoordinateType::Double;
+  /// The faces that are made from pieces. A piece becomes one polygon under the conditions that
+  /// MeshFaces states for facets. All other pieces are cut into triangles. If points are rounded to
+  /// floats, all pieces are cut into triangles.
   MeshFaces faces = MeshFaces::Triangles;
 };
 
 /// The part of a source from which a face was made.
 struct FaceSource {
-  static constexpr std::uint32_t kNone = 0xffffffff;  ///< There is no source.
+  static constexpr std::uint32_t kNone = 0xffffffff;  ///< The value for "no source".
 
   std::uint32_t source = kNone;  ///< The index in Nef3::sources(), or kNone.
-  /// The face of the source, an index of its mesh. If pieces were joined, the least of their faces.
+  /// The index of the face in the mesh of the source. If pieces were joined, this is the least of
+  /// the indices of their faces.
   std::uint32_t face = kNone;
   bool is_flipped = false;  ///< Whether the face and the face of the source have opposite sides.
   friend bool operator==(const FaceSource&, const FaceSource&) = default;
@@ -85,24 +95,24 @@ struct FaceSource {
 /// A mesh with attributes.
 struct MeshWithAttributes {
   PolygonMesh mesh;           ///< A valid mesh (valid_mesh.h), of triangles or of polygons.
-  MeshAttributes attributes;  ///< What belongs to the faces and corners of the mesh.
-  /// For each face, where it comes from. Faces are in ascending order of sources; faces without a
-  /// source are last.
+  MeshAttributes attributes;  ///< The attributes of the faces and corners of the mesh.
+  /// The source of each face. Faces are in ascending order of sources, and faces without a source
+  /// come last.
   std::vector<FaceSource> source;
-  /// The faces run_begin[i], ..., run_begin[i + 1] - 1 come from source i. The last run, of the
-  /// index of the number of sources, has the faces without a source. There is one more entry for
-  /// the end.
+  /// Faces run_begin[i], ..., run_begin[i + 1] - 1 come from source i. If there are n sources,
+  /// faces run_begin[n], ..., run_begin[n + 1] - 1 have no source. So the array has n + 2 entries.
   std::vector<std::uint32_t> run_begin;
-  RoundingRepair repair;  ///< What was repaired after rounding.
-  /// What the mesh does not say of the set. The counts of edges and vertices that are not manifold
-  /// are 0.
+  RoundingRepair repair;  ///< A report about the repair after rounding.
+  /// A report about the properties of the set that the mesh does not represent. The counts of edges
+  /// and vertices that are not manifold are 0.
   ToMeshReport report;
 };
 
-/// Returns the boundary of regularization() with the attributes of the sources of the set. In the
-/// result, materials and groups of all sources follow each other in the order of the sources.
-/// Channels of the same name become one channel with the greater width; numbers that a source does
-/// not have are 0, and 1 in a channel named "color".
+/// Returns the boundary of regularization() with the attributes of the sources of the set. The list
+/// of materials of the result consists of the materials of the first source, then those of the
+/// second source, and so on. The same holds for groups. Channels of different sources that have the
+/// same name become one channel. Its width is the greatest of their widths. Values that a source
+/// lacks are set to 1 in a channel named "color", and to 0 in all other channels.
 [[nodiscard]] MeshWithAttributes mesh_with_attributes(const Nef3& set,
                                                       const AttributeOptions& options = {},
                                                       Context& context = unlimited_context());

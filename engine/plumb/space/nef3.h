@@ -4,18 +4,20 @@
 // and edges, isolated points, and parts that touch along edges or at vertices.
 //
 // A set is stored as its unique minimal complex (space_complex.h). The complex consists of
-// vertices, edges, facets and volumes. Each of these cells has a mark that tells whether its points
-// belong to the set. The intersection of the complex with a small sphere around a vertex is a
-// sphere map (sphere_map.h). All operations work on sphere maps.
+// vertices, edges, facets and volumes. Each of these cells has a mark that states whether its
+// points belong to the set. The intersection of the complex with a small sphere around a vertex is
+// a sphere map (sphere_map.h). All operations work on sphere maps.
 //
 // Main flow of a Boolean (boolean_op.h):
-//  1. contacts  finds the points where cells of one operand meet cells of the other operand. Two
-//               cells are tested only if their boxes meet. The tests are exact
-//  2. locate    looks at each vertex that has no contact, and finds the volume of the other operand
+//  1. contacts  finds the points where cells of one operand meet cells of the other operand. Such a
+//               point is called a contact. Two cells are tested only if their boxes meet. The tests
+//               are exact
+//  2. locate    takes each vertex that is not a contact, and finds the volume of the other operand
 //               that contains this vertex. For this, it walks along edges from a vertex whose
 //               volume is known, or shoots one ray
-//  3. overlay   overlays the two sphere maps at each contact, computes the marks of the result from
-//               the marks of both maps, and brings the result into minimal form
+//  3. overlay   overlays the sphere maps of the two operands at each contact. It computes the marks
+//               of the new map from the marks of both maps, and brings the new map into minimal
+//               form
 //  4. assemble  pairs half-edges along lines, links corners into cycles, groups cycles into facets,
 //               and groups shells into volumes
 // The unary topology operators (interior(), closure(), ...) change marks and simplify the complex
@@ -83,8 +85,8 @@ struct SpaceLocation {
   bool marked = false;  ///< Whether the point belongs to the set.
 };
 
-/// The first cell that a ray meets, and the first point of this cell on the ray. If the cell is a
-/// volume, or if the ray runs inside a facet or along an edge, this point is where the ray enters
+/// The first cell that a ray meets, and the first point of this cell on the ray. If the ray passes
+/// through a volume, runs inside a facet or runs along an edge, this point is where the ray enters
 /// the cell.
 struct SpaceHit {
   SpaceLocation location;  ///< The cell, and whether it is marked.
@@ -120,7 +122,7 @@ struct SpaceSelector {
   std::function<bool(VolumeId)> volume;  ///< Accepts volumes.
 };
 
-/// The part of space with which a set is combined when a plane cuts the set.
+/// The second operand of a Boolean of a set and a plane: the plane, or the half-space below it.
 enum class Section : std::uint8_t {
   ClosedHalfSpace,  ///< The points below the plane and on it.
   OpenHalfSpace,    ///< The points below the plane.
@@ -141,20 +143,22 @@ struct PlacedSource;  // source_mesh.h
 [[nodiscard]] Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
                               const SpaceSelector& select_b, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns the points p for which f(p in a, p in section) holds. The function spends time only on
-/// the cells near the plane.
+/// Returns the points p for which f(p in a, p in section) holds. `section` selects the plane or a
+/// half-space below it. Cells that are far from the plane cost almost no time.
 [[nodiscard]] Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
                               Context& context = unlimited_context());
-/// Returns the union of any number of sets, computed pairwise in a balanced tree. The order depends
-/// on the sizes and places of the sets, not on the order in which they are given: neighbours are
-/// united first. If there are no sets, the union is empty.
+/// Returns the union of any number of sets. It is computed by a balanced tree of unions of two
+/// sets. Sets that are close together are united first. So the tree depends on the sizes and
+/// positions of the sets, and not on the order in which they are given. If there are no sets, the
+/// union is empty.
 [[nodiscard]] Nef3 union_of(std::span<const Nef3> sets, Context& context = unlimited_context());
-/// Returns the intersection of any number of sets, computed in the same way. If there are no sets,
-/// the intersection is the whole space.
+/// Returns the intersection of any number of sets, computed in the same way as the union. If there
+/// are no sets, the intersection is the whole space.
 [[nodiscard]] Nef3 intersection_of(std::span<const Nef3> sets,
                                    Context& context = unlimited_context());
-/// Returns the points of a that belong to none of the other sets. The union of these sets is
-/// subtracted at once; sets whose boxes do not meet the box of a are left out.
+/// Returns the points of a that belong to none of the other sets. The function first computes the
+/// union of the other sets, and then subtracts this union from a. Sets whose boxes do not meet the
+/// box of a are ignored.
 [[nodiscard]] Nef3 difference_of(const Nef3& a, std::span<const Nef3> others,
                                  Context& context = unlimited_context());
 
@@ -171,7 +175,7 @@ struct PlacedSource;  // source_mesh.h
 /// A set of points in space. The head of this file describes how the set is stored.
 class Nef3 {
  public:
-  // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
+  // --- types that all classes of sets have (nef_set.h) -----------------------------------------
 
   using Point = RationalPoint3;    ///< A point of space.
   using Complex = SpaceComplex;    ///< The complex that stores the set.
@@ -180,9 +184,9 @@ class Nef3 {
   using Location = SpaceLocation;  ///< The location of a point.
   using Hit = SpaceHit;            ///< The first cell that a ray meets.
   using Selector = SpaceSelector;  ///< The cells that take part in an operation.
-  using Flaw = SpaceFlaw;          ///< A broken invariant.
+  using Flaw = SpaceFlaw;          ///< A broken invariant and its location.
 
-  // --- meshes, the way in and the way out -------------------------------------------------------
+  // --- conversion from and to meshes -----------------------------------------------------------
 
   /// Returns the set that triangles bound. The set consists of the volumes that are inside
   /// according to options.rule, and of the boundaries of these volumes. Triangle t has the corners
@@ -198,15 +202,15 @@ class Nef3 {
                                       std::span<const std::uint32_t> triangles,
                                       const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Returns the set that polygons bound, like the function for triangles. The polygons may have
-  /// any number of corners. They are given by a view of arrays.
+  /// Returns the set that polygons bound, as the function above does for triangles. The polygons
+  /// may have any number of corners. A view of the caller's arrays describes them.
   [[nodiscard]] static Nef3 from_mesh(const MeshView& mesh, const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Returns the set that the polygons of a mesh bound. This mesh owns its arrays.
+  /// Does the same as the function above for a mesh that owns its arrays.
   [[nodiscard]] static Nef3 from_mesh(const PolygonMesh& mesh, const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Calls from_mesh() for each mesh, and returns the resulting sets. If the context has threads,
-  /// several meshes are read at the same time.
+  /// Calls from_mesh() for each mesh, and returns the resulting sets. If the context has several
+  /// threads, several meshes are converted at the same time.
   [[nodiscard]] static std::vector<Nef3> from_meshes(std::span<const PolygonMesh> meshes,
                                                      const FromMeshOptions& options = {},
                                                      Context& context = unlimited_context());
@@ -227,14 +231,14 @@ class Nef3 {
   /// larger than the largest double.
   [[nodiscard]] TriangleMesh to_mesh(Context& context = unlimited_context()) const;
   /// Returns the boundary of regularization() as a mesh of polygons or triangles. The result also
-  /// has, for each face of the mesh, the facet from which the face was made. The report counts the
-  /// cells of the set that the mesh does not represent. The mesh is valid after rounding, as that
-  /// of to_mesh(). If options.keeps_exact is set, the mesh is exact, and its points are the nearest
-  /// doubles.
+  /// states, for each face of the mesh, from which facet of the set it was made. A report counts
+  /// the cells of the set that the mesh does not represent. The mesh is valid after rounding, like
+  /// the mesh of to_mesh(). There is one exception: if options.keeps_exact is set, the points are
+  /// rounded to the nearest doubles, and the mesh also lists the exact coordinates.
   [[nodiscard]] MeshOfComplex to_polygons(const ToMeshOptions& options = {},
                                           Context& context = unlimited_context()) const;
 
-  // --- other sets to start from -----------------------------------------------------------------
+  // --- other constructors ----------------------------------------------------------------------
 
   Nef3();                                               ///< Makes the empty set.
   [[nodiscard]] static Nef3 empty() { return Nef3(); }  ///< Returns the set without points.
@@ -282,8 +286,8 @@ class Nef3 {
   /// minimal form. Requires that audit(complex, AuditForm::Any) finds no flaw.
   [[nodiscard]] static Nef3 from_complex(SpaceComplex complex,
                                          Context& context = unlimited_context());
-  /// Returns the set that a complex represents. Requires that the complex is in minimal form. This
-  /// function checks nothing; audit() of the result checks everything.
+  /// Returns the set that a complex represents. Requires that the complex is in minimal form. The
+  /// function does not check this requirement. A call of audit() for the result checks it.
   [[nodiscard]] static Nef3 from_minimal_unchecked(SpaceComplex complex) {
     return Nef3(std::move(complex));
   }
@@ -298,12 +302,12 @@ class Nef3 {
   /// operator == does not compare ids. Throws Error{BadArgument} if the number of ids is not the
   /// number of facets.
   [[nodiscard]] Nef3 with_origins(std::span<const std::uint32_t> facet_origin) const;
-  /// Returns this set with one source: the mesh from which it was made. The sources of a set are
-  /// what mesh_with_attributes() (mesh_with_attributes.h) finds attributes in. The result shares
-  /// the complex of this set. The operations below keep the sources of their operands, in the order
-  /// of the operands and without duplicates. The operator == does not compare sources. Throws
-  /// Error{BadArgument} if the pointer is null or require_consistent() (source_mesh.h) rejects the
-  /// source. Takes O(size of the source).
+  /// Returns this set with one source: the mesh from which the set was made. The function
+  /// mesh_with_attributes() (mesh_with_attributes.h) takes attributes from the sources of a set.
+  /// The result shares the complex of this set. The result of an operation has the sources of all
+  /// operands, in the order of the operands and without duplicates. The operator == does not
+  /// compare sources. Throws Error{BadArgument} if the pointer is null or require_consistent()
+  /// (source_mesh.h) rejects the source. Takes O(size of the source).
   [[nodiscard]] Nef3 with_source(std::shared_ptr<const MeshSource> source) const;
   /// Returns this set with a list of sources in place of its own. Throws Error{BadArgument} if a
   /// pointer is null. O(number of sources).
@@ -312,7 +316,7 @@ class Nef3 {
   /// the volumes that the boundary of the set encloses. O(n).
   [[nodiscard]] Nef3 with_bounded_volumes(Context& context = unlimited_context()) const;
 
-  // --- reading ----------------------------------------------------------------------------------
+  // --- reading ---------------------------------------------------------------------------------
 
   /// Returns the minimal complex: all cells with their marks.
   [[nodiscard]] const SpaceComplex& complex() const&;
@@ -321,11 +325,11 @@ class Nef3 {
   [[nodiscard]] SpaceComplex complex() &&;
   [[nodiscard]] SpaceMarks marks() const;    ///< Returns the marks of all cells.
   [[nodiscard]] SpaceCounts counts() const;  ///< Returns the counts of cells. O(n).
-  /// Returns the memory of the complex and its tables in bytes, without the index for location.
-  /// Copies of the set share this memory. O(planes).
+  /// Returns the memory of the complex and its tables in bytes. The index for locate() is not
+  /// included. Copies of the set share this memory. O(planes).
   [[nodiscard]] std::size_t bytes() const;
-  /// Returns the sources of the set, in the order of the operands it was made from. The span is
-  /// valid as long as this set or a copy of it exists. O(1).
+  /// Returns the sources of the set, in the order of the operands from which the set was made. The
+  /// span is valid as long as this set or a copy of it exists. O(1).
   [[nodiscard]] std::span<const PlacedSource> sources() const;
 
   [[nodiscard]] bool is_empty() const;    ///< Whether the set has no points. O(1).
@@ -333,9 +337,10 @@ class Nef3 {
   [[nodiscard]] bool is_bounded() const;  ///< Whether the set lies in some ball. O(n).
   [[nodiscard]] bool is_closed() const;   ///< Whether the set is its own closure. O(n).
   [[nodiscard]] bool is_open() const;     ///< Whether the set is its own interior. O(n).
-  /// Whether the boundary is a 2-manifold with the set on one side. This means that there are no
-  /// dangling parts, that every edge has exactly two facets, and that the set forms a single cone
-  /// at every vertex. It does not matter which cells of the boundary belong to the set. O(n).
+  /// Whether the boundary is a 2-manifold with the interior of the set on one of its sides. This
+  /// means that there are no dangling parts, that every edge has exactly two facets, and that the
+  /// interior of the set near each vertex is a single cone. It does not matter which cells of the
+  /// boundary belong to the set. O(n).
   [[nodiscard]] bool is_simple() const;
   /// Whether the set contains the segment between any two of its points. The set may be open,
   /// unbounded or flat. The empty set is convex. Takes O(n) expected time.
@@ -391,8 +396,8 @@ class Nef3 {
                                                  const std::function<bool(SpaceItem)>& accepts,
                                                  Context& context = unlimited_context()) const;
 
-  /// Returns the exact volume, or nothing if the volume is infinite. Computes a sum of O(n)
-  /// rationals.
+  /// Returns the exact volume, or nothing if the volume is infinite. Cost: a sum of O(n) rational
+  /// numbers.
   [[nodiscard]] std::optional<Rational> volume(Context& context = unlimited_context()) const;
   /// Returns volume(). Nef2 has a function of the same name, so that generic code can handle both
   /// dimensions.
@@ -404,7 +409,7 @@ class Nef3 {
   /// violate it, or nothing if all invariants hold. Costs as much as audit() of space_audit.h.
   [[nodiscard]] std::optional<SpaceFlaw> audit(Context& context = unlimited_context()) const;
 
-  // --- operations -------------------------------------------------------------------------------
+  // --- operations ------------------------------------------------------------------------------
 
   /// Returns the points that do not belong to the set. O(n).
   [[nodiscard]] Nef3 complement(Context& context = unlimited_context()) const;

@@ -1,21 +1,25 @@
-// Mends meshes on request: close points, doubled faces, faces listed the wrong way round, holes.
+// Repairs a mesh. The caller chooses which defects are repaired: points that are close together but
+// not equal, doubled faces, faces with the wrong orientation, and holes.
 //
 // Main flow of repair_mesh():
-//  1. weld_points      makes points one that are equal, or at most RepairOptions::weld apart; trims
-//                      faces that then repeat a corner, and drops those with fewer than three
-//  2. drop_doubled     drops faces with the corners of an earlier face, in either direction
-//  3. orient_faces     turns faces that disagree with their neighbours
-//  4. fill_hole        adds faces along closed chains of edges that lack a face
-//  5. turn_components  turns components of negative volume that no others enclose
+//  1. weld_points      merges points that are equal, or whose distance is at most
+//                      RepairOptions::weld. If a face then has the same corner twice in a row, the
+//                      repetition is removed. A face with fewer than three corners is dropped
+//  2. drop_doubled     drops faces that have the same corners as an earlier face, in the same or in
+//                      the opposite direction
+//  3. orient_faces     flips faces whose orientation disagrees with that of their neighbours
+//  4. fill_hole        adds faces along closed chains of edges at which a face is missing
+//  5. turn_components  flips components that have a negative volume and lie inside no other
+//                      component
 //
-// Every step is done only if it is asked for, and reports what it did. Nothing is guessed from
-// distances except in step 1, where the caller gives the distance. What is mended is the mesh; the
-// set that it describes is made by Nef3::from_mesh(), which needs none of these steps for a mesh
-// that is closed.
+// A step is taken only if the options ask for it. All changes are reported. Only step 1 compares
+// distances, and the caller gives the largest distance. The functions of this header change a mesh
+// and make no set. Nef3::from_mesh() makes a set from a mesh. If the mesh is closed, this function
+// does not need any of these steps.
 //
-// Cost: O(n log n) for n corners, besides O(k^2) for each edge of a hole of k <= 100 edges. Step 5
-// costs as much as complex_of_mesh(), and as arrange() if the mesh crosses itself. Memory: about
-// 200 bytes per corner. Source: docs/design/meshes.md, "Mending".
+// Cost: O(n log n) for n corners. In addition, a hole of k <= 100 edges takes O(k^3). Step 5 has
+// the cost of complex_of_mesh(), plus the cost of arrange() if the mesh crosses itself. Memory:
+// about 200 bytes per corner. Source: docs/design/meshes.md, "Mending".
 #pragma once
 
 #include <cstdint>
@@ -29,87 +33,102 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// What repair_mesh() does with faces that have the corners of an earlier face, in either
-/// direction.
+/// States when repair_mesh() drops doubled faces. A doubled face has the same corners as an earlier
+/// face, in the same or in the opposite direction.
 enum class DoubledFaces : std::uint8_t {
-  Keep,  ///< They stay.
-  /// They are dropped if that makes the borders of the mesh shorter, or if every face is there in
-  /// both directions and one side alone is closed. Two solids with a common wall, which has a face
-  /// of each, stay as they are.
+  Keep,  ///< Doubled faces are kept.
+  /// Doubled faces are dropped in two cases: if this makes the borders of the mesh shorter, or if
+  /// every face of the mesh occurs in both directions and the faces of one direction alone form a
+  /// closed mesh. If two solids have a common wall, the wall consists of a face of each solid. Such
+  /// doubled faces are kept.
   DropIfBetter,
-  Drop,  ///< They are dropped. Of a double-sided mesh one side stays.
+  Drop,  ///< Doubled faces are dropped. If the mesh is double-sided, one of its sides remains.
 };
 
-/// What repair_mesh() is asked to do.
+/// Options of repair_mesh(), which select the repairs.
 struct RepairOptions {
-  /// Points at most this far apart become one point. With 0 only points with equal coordinates do.
+  /// Points whose distance is at most this value are merged. If it is 0, only points with equal
+  /// coordinates are merged.
   double weld = 0;
-  DoubledFaces doubled = DoubledFaces::Keep;  ///< What is done with doubled faces.
-  /// Whether faces that disagree with their neighbours are turned, and then, if the mesh is closed,
-  /// components of negative volume that no others enclose.
+  DoubledFaces doubled = DoubledFaces::Keep;  ///< States when doubled faces are dropped.
+  /// Whether faces whose orientation disagrees with that of their neighbours are flipped. If the
+  /// mesh is closed afterwards, components that have a negative volume and lie inside no other
+  /// component are flipped, too.
   bool reorient = false;
-  /// Holes with at most so many edges are filled. If this is not 0, faces that disagree with their
-  /// neighbours are turned, too, since the holes are known only then.
+  /// Holes with at most this number of edges are filled. If it is not 0, faces whose orientation
+  /// disagrees with that of their neighbours are flipped first, because the holes are known only
+  /// afterwards.
   std::uint32_t fill_holes = 0;
-  /// Holes are also filled if the bounding box of their vertices has a diagonal of at most this
-  /// length, however many edges they have. Faces are turned as for fill_holes.
+  /// A hole is also filled if the diagonal of the bounding box of its vertices is at most this
+  /// length. The number of its edges does not matter in this case. If the length is not 0, faces
+  /// are flipped first, as for fill_holes.
   double fill_holes_below = 0;
 
-  /// Whether anything is asked for.
+  /// Whether the options ask for any repair.
   bool asks() const {
     return weld > 0 || doubled != DoubledFaces::Keep || reorient || fills_holes();
   }
-  /// Whether holes of some size are filled.
+  /// Whether the options ask for holes to be filled.
   bool fills_holes() const { return fill_holes > 0 || fill_holes_below > 0; }
   friend bool operator==(const RepairOptions&, const RepairOptions&) = default;
 };
 
-/// What repair_mesh() found and did. Faces are 0-based indices of the mesh before; all lists of
-/// faces are in ascending order.
+/// A report on the defects that repair_mesh() found and the repairs that it made. Faces are 0-based
+/// indices of the mesh before the repair. All lists of faces are in ascending order.
 struct RepairReport {
-  std::uint64_t equal = 0;    ///< Points that had the coordinates of an earlier point.
-  std::uint64_t welded = 0;   ///< Places that moved onto another place.
-  double farthest = 0;        ///< How far they moved at most; never more than RepairOptions::weld.
-  std::uint64_t unused = 0;   ///< Points dropped because no face uses them; merged points as well.
-  std::uint64_t trimmed = 0;  ///< Faces that lost repeated corners or spikes (a b a).
-  std::vector<std::uint32_t> degenerate;  ///< Dropped faces: fewer than three corners were left.
-  /// Pairs of a dropped face and the earlier face that has the same corners.
+  /// The number of points whose coordinates were equal to those of an earlier point.
+  std::uint64_t equal = 0;
+  std::uint64_t welded = 0;  ///< The number of positions that were moved to another position.
+  /// The largest distance by which a point moved; at most RepairOptions::weld.
+  double farthest = 0;
+  /// The number of points that were dropped because no face uses them, including merged points.
+  std::uint64_t unused = 0;
+  std::uint64_t trimmed = 0;  ///< The number of faces that lost repeated corners or spikes (a b a).
+  /// Faces that were dropped because they had fewer than three corners left.
+  std::vector<std::uint32_t> degenerate;
+  /// The doubled faces that were dropped, each with the earlier face that has the same corners.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> doubled;
-  std::vector<std::uint32_t> flipped;  ///< Faces turned to agree with their neighbours.
-  /// The least face of each component that was turned because it was inside out.
+  std::vector<std::uint32_t> flipped;  ///< Faces that were flipped because of their neighbours.
+  /// A face of each component that was flipped because it was inside out: the face with the least
+  /// index.
   std::vector<std::uint32_t> turned;
-  std::vector<std::uint32_t> filled;  ///< For each hole that was filled, the number of its edges.
-  std::uint64_t added = 0;            ///< Faces added in holes.
-  /// Closed chains of vertices of the mended mesh along which faces are missing, or disagree.
+  std::vector<std::uint32_t> filled;  ///< The number of edges of each hole that was filled.
+  std::uint64_t added = 0;            ///< The number of faces that were added in holes.
+  /// Closed chains of vertices of the repaired mesh along which faces are missing, or along which
+  /// the orientations of faces disagree.
   std::vector<std::vector<std::uint32_t>> holes;
-  /// The least face of each connected set of faces that has only one side, as a Moebius strip.
+  /// A face of each connected set of faces that has only one side, such as a Moebius strip: the
+  /// face with the least index.
   std::vector<std::uint32_t> one_sided;
 
-  /// Whether the mended mesh is closed.
+  /// Whether the repaired mesh is closed.
   bool is_closed() const { return holes.empty(); }
-  /// Whether the mesh was changed, apart from points that no face uses.
+  /// Whether the mesh was changed. The removal of points that no face uses does not count as a
+  /// change.
   bool has_changed() const {
     return equal > 0 || welded > 0 || trimmed > 0 || !degenerate.empty() || !doubled.empty() ||
            !flipped.empty() || !turned.empty() || !filled.empty();
   }
 };
 
-/// Mends a mesh. Faces that stay keep their order, and faces added in holes follow them. Points
-/// that stay keep their order and their coordinates. Throws, and then leaves the mesh as it was:
-///   - Error{BadArgument} unless the tolerance of welding is finite and not negative
+/// Repairs a mesh. Faces that are not dropped keep their order, and faces added in holes follow
+/// after them. Points that are not dropped keep their order and their coordinates. If the function
+/// throws, the mesh is unchanged. It throws:
+///   - Error{BadArgument} if RepairOptions::weld is negative or not finite
 ///   - Error{BadIndex} and Error{NotFinite} as complex_of_mesh() does
 ///   - what the context throws
 RepairReport repair_mesh(PolygonMesh& mesh, const RepairOptions& options,
                          Context& context = unlimited_context());
 
-/// Describes what was done, for a human: one sentence each, nothing if nothing was done. Points
-/// that are merged because they are equal are not mentioned.
+/// Describes the repairs for a human reader, with one sentence for each kind of repair. Returns an
+/// empty list if nothing was repaired. The merging of equal points is not mentioned.
 std::vector<std::string> sentences(const RepairReport& report);
 
-/// Returns the mesh with every face of more than three corners cut into triangles between its
-/// corners, which have the same boundary: constrained Delaunay triangles if the face is simple as
-/// seen along an axis, else a fan. Throws Error{BadIndex}, Error{NotFinite}, and what the context
-/// throws. O(n log n).
+/// Returns the mesh after every face with more than three corners was cut into triangles. The
+/// corners of these triangles are corners of the face, and the triangles together have the boundary
+/// of the face. If the projection of the face along some coordinate axis is a simple polygon, the
+/// triangles form a constrained Delaunay triangulation. Otherwise they form a fan. Throws
+/// Error{BadIndex}, Error{NotFinite}, and what the context throws. O(n log n).
 PolygonMesh triangulated(const PolygonMesh& mesh, Context& context = unlimited_context());
 
 }  // namespace plumb

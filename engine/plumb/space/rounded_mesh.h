@@ -1,11 +1,11 @@
 // Checks whether rounding the vertices of a mesh to doubles has broken the mesh.
 //
 // Main flow of check_rounding():
-//  1. doubtful_faces  selects the faces that may be damaged (mesh/doubtful_faces.h). Of all others,
-//                     products of doubles prove that rounding has not damaged them
-//  2. check_faces     calls complex_of_mesh() for the selected faces with rounded coordinates. The
-//                     defects are read from the report of this call. Then compares the normals of
-//                     selected faces before rounding with their normals after rounding
+//  1. doubtful_faces  selects the faces that may be damaged (mesh/doubtful_faces.h). For all other
+//                     faces, a computation with doubles proves that rounding has not damaged them
+//  2. check_faces     calls complex_of_mesh() for the selected faces with rounded coordinates, and
+//                     takes the defects from the report of this call. Then it compares the normals
+//                     of the selected faces before and after rounding
 //
 // Cost: O(V) for V vertices if all their coordinates are doubles. Otherwise, the check builds a
 // tree of O(n) boxes, tests the pairs whose boxes meet, and calls complex_of_mesh() for the faces
@@ -22,29 +22,31 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The numbers to which coordinates are rounded.
+/// The type of number to which coordinates are rounded.
 enum class CoordinateType : std::uint8_t {
   Double,  ///< Doubles.
-  Float,   ///< Floats, as in binary STL. They are stored as doubles.
+  Float,   ///< Floats, as in binary STL. In memory, their values are stored as doubles.
 };
 
-/// Returns the number of the given type that is nearest to `value`. Writers of files and the
-/// functions that check meshes both round by this function. Throws Error{NumberOutOfRange} if
-/// `value` rounds to an infinity. Requires that the rounding mode is to nearest.
+/// Returns the number of the given type that is nearest to `value`. The writers of files and the
+/// functions that check meshes all use this function, so they round in the same way. Throws
+/// Error{NumberOutOfRange} if `value` rounds to an infinity. Requires that the rounding mode is to
+/// nearest.
 double nearest_coordinate(double value, CoordinateType type);
 
-/// Returns the exponent e for which the numbers of the type that lie near `value` are the multiples
-/// of 2^e. Requires a finite value.
+/// Returns the exponent e of the last digit of `value` in the given type: near `value`, the numbers
+/// of this type are the multiples of 2^e. Requires a finite value.
 int last_digit_exponent(double value, CoordinateType type);
 
-/// Rounds a point to the nearest numbers of the type. Returns a bound of the distance by which it
-/// moved. If `is_constructed` is set, the coordinates are themselves the nearest doubles of a
-/// point, and the bound includes the distance from this point. Throws as nearest_coordinate() does.
+/// Rounds the coordinates of a point to the nearest numbers of the type. Returns an upper bound for
+/// the distance by which the point moved. If `is_constructed` is true, the coordinates were already
+/// rounded once, from an exact point to the nearest doubles. In this case, the bound is for the
+/// distance from the exact point. Throws as nearest_coordinate() does.
 double round_point(Point3& point, bool is_constructed, CoordinateType type);
 
 /// Rounds all points of a mesh to the nearest numbers of the type. Afterwards, mesh.exact lists the
-/// points that moved, with the coordinates that they had before. Returns a bound of the distances
-/// by which points moved. Throws as nearest_coordinate() does. O(points).
+/// points that moved, with the coordinates that they had before. Returns an upper bound for the
+/// distances by which points moved. Throws as nearest_coordinate() does. O(points).
 double round_points(PolygonMesh& mesh, CoordinateType type);
 
 /// The effects of rounding on a mesh. Faces and vertices are given by their indices in the mesh.
@@ -64,7 +66,7 @@ struct RoundingReport {
   std::vector<std::uint32_t> not_simple;  ///< Faces that cross themselves after rounding.
   std::vector<FacePair> doubled;          ///< Pairs of faces that coincide after rounding.
   std::uint64_t crossing_count = 0;       ///< Number of pairs of facets that cross after rounding.
-  std::vector<FacePair> crossings;        ///< The first crossings, each as a pair of faces.
+  std::vector<FacePair> crossings;        ///< The first pairs of faces that cross.
   /// Polygons that are not planar after rounding. Neighbouring faces still fit together, but a
   /// program that reads the mesh must triangulate these polygons. complex_of_mesh() splits
   /// each of these polygons into constrained Delaunay triangles, and tests the triangles for

@@ -1,14 +1,15 @@
-// The meshes that a set was made from, with their attributes. A set keeps them through all
-// operations of space, so that mesh_with_attributes() (mesh_with_attributes.h) can tell, for each
-// face of a result, the face of an input that it is a part of.
+// The sources of a set: the meshes from which the set was made, with their attributes. The result
+// of an operation on sets of space has the sources of its operands. From these sources,
+// mesh_with_attributes() (mesh_with_attributes.h) finds for each face of a result the face of a
+// source that contains it.
 //
-// Flow: with_source() of a set attaches a mesh to the set that was made from this mesh. Booleans
-// join the lists of their operands, and transformed() applies its map to the places of the sources.
-// The mesh itself is shared and never copied.
+// Flow: Nef3::with_source() adds a source to a set that was made from a mesh. Booleans join the
+// lists of sources of their operands. Nef3::transformed() changes the maps of the sources
+// (PlacedSource::map). All sets that have a source share its mesh, which is never copied.
 //
-// Cost: an operation on sets takes O(number of sources) for the lists. Sets without sources pay for
-// a null pointer. Errors: Error{BadArgument} for arrays that do not fit each other. Source:
-// docs/attributes.md.
+// Cost: an operation on sets takes O(number of sources) to make the list of the result. A set
+// without sources only has an additional null pointer. Errors: Error{BadArgument} if the sizes of
+// arrays are not consistent. Source: docs/attributes.md.
 #pragma once
 
 #include <memory>
@@ -24,33 +25,38 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A mesh that a set was made from. It is shared by sets, so it must not change.
+/// A source: a mesh from which a set was made. Several sets can share it, so it must not change.
 struct MeshSource {
-  std::string name;           ///< A name for the user, for instance that of a file. Can be empty.
+  std::string name;           ///< A name for the user, such as the name of a file. Can be empty.
   PolygonMesh mesh;           ///< The points and faces of the mesh.
-  MeshAttributes attributes;  ///< What belongs to its faces and corners. Can be empty.
-  /// If given, the source is the boundary of the half-space below this plane. The mesh is then
-  /// empty, and the attributes have no channels and are those of one face.
+  MeshAttributes attributes;  ///< The attributes of faces and corners. Can be empty.
+  /// If this has a value, the source is not a mesh but the boundary of the half-space below this
+  /// plane. In this case the mesh is empty, and the attributes are those of a single face without
+  /// channels.
   std::optional<Plane3> plane = {};
 };
 
-/// Returns the mesh that a view shows, for a source of arrays. O(n).
+/// Returns a copy of the mesh that a view describes. It is used to make a source from arrays. O(n).
 [[nodiscard]] PolygonMesh copied_mesh(const MeshView& mesh);
 
-/// A source and its place.
+/// A source, and the map that was applied to it.
 struct PlacedSource {
   std::shared_ptr<const MeshSource> source;  ///< The mesh; not null.
-  AffineMap3 map;                            ///< Maps the points of the mesh to the set.
+  /// The map from points of the mesh to points of the set.
+  AffineMap3 map;
 };
 
-/// Throws Error{BadArgument} unless each array of the attributes is empty or complete, each channel
-/// has a width of 1 or more, all channels have different names, and each index of a material, a
-/// group or a point is in range. For a plane, also throws if the normal is zero.
+/// Checks a source. Throws Error{BadArgument} unless all of these conditions hold:
+///   - Each array of the attributes is empty or complete (mesh_attributes.h).
+///   - Each channel has a width of 1 or more, and all channels have different names.
+///   - Each index of a material, a group or a point is in range.
+///   - If the source is a plane, its normal is not zero.
 void require_consistent(const MeshSource& source);
 
-/// Returns the set that a mesh bounds, with the mesh as its source. This is Nef3::from_mesh()
-/// followed by Nef3::with_source(). If the source is a plane, returns the closed half-space below
-/// it. Throws what they throw.
+/// Returns the set that the mesh of a source bounds, and adds this source to the set. If the source
+/// is a plane, the set is the closed half-space below the plane. The function calls
+/// Nef3::from_mesh() or Nef3::half_space(), and then Nef3::with_source(). Throws what these
+/// functions throw.
 [[nodiscard]] Nef3 from_source(std::shared_ptr<const MeshSource> source,
                                const FromMeshOptions& options = {},
                                Context& context = unlimited_context());

@@ -30,10 +30,10 @@ struct SpaceFlaw {
   std::string place;      ///< The cells that violate it, such as "edge 3, facet 5".
 };
 
-/// Returns the first flaw found, or nothing. Every id is checked before it is used. So if no plane
-/// or point has a given id, the id is reported as a flaw and is never used. For AuditForm::Minimal,
-/// a cell that could be removed without changing the set is a flaw, too. The complex of every Nef3
-/// is minimal. Throws what the context throws.
+/// Returns the first flaw found, or nothing. Every id is checked before it is used. So an id that
+/// is out of range is reported as a flaw and never used. For AuditForm::Minimal, a cell that could
+/// be removed without changing the set is a flaw, too. The complex of every Nef3 is minimal. Throws
+/// what the context throws.
 ///
 /// Cost: O(n log n + c), where c is the number of pairs of cells whose boxes meet. Two kinds of
 /// cells cost more:

@@ -1,5 +1,5 @@
 // A marked subdivision of space. Every set of space is stored in this form. The vertices, edges,
-// facets and volumes are stored in flat arrays. Each of these cells has a mark that tells whether
+// facets and volumes are stored in flat arrays. Each of these cells has a mark that states whether
 // its points belong to the set.
 //
 // Notation
@@ -13,19 +13,20 @@
 //                the corner of its facet at the origin of the use. The corner sweeps
 //                counter-clockwise from use_halfedge[u] to the reverse of use_halfedge[use_prev[u]]
 //   radial       is the cyclic order of all uses of edge e. The order is counter-clockwise for a
-//                viewer at whom half-edge 2 e points. A volume lies between each use and the next
-//                use. After a use of half-edge 2 e, this volume is on the positive side of the
-//                use's facet. After a use of half-edge 2 e + 1, this volume is on the negative side
+//                viewer who looks against the direction of half-edge 2 e. A volume lies between
+//                each use and the next use. After a use of half-edge 2 e, this volume is on the
+//                positive side of the use's facet. After a use of half-edge 2 e + 1, this volume is
+//                on the negative side
 //   facet f      has a plane, a mark, boundary cycles (the outer cycle first, then the holes), and
 //                vertices inside it. It also has one volume on its positive side [0], and one
 //                volume on its negative side [1]
 //   volume 0     is the volume that reaches to infinity, if the set is bounded. If the set is
 //                unbounded, volume 0 is the volume outside the frame
 //
-// The sphere map of a vertex (local_maps.h) is a view of these arrays. The points of the map are
-// the half-edges that leave the vertex. The arcs of the map are the corners of uses at the vertex.
-// The faces of the map are the parts of volumes around the vertex. These parts are found from the
-// sides of facets.
+// The sphere map of a vertex (local_maps.h) is not stored, because it can be read from these
+// arrays. The points of the map are the half-edges that leave the vertex. The arcs of the map are
+// the corners of uses at the vertex. The faces of the map are the parts of volumes around the
+// vertex. These parts are found from the sides of facets.
 //
 // Free cells:
 // - For an edge without uses, edge_volume holds the volume that contains the edge, and edge_use
@@ -70,7 +71,7 @@ struct SpaceComplex {
       vertex_volume;  ///< The volume around an isolated vertex; invalid for other vertices.
   IdVector<VertexId, FacetId>
       vertex_facet;  ///< The facet that contains the vertex; invalid if there is none.
-  /// Where each vertex starts in `star`; vertex_count() + 1 entries.
+  /// The index in `star` at which the half-edges of each vertex start; vertex_count() + 1 entries.
   IdVector<VertexId, std::uint32_t> star_begin;
   std::vector<HalfedgeId> star;  ///< The half-edges that leave each vertex.
 
@@ -97,10 +98,10 @@ struct SpaceComplex {
   IdVector<FacetId, std::array<VolumeId, 2>> facet_volume;
   IdVector<FacetId, std::uint32_t>
       facet_origin;  ///< The id that the caller gave to the facet; results of operations keep it.
-  /// Where each facet starts in `cycle`; facet_count() + 1 entries.
+  /// The index in `cycle` at which the cycles of each facet start; facet_count() + 1 entries.
   IdVector<FacetId, std::uint32_t> cycle_begin;
   std::vector<UseId> cycle;  ///< One use of each cycle of a facet, the outer cycle first.
-  /// Where each facet starts in `inner`; facet_count() + 1 entries.
+  /// The index in `inner` at which the vertices inside each facet start; facet_count() + 1 entries.
   IdVector<FacetId, std::uint32_t> inner_begin;
   std::vector<VertexId> inner;  ///< The vertices inside each facet.
 
@@ -144,8 +145,8 @@ struct SpaceComplex {
   VolumeId volume_after(UseId u) const {
     return facet_volume[use_facet[u]][is_reverse(use_halfedge[u]) ? 1 : 0];
   }
-  /// Fills star_begin and star from `origin`: lists the half-edges of each of `vertices` vertices
-  /// in ascending order. Takes linear time.
+  /// Fills star_begin and star from `origin`. `vertices` is the number of vertices. The half-edges
+  /// of each vertex are listed in ascending order. Takes linear time.
   void list_stars(std::size_t vertices) {
     star_begin.assign(vertices + 1, 0);
     for (const VertexId v : origin) ++star_begin[v.value() + 1];
@@ -158,26 +159,32 @@ struct SpaceComplex {
   const Point3Table& points() const { return tables->points; }  ///< Returns the points.
 };
 
-/// The name of a vertex, edge, facet or volume, in 32 bits. A default-constructed item is invalid.
+/// The id of a cell of any kind: a vertex, an edge, a facet or a volume. It takes 32 bits. A
+/// default-constructed item is invalid.
 class SpaceItem {
  public:
   /// Kinds of items, by dimension.
   enum class Kind : std::uint32_t { Vertex, Edge, Facet, Volume };
 
-  constexpr SpaceItem() = default;                                         ///< Names nothing.
-  constexpr SpaceItem(VertexId v) : SpaceItem(Kind::Vertex, v.value()) {}  ///< Names a vertex.
-  constexpr SpaceItem(EdgeId e) : SpaceItem(Kind::Edge, e.value()) {}      ///< Names an edge.
-  constexpr SpaceItem(FacetId f) : SpaceItem(Kind::Facet, f.value()) {}    ///< Names a facet.
-  constexpr SpaceItem(VolumeId v) : SpaceItem(Kind::Volume, v.value()) {}  ///< Names a volume.
+  /// Makes an invalid item.
+  constexpr SpaceItem() = default;
+  /// Makes the item of a vertex.
+  constexpr SpaceItem(VertexId v) : SpaceItem(Kind::Vertex, v.value()) {}
+  /// Makes the item of an edge.
+  constexpr SpaceItem(EdgeId e) : SpaceItem(Kind::Edge, e.value()) {}
+  /// Makes the item of a facet.
+  constexpr SpaceItem(FacetId f) : SpaceItem(Kind::Facet, f.value()) {}
+  /// Makes the item of a volume.
+  constexpr SpaceItem(VolumeId v) : SpaceItem(Kind::Volume, v.value()) {}
 
-  /// Returns the item with this code().
+  /// Returns the item for which code() returns `code`.
   static constexpr SpaceItem from_code(std::uint32_t code) {
     SpaceItem item;
     item.code_ = code;
     return item;
   }
 
-  /// Whether this names an item. All other members except code() require a valid item.
+  /// Whether the item is valid. All other members except code() require a valid item.
   constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }
   /// Returns the kind of the item.
   constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }

@@ -1,18 +1,18 @@
 // Point location and ray shooting in a complex.
 //
 // Main flow:
-//  1. build        makes a tree of the bounding boxes of facets, free edges and isolated vertices.
-//                  This is done once
+//  1. build        makes a tree of the bounding boxes of items. The items are the facets, the free
+//                  edges and the isolated vertices. The constructor takes this step
 //  2. on_item      tests the items whose boxes contain the point. For a facet, the point is first
 //                  compared with the plane of the facet. If the point lies on this plane, it is
 //                  compared with the vertices, edges and interior of the facet, in a projection
 //                  along an axis (space_ray.h)
 //  3. shoot        finds the intersection of the ray with each candidate. Intersections are
 //                  computed in doubles first, and exactly if doubles do not decide. If the ray is
-//                  parallel to an axis, find_near first tests the candidates whose boxes meet a
-//                  short part of the ray. It then tests longer and longer parts of the ray, as long
-//                  as there are few candidates. In all other cases, the boxes that the ray enters
-//                  are visited in order of distance, the nearest first
+//                  parallel to an axis, find_near() first tests the candidates whose boxes meet a
+//                  short part of the ray. If it finds no intersection, it continues with longer
+//                  parts of the ray, as long as there are few candidates. In all other cases, the
+//                  boxes that the ray enters are visited in order of distance, the nearest first
 //  4. volume_of    shoots a ray towards -x. The result is the volume just in front of the first
 //                  item that the ray meets. If this item is a facet, the result is the volume on
 //                  the side of the facet that the ray meets. If the item is an edge or vertex, the
@@ -51,8 +51,8 @@ struct SpaceItemHit {
 /// An index over a complex for point location and ray shooting.
 class SpaceLocator {
  public:
-  /// Builds the index. The complex must outlive the locator. The parts of the complex that the head
-  /// of this file requires must not change. O(n log n).
+  /// Builds the index. The complex must outlive the locator. The arrays of the complex that the
+  /// head of this file names must not change. O(n log n).
   explicit SpaceLocator(const SpaceComplex& complex);
   ~SpaceLocator();
   SpaceLocator(const SpaceLocator&) = delete;
@@ -77,9 +77,9 @@ class SpaceLocator {
   void locate(std::span<const Point3> points, std::span<SpaceItem> items) const;
 
   /// Returns the first vertex, edge or facet that the ray meets strictly after `origin`, or
-  /// nothing. An item does not count if the ray starts in it or runs along it. However, the vertex
-  /// or edge at which the ray leaves such an item counts. Items of the frame do not count. Requires
-  /// that `direction` is not zero.
+  /// nothing. The function skips items in which the ray starts or along which it runs, but not the
+  /// vertex or edge at which the ray leaves such an item. It also skips items of the frame.
+  /// Requires that `direction` is not zero.
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;
   std::optional<SpaceItemHit> shoot(const Point3& origin, const Point3& direction) const;

@@ -1,5 +1,5 @@
-// Measures of a set of space: the exact volume and centroid of the marked volumes, and the rounded
-// area of their boundary.
+// Computes measures of a set of space: the exact volume and the exact centroid of the marked
+// volumes, and the rounded area of their boundary.
 //
 // The volume is computed as a sum of signed volumes of tetrahedra. Each tetrahedron has the origin
 // as apex, and a triangle of the boundary as base. For each edge of a facet, including the edges of
@@ -7,8 +7,8 @@
 // the facet. So no facet has to be triangulated. If the coordinates of all vertices are doubles,
 // the denominators of all terms are powers of two.
 //
-// All functions require that the complex has volumes and marks. They throw what the context throws.
-// Cost: each edge of a facet adds a few rational terms, which takes about 10 us.
+// All functions require that the complex has volumes and marks. All functions throw what the
+// context throws. Cost: each edge of a facet adds a few rational terms, which takes about 10 us.
 #pragma once
 
 #include <optional>

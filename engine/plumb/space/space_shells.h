@@ -49,9 +49,8 @@ class SpaceShells {
   /// Returns the volume that a shell bounds.
   VolumeId volume(ShellId s) const { return volume_[s.value()]; }
 
-  /// Returns the sides of facets that make up the shell. Each side is seen from outside a solid
-  /// that fills the volume. So is_reversed is set if the volume is on the positive side of the
-  /// facet.
+  /// Returns the sides of facets that make up the shell. Each side is seen from outside the volume.
+  /// So FacetSide::is_reversed is true if the volume lies on the positive side of the facet.
   std::span<const FacetSide> sides(ShellId s) const { return part(sides_, side_begin_, s); }
   /// Returns the edges of the shell: the edges of its facets, and its free edges. Each edge occurs
   /// once.
@@ -95,12 +94,13 @@ class SpaceShells {
   std::vector<VertexId> vertices_;
 };
 
-/// A mesh made from a shell is the boundary of one of these solids.
+/// Selects the solid that a mesh made from a shell bounds.
 enum class ShellSolid : std::uint8_t {
-  /// The solid is the volume of the shell. The faces of the mesh look out of this volume.
+  /// The solid is the volume of the shell. The faces of the mesh are oriented away from this
+  /// volume.
   Volume,
-  /// The solid lies on the other side of the shell. For example, the shell around a void gives a
-  /// solid in the shape of the void.
+  /// The solid lies on the other side of the shell. For example, let the volume have a void. Then
+  /// the shell around the void gives a solid in the shape of the void.
   Other,
 };
 
@@ -110,7 +110,7 @@ MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid sol
                             const ToMeshOptions& options = {},
                             Context& context = unlimited_context());
 
-/// The cells of a shell that belong to the set returned by set_of_shell().
+/// Selects the cells of a shell that belong to the set returned by set_of_shell().
 enum class ShellMarks : std::uint8_t {
   Own,  ///< The cells that belong to the original set.
   All,  ///< All cells; the set is then closed.

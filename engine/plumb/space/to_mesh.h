@@ -4,15 +4,16 @@
 // Main flow of mesh_of_complex():
 //  1. boundary_sides   finds the facets between a marked and an unmarked volume. Each of these
 //                      facets is seen from the side of the unmarked volume
-//  2. mesh_of_sides    groups the corners around each vertex into cones. Then makes the vertices of
-//                      the mesh, and finally its polygons or triangles
+//  2. mesh_of_sides    groups the corners of facets around each vertex into cones. Then it makes
+//                      the vertices of the mesh, and finally its polygons or triangles
 //  3. ClosureCount     counts the marked cells outside the closure of the interior, and the
 //                      unmarked cells inside the closure of the interior
 //
 // The corners of triangles are vertices of the complex, and no vertex lies inside a side of a
 // triangle. So there are no T-junctions.
 //
-// Cost: O(n log n), and about 5 us to round each constructed vertex correctly.
+// Cost: O(n log n), plus about 5 us for each constructed vertex, whose coordinates must be rounded
+// correctly.
 #pragma once
 
 #include <cstdint>
@@ -27,30 +28,31 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// How facets become faces.
+/// Which facets are triangulated.
 enum class MeshFaces : std::uint8_t {
-  /// A facet stays a polygon if it is simple and the coordinates of its corners are doubles. Other
-  /// facets are triangulated.
+  /// A facet becomes one polygon if it is simple and the coordinates of its corners are doubles.
+  /// Other facets are triangulated.
   PlanarPolygons,
-  /// A facet stays a polygon if it is simple. Its rounded corners may lie outside its plane. Other
-  /// facets are triangulated.
+  /// A facet becomes one polygon if it is simple. After rounding, the corners of the polygon do not
+  /// always lie in one plane. Other facets are triangulated.
   Polygons,
   Triangles,  ///< All facets are triangulated.
 };
 
 /// Options of the conversion to a mesh.
 struct ToMeshOptions {
-  MeshFaces faces = MeshFaces::PlanarPolygons;  ///< How facets become faces.
+  MeshFaces faces = MeshFaces::PlanarPolygons;  ///< Which facets are triangulated.
   /// Whether the mesh has a separate vertex for each cone of the solid at a vertex of the set. The
   /// separate vertices have equal coordinates. If this option is set, edges with more than two
   /// faces are split, too.
   bool split_vertices = false;
-  /// Whether mesh.exact is filled. check_rounding() and exact file formats need mesh.exact. Filling
-  /// it triples the time for a mesh with many constructed vertices.
+  /// Whether mesh.exact is filled. Its contents are needed by check_rounding() and by exact file
+  /// formats. If the mesh has many constructed vertices, filling mesh.exact triples the time of the
+  /// conversion.
   bool keeps_exact = false;
 };
 
-/// A facet seen from one of its two sides. On the other side of the facet lies a solid.
+/// A facet seen from one of its two sides. A solid lies on the other side of the facet.
 struct FacetSide {
   FacetId facet;     ///< The facet.
   bool is_reversed;  ///< Whether the facet is seen from its negative side.
@@ -66,8 +68,8 @@ struct ItemCounts {
   std::uint64_t total() const { return facets + edges + vertices; }
 };
 
-/// How many cells of a set are missing from its mesh, and at how many edges and vertices the mesh
-/// is not a manifold.
+/// A report on a conversion to a mesh: the numbers of cells of the set that the mesh does not
+/// represent, and the numbers of edges and vertices at which the mesh is not a manifold.
 struct ToMeshReport {
   /// mesh_of_complex() sets this if a marked volume reaches to infinity. The mesh is then empty.
   /// soup_of_complex() sets this if a facet reaches to infinity. The mesh does not contain such
@@ -84,12 +86,12 @@ struct ToMeshReport {
   bool is_soup() const { return non_manifold_edges + non_manifold_vertices > 0; }
 };
 
-/// A mesh and the facets that it comes from.
+/// A mesh, and the facets from which its faces were made.
 struct MeshOfComplex {
   /// The mesh. Its points are correctly rounded. If ToMeshOptions::keeps_exact is set, mesh.exact
   /// lists the exact coordinates of the points that had to be rounded.
   PolygonMesh mesh;
-  std::vector<FacetId> facet;  ///< The facet that each face comes from.
+  std::vector<FacetId> facet;  ///< The facet from which each face was made.
   /// For each point that had to be rounded, its index and its vertex of the complex. The indices
   /// are in ascending order.
   std::vector<std::pair<std::uint32_t, VertexId>> rounded;
@@ -98,16 +100,16 @@ struct MeshOfComplex {
 
 /// Returns a mesh of the boundary of the closure of the interior. If a marked volume is unbounded,
 /// the mesh is empty and report.is_unbounded is set. Requires volumes and marks. Cells of the frame
-/// and cells outside the frame do not count.
+/// and cells outside the frame are ignored.
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
-/// Returns all facets of a set as a mesh, whether or not there is a solid behind them. The facets
-/// that boundary_sides() returns are seen from outside the solid. Other facets (dangling facets,
-/// cuts in a solid) occur once, and are seen from their positive side. Facets that reach to
-/// infinity are left out, and report.is_unbounded is set. report.dropped counts marked edges and
-/// vertices outside the closure of the marked volumes; report.dropped.facets is 0. Requires volumes
-/// and marks.
+/// Returns all facets of a set as a mesh, even facets that do not bound a solid. The facets that
+/// boundary_sides() returns are oriented as seen from outside the solid. All other facets (dangling
+/// facets, and cuts in a solid) occur once, and are oriented as seen from their positive side.
+/// Facets that reach to infinity are left out, and report.is_unbounded is set. report.dropped
+/// counts marked edges and vertices outside the closure of the marked volumes;
+/// report.dropped.facets is 0. Requires volumes and marks.
 MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
@@ -121,9 +123,9 @@ std::vector<FacetSide> boundary_sides(const SpaceComplex& complex);
 
 /// Makes a mesh of the given sides, for instance of the sides of a shell. In the report, only the
 /// counts of non-manifold edges and vertices are filled. Requires that each side occurs at most
-/// once. On a counter-clockwise walk around an edge, some sides have the solid just before them,
-/// and all other sides have the solid just after them. Requires that at every edge there are as
-/// many sides of the first kind as of the second kind.
+/// once. Consider a counter-clockwise walk around an edge. At some sides, the walk leaves the
+/// solid; at all other sides, it enters the solid. Requires that, at every edge, there are as many
+/// sides of the first kind as of the second kind.
 MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
                             const ToMeshOptions& options = {},
                             Context& context = unlimited_context());

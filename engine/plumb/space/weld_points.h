@@ -1,14 +1,15 @@
-// Makes points of a mesh one that are close to each other.
+// Merges points of a mesh that are close to each other.
 //
-// Points are taken in the order of their first index. A point becomes the nearest of the points
-// kept so far if that is no farther than the tolerance; else it is kept itself. Points that are
-// kept never move, and all others move to a point that is kept. So no point moves farther than the
-// tolerance, however long a chain of close points is. The result depends on nothing but the mesh
-// and the tolerance.
+// The points are processed in the order of their indices. For each point, the function finds the
+// nearest of the points that were kept so far. If its distance is at most the tolerance, the point
+// is moved to it. Otherwise the point is kept. A point that is kept never moves. So no point moves
+// farther than the tolerance, even if there is a long chain of points that are close to each other.
+// The result depends only on the mesh and the tolerance.
 //
-// Distances are compared exactly. Points that are kept lie in the cells of a grid, four times the
-// tolerance wide; a cell holds a bounded number of them, since they are farther apart than the
-// tolerance. Expected cost: O(n).
+// Distances are compared exactly. To find the nearest kept point, the function stores kept points
+// in the cells of a grid. The width of a cell is four times the tolerance. The distance between two
+// kept points is greater than the tolerance, so the number of kept points in a cell is bounded.
+// Expected cost: O(n).
 #pragma once
 
 #include <cstdint>
@@ -20,17 +21,22 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// What weld_points() did.
+/// The result of weld_points().
 struct PointWeld {
-  std::vector<std::uint32_t> kept;  ///< For each point the one that it became.
-  std::uint64_t equal = 0;          ///< Used points that had the coordinates of an earlier one.
-  std::uint64_t moved = 0;          ///< Places that moved to another place.
-  double farthest = 0;              ///< How far they moved at most, rounded up.
+  /// For each point, the index of the point into which it was merged, or its own index if it was
+  /// kept.
+  std::vector<std::uint32_t> kept;
+  /// The number of used points whose coordinates were equal to those of an earlier used point.
+  std::uint64_t equal = 0;
+  /// The number of positions that were moved to another position.
+  std::uint64_t moved = 0;
+  double farthest = 0;  ///< The largest distance by which a point moved, rounded up.
 };
 
-/// Makes points with equal coordinates one, and points at most `tolerance` apart. Corners are
-/// changed, points are not: those without a face stay. Throws Error{BadArgument} if the
-/// tolerance is negative or not finite. Throws Error{BadIndex} and Error{NotFinite} in the same
+/// Merges points that have equal coordinates or whose distance is at most `tolerance`. The function
+/// changes the corners of faces to the indices of kept points. It does not change the list of
+/// points, so points that no face uses any more remain in the list. Throws Error{BadArgument} if
+/// the tolerance is negative or not finite. Throws Error{BadIndex} and Error{NotFinite} in the same
 /// cases as complex_of_mesh(). Also throws what the context throws.
 PointWeld weld_points(PolygonMesh& mesh, double tolerance, Context& context = unlimited_context());
 

@@ -27,7 +27,7 @@
 //
 // Cost: a binary operation costs as much as SphereOverlay::boolean_op(). A unary operation takes
 // O(n). A point location or ray shooting takes O(n), and copies the table of planes. For many
-// queries in the same set, use a SphereLocator.
+// queries in the same set, a SphereLocator is faster.
 //
 // Errors: all functions throw Error{NotFinite} for coordinates that are not finite,
 // Error{BadArgument} for the zero vector, and ResourceLimit if a limit of the Context is exceeded,
@@ -96,10 +96,10 @@ struct SphereLocation {
   friend bool operator==(const SphereLocation&, const SphereLocation&) = default;
 };
 
-/// The result of a walk along a great circle: the first cell on the walk that answers the query,
-/// and the first direction of this cell on the walk. If the walk enters a face through the boundary
-/// of the face, the face has no first direction on the walk, because the boundary is not a part of
-/// the face. Then `point` is the direction where the walk crosses this boundary.
+/// The result of shoot() or shoot_to_boundary(): a cell that a walk along a great circle meets, and
+/// the first direction of this cell on the walk. If the walk enters a face, there is no first
+/// direction of the face on the walk, because a face does not contain its boundary. In this case,
+/// `point` is the direction where the walk crosses the boundary of the face.
 struct SphereHit {
   SphereLocation location;  ///< The cell that the walk meets.
   SphereVector point;       ///< The direction where the walk meets the cell.
@@ -180,7 +180,7 @@ class NefSphere;
 /// A set of directions. The head of this file describes how the set is stored.
 class NefSphere {
  public:
-  // --- types of the grammar of sets (nef_set.h) -------------------------------------------------
+  // --- types that all classes of sets have (nef_set.h) -----------------------------------------
 
   using Point = SphereVector;       ///< An element of the set: a direction.
   using Complex = SphereComplex;    ///< The representation of the set.
@@ -189,9 +189,9 @@ class NefSphere {
   using Location = SphereLocation;  ///< The cell that contains a direction.
   using Hit = SphereHit;            ///< The first cell that a walk along a great circle meets.
   using Selector = SphereSelector;  ///< The cells whose marks an operation uses.
-  using Flaw = DcelFlaw;            ///< A broken invariant.
+  using Flaw = DcelFlaw;            ///< A broken invariant and its location.
 
-  // --- sets to start from -----------------------------------------------------------------------
+  // --- constructors ----------------------------------------------------------------------------
 
   NefSphere();                             ///< Makes the empty set.
   [[nodiscard]] static NefSphere empty();  ///< Returns the set without directions.
@@ -209,7 +209,7 @@ class NefSphere {
                                         Context& context = unlimited_context());
 
   /// Returns the region to the left of a closed chain of arcs. Each side runs counter-clockwise
-  /// about its normal, from its own `from` to the `from` of the next side. It runs at most once
+  /// about its normal, from its own `from` to the `from` of the next side. A side runs at most once
   /// around its circle. If a chain has only one side, this side is a whole circle. A chain without
   /// sides gives the empty set. Throws Error{BadArgument} if the chain meets itself. The `from` of
   /// each side must lie both on the circle of this side and on the circle of the previous side.
@@ -239,9 +239,9 @@ class NefSphere {
                                         Context& context = unlimited_context());
 
   /// Returns the set that a map with its marks represents. The map need not be minimal, because the
-  /// function makes it minimal. Of each plane, only the normal is used. Cells with the mark kBeyond
-  /// are treated as unmarked. Throws Error{BadArgument} if audit(planes, map, AuditForm::Any) finds
-  /// a flaw.
+  /// function makes it minimal. Only the normals of the planes are used. Cells with the mark
+  /// kBeyond are treated as unmarked. Throws Error{BadArgument} if audit(planes, map,
+  /// AuditForm::Any) finds a flaw.
   [[nodiscard]] static NefSphere from_complex(SphereComplex complex,
                                               Context& context = unlimited_context());
   /// Returns the set of a map. Requires that the map is sound and minimal, and that its planes pass
@@ -253,7 +253,7 @@ class NefSphere {
   [[nodiscard]] NefSphere with_marks(SphereMarks marks,
                                      Context& context = unlimited_context()) const;
 
-  // --- reading ----------------------------------------------------------------------------------
+  // --- reading ---------------------------------------------------------------------------------
 
   /// Returns the minimal map with its planes.
   [[nodiscard]] const SphereComplex& complex() const&;
@@ -321,7 +321,7 @@ class NefSphere {
   /// is broken, or nullopt if all invariants hold.
   [[nodiscard]] std::optional<DcelFlaw> audit(Context& context = unlimited_context()) const;
 
-  // --- operations -------------------------------------------------------------------------------
+  // --- operations ------------------------------------------------------------------------------
 
   /// Returns the set of the directions that do not belong to this set. O(n).
   [[nodiscard]] NefSphere complement(Context& context = unlimited_context()) const;

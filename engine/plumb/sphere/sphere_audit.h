@@ -16,13 +16,13 @@ namespace plumb {
 ///   - The arrays have the right sizes. All ids are in range. Each mark is 0, 1 or kBeyond. A loop
 ///     has no end points. Any other arc has two end points.
 ///   - Different circles have different normals. The two planes of each direction are not parallel.
-///   - The half-arcs are linked: all half-arcs that leave the same point form one ring around this
-///     point. All half-arcs of a boundary cycle have the same face.
-///   - Points lie on the circles of their arcs. The directions of the half-arcs in the ring around
-///     a point turn clockwise, by exactly one full turn.
+///   - The links between half-arcs are consistent. All half-arcs that leave the same point form one
+///     ring around this point. All half-arcs of a boundary cycle have the same face.
+///   - Points lie on the circles of their arcs. The half-arcs in the ring around a point are in
+///     clockwise order, and the ring goes around the point exactly once.
 ///   - No two points are equal. Arcs intersect at points only. There is at most one loop.
-///   - The face that is stored for a boundary cycle, or for an isolated point, is the face that the
-///     cycle or point bounds. Every face has a boundary.
+///   - Each boundary cycle and each isolated point is stored with a face. The cycle or point must
+///     bound this face. Every face has a boundary.
 /// If `form` is AuditForm::Minimal, one more invariant is checked: no cell can be removed without
 /// changing the set. The audit costs as much as an overlay of the map with itself. For small maps
 /// this is O(n^2).

@@ -7,18 +7,19 @@
 //  2. on        tests each point or arc whose box contains the direction. The tests use exact
 //               arithmetic. If the direction lies on a point or arc, this point or arc is the
 //               result.
-//  3. walk      otherwise walks from the direction along a great circle. The circle is searched one
-//               portion after another (sphere_locator.cpp). Each point or arc whose box may
-//               intersect the portion is tested exactly. The result is the face in which the walk
-//               runs until it meets the first point or arc.
-//  4. round     if the great circle meets no point or arc, the whole circle lies in the same face
-//               as the direction. Then a second walk is made. It starts on this circle and runs
-//               along the great circle of an arc, so it meets an arc.
+//  3. walk      is taken if the direction does not lie on a point or arc. It walks from the
+//               direction along a great circle. The circle is searched one portion after another
+//               (sphere_locator.cpp). Each point or arc whose box may intersect the portion is
+//               tested exactly. The walk ends at the first point or arc. The result is the face in
+//               which the walk has run up to there.
+//  4. round     is taken if the great circle meets no point and no arc. Then the whole circle lies
+//               in the same face as the direction. A second walk starts on this circle and runs
+//               along the great circle of an arc. So the second walk meets an arc.
 // shoot() walks along the great circle of the query in the same way, until it finds a cell that
 // answers the query.
 //
-// The results are exact. The functions of NefSphere with the same names return the same results.
-// Doubles are used only to select the points and arcs that are tested exactly.
+// The results are exact. They are equal to the results of the functions of NefSphere that have the
+// same names. Doubles are used only to select the points and arcs that are tested exactly.
 //
 // Cost: building a locator takes O(n log n) time. A locator needs about 330 bytes for each cell,
 // and a copy of the planes. A query descends the tree to the cells near its walk, and tests these
@@ -63,7 +64,7 @@ class SphereLocator {
   /// Whether the direction belongs to the set. Errors and cost are those of locate().
   bool contains(const SphereVector& direction) { return locate(direction).marked; }
   /// Whether the direction lies on the boundary of the set. Throws as locate() does. This function
-  /// makes only step 2 of locate(), and no walk along a great circle.
+  /// takes only step 2 of locate(), so it needs no walk along a great circle.
   bool has_on_boundary(const SphereVector& direction);
 
   /// Returns the first marked cell on the walk of NefSphere::shoot(), or nullopt if the walk meets
@@ -77,7 +78,7 @@ class SphereLocator {
   std::optional<SphereHit> shoot_to_boundary(const SphereVector& origin,
                                              const SphereVector& towards);
 
-  /// Returns the total number of exact tests of points and arcs in all queries so far.
+  /// Returns the number of exact tests that all queries so far have made.
   std::uint64_t asked() const;
 
  private:

@@ -50,7 +50,7 @@ struct SphereDirection {
   friend bool operator==(const SphereDirection&, const SphereDirection&) = default;
 };
 
-/// The id of a cell of a map, in 32 bits. A default-constructed id names no cell.
+/// The id of a cell of a map, in 32 bits. A default-constructed id is invalid.
 class SphereCell {
  public:
   /// The kinds of cells.
@@ -68,7 +68,7 @@ class SphereCell {
   /// Returns the id of face i.
   static constexpr SphereCell face(std::uint32_t i) { return {Kind::Face, i}; }
 
-  /// Whether the id names a cell.
+  /// Whether the id is valid.
   constexpr bool is_valid() const { return code_ != ~std::uint32_t{0}; }
   /// Returns the kind of the cell. Requires is_valid().
   constexpr Kind kind() const { return static_cast<Kind>(code_ >> 30U); }
@@ -124,9 +124,9 @@ struct SphereMap {
   void clear();
 };
 
-/// The kind of the cell of space that contains the centre of a minimal map. If this cell is not a
-/// vertex, a small translation along the cell does not change the set near the centre. The kind
-/// follows from the shape of the map.
+/// The kind of the cell of space that contains the centre of a minimal map. The kind follows from
+/// the shape of the map. If the cell is not a vertex, the set near the centre does not change under
+/// small translations along the cell.
 enum class PyramidKind : std::uint8_t {
   Volume,  ///< The map consists of one face, which has the mark of the centre.
   Facet,   ///< The map has one loop, which has the mark of the centre, and no other arc or point.

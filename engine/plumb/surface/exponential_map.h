@@ -1,19 +1,20 @@
-// The exponential map of a mesh at a point of the mesh, the centre. The map takes an offset. It
-// follows a straight line on the mesh from the centre, and returns the end of this line. With this
-// map, plane drawings are placed on surfaces.
+// The exponential map of a mesh at a point of the mesh, the centre. The map takes an offset, which
+// is a vector of the plane, to a point of the mesh. This point is the end of a straight line on the
+// mesh that starts at the centre. The map is used to place plane drawings on surfaces.
 //
-// An offset (x, y) is a vector in a plane. Its line leaves the centre in the direction of this
-// vector, and has the length of this vector. The caller names a face that contains the centre; the
-// axes lie in the plane of this face. To get the x axis, take the direction from the first to the
+// The line of an offset (x, y) leaves the centre in the direction of this vector, and has the
+// length of this vector. The caller names a face that contains the centre. The x axis and the y
+// axis lie in the plane of this face. To get the x axis, take the direction from the first to the
 // second corner of the face, in the corner order of the input (SurfaceMesh::is_flipped()). Then
 // turn this direction counter-clockwise by a given angle. The y axis is a quarter turn further
-// counter-clockwise. Where the surroundings of the centre are flat, the map is a similarity.
+// counter-clockwise. If the mesh around the centre is flat, the map preserves the shapes of
+// drawings there (it is a similarity).
 //
 // Suppose that the centre is a vertex inside the mesh, and that the full angle around this vertex
-// is not a whole turn. In this case, angles between directions are multiplied by the full angle
-// divided by a whole turn, so that all directions are spread evenly around the vertex. The named
-// face has one half-edge that leaves the vertex, and the direction of this half-edge does not
-// change. If the centre is a vertex of the border, directions are not spread, and some of the lines
+// is not a whole turn. In this case, angles between directions are multiplied by the ratio of the
+// full angle to a whole turn, so that all directions are spread evenly around the vertex. One
+// direction does not change: the direction of the half-edge of the named face that leaves the
+// vertex. If the centre is a vertex at the border, angles are not multiplied, and some of the lines
 // leave the mesh.
 //
 // Main flow of ExponentialMap::add:
@@ -23,13 +24,13 @@
 //             before it. The third corner of the new face decides which side the line crosses next.
 //             If the line runs along a side, rounding decides which of the two faces at this side
 //             the line passes through
-//  3. pass    if a vertex lies within 2^-40 of the direction of the line, continues the line behind
-//             this vertex. If the full angle of an inner vertex is not a whole turn, the line is
-//             continued so that the angles on both of its sides are equal. Then the line is a
-//             straightest geodesic. At a vertex of the border, the line is continued so that the
-//             angle on one side is half a turn
+//  3. pass    is taken if the line passes a vertex so closely that the directions differ by at most
+//             2^-40. It continues the line behind this vertex. If the full angle of an inner vertex
+//             is not a whole turn, the line is continued so that the angles on both of its sides
+//             are equal. Then the line is a straightest geodesic. At a vertex of the border, the
+//             line is continued so that the angle on one side is half a turn
 //  4. land    computes the weights of the end of the line in the last face. Weights below 2^-40 are
-//             replaced by zero; then the point lies on an edge or a vertex
+//             replaced by zero, so that the point lies on an edge or a vertex
 //
 // Steps 1 to 4 are computed in doubles. The resulting point is stored exactly and does not change
 // later. Source: K. Polthier and M. Schmies, Straightest geodesics on polyhedral surfaces,
@@ -63,7 +64,7 @@ class ExponentialMap {
   /// finite and that `points` is a table over the same mesh. The cost is linear in the number of
   /// faces that the line crosses, plus the degrees of the vertices that it passes. If the centre is
   /// a vertex, O(log degree) is added. Throws Error{ResourceLimit} if the line crosses too many
-  /// faces. The limit is several times the number of faces of the mesh. Throws what the context
+  /// faces: the limit is several times the number of faces of the mesh. Throws what the context
   /// throws.
   std::optional<SurfacePointId> add(Point2 offset, SurfacePointTable& points,
                                     Context& context = unlimited_context()) const;

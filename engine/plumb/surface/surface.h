@@ -56,26 +56,26 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A known value of a label, in the cell at the first corner of a face. This value determines the
-/// label in the whole component of the mesh that contains the face.
+/// A known value of the label of a shape: its value in the cell that contains the first corner of a
+/// face. This value determines the label in the whole component of the mesh that contains the face.
 struct SurfaceLevel {
   std::uint32_t shape;  ///< The index of the shape.
   FaceId face;          ///< A face of the mesh.
-  std::int32_t label;   ///< The value of the shape's label at the face's first corner.
+  std::int32_t label;   ///< The value of the label at the first corner of the face.
 };
 
 /// Polygons on a mesh, and the shapes that are sums of these polygons. In each component of the
 /// mesh, the label of a shape is unique up to a constant. If neither `levels` nor `outside`
-/// determines the constant, it is chosen as follows. In a component with border, the least integer
-/// label of the cells at the border is zero. In a component without border, the least integer label
-/// of all cells is zero.
+/// determines the constant, it is chosen by default as follows. In a component with border, the
+/// least integer label of the cells at the border is zero. In a component without border, the least
+/// integer label of all cells is zero.
 struct SurfaceScene {
   std::shared_ptr<const SurfaceMesh> mesh;  ///< The mesh; several scenes may share it.
   SurfacePolygons polygons;                 ///< Polygons over that mesh.
   /// For each shape, the indices of the polygons whose sum is the shape. If this member has no
   /// value, each polygon is a shape.
   std::optional<std::vector<std::vector<std::uint32_t>>> shapes;
-  FaceId outside;  ///< Labels are zero at the first corner of this face; may be invalid.
+  FaceId outside;  ///< A face at whose first corner all labels are zero; may be invalid.
   /// Known labels, which take precedence over `outside`. For each shape, there may be at most one
   /// level in each component of the mesh. If a shape has a label modulo 2 but no integer label, its
   /// levels are read modulo 2.
@@ -106,10 +106,10 @@ struct Separation {
 struct SurfaceRegion {
   std::vector<std::uint8_t> is_selected;  ///< For each cell, 1 if it is selected, else 0.
   std::vector<std::uint32_t>
-      generators;         ///< The polygons of all shapes in the expression, ascending.
+      /// The indices of the polygons of all shapes in the expression, in ascending order.
+      generators;
   std::size_t cells = 0;  ///< The number of selected cells.
-  double area =
-      0;  ///< The area of the selected cells; if it exceeds the largest double, the largest double.
+  double area = 0;        ///< The area of the selected cells, but at most the largest double.
 };
 
 /// The result of a Boolean. result_scene() converts it to a scene, for further Booleans.
@@ -166,7 +166,7 @@ class SurfaceDivision {
   /// Returns the borders of a region as polygons with the region to their left.
   SurfacePolygons borders(const SurfaceRegion& region,
                           Context& context = unlimited_context()) const;
-  /// Returns the result of select() and its borders().
+  /// Returns the result of select(), together with the borders of this result.
   SurfaceResult evaluate(const SetExpression& expression, WindingRule rule,
                          Context& context = unlimited_context()) const;
 
@@ -180,12 +180,12 @@ class SurfaceDivision {
 /// Returns the borders of a result as a scene with one shape. The label of this shape is 1 in
 /// selected cells and 0 in all other cells. So the shape describes the same set under every rule.
 /// The borders determine the label only up to a constant for each component of the mesh. The
-/// default constant (SurfaceScene) is wrong for a component if all its cells are selected, or if
-/// all its cells at the border are selected. The scene stores the right constant for each component
-/// where the default is wrong. For the first such component, the scene stores a face in `outside`.
-/// For each later component of this kind, the scene stores an entry of `levels`. If no face of the
-/// first of these components has its first corner outside the region, the scene stores an entry of
-/// `levels` for the first component, too. O(mesh).
+/// default constant (see SurfaceScene) is wrong for a component if all its cells are selected, or
+/// if all its cells at the border are selected. For each such component, the scene stores the right
+/// constant. For the first such component, the scene stores a face in `outside`. For each later
+/// component of this kind, the scene stores an entry of `levels`. There is one exception: if all
+/// faces of the first such component have their first corners inside the region, the scene stores
+/// an entry of `levels` for this component instead. O(mesh).
 SurfaceScene result_scene(const SurfaceDivision& division, const SurfaceResult& result);
 
 }  // namespace plumb

@@ -1,11 +1,12 @@
-// Conversions between surfaces and plain arrays. The arrays are passed as the views of
-// plumb/space/mesh_arrays.h.
+// Converts plain arrays to surfaces, and surfaces to plain arrays. The arrays are passed as a
+// MeshView (plumb/space/mesh_arrays.h).
 //
 //   in     surface_of(mesh_of_triangles(xyz, corners)) returns a SurfaceMesh
 //   out    view_of(mesh) and view_of(triangulation) return spans of coordinates and of corners
 //
-// Input is copied once, into the arrays of the surface. Output is read in place. Sets of space are
-// made from the same views: Nef3::from_mesh(view_of(surface), {.rule = rule}, context).
+// surface_of() copies its input once, into the arrays of the surface. view_of() copies nothing.
+// Sets of space are made from the same views: Nef3::from_mesh(view_of(surface), {.rule = rule},
+// context).
 #pragma once
 
 #include "plumb/space/mesh_arrays.h"

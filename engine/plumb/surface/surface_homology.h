@@ -1,17 +1,18 @@
 // The homology of a surface. If a polygon does not separate the surface, loops can be added so that
 // the polygon and the loops together separate the surface.
 //
-// Homology is computed as if each boundary loop of the mesh were closed by a disk. So a cycle also
-// separates the surface if the cycle and parts of the border together bound a region.
+// Homology is computed as if each loop of the border of the mesh were closed by a disk. So a cycle
+// also separates the surface if the cycle and parts of the border together bound a region.
 //
 // Main flow of the constructor (tree and cotree; D. Eppstein, Dynamic generators of topologically
 // embedded graphs, SODA 2003):
 //  1. tree       grows a spanning tree of the vertices, breadth first
-//  2. cotree     grows a spanning tree of the faces and disks; its links cross mesh edges that are
-//                not in the first tree
-//  3. generators are made from the edges that are in neither tree. For genus g there are 2 g such
-//                edges. Each of these edges closes one loop with edges of the first tree; this loop
-//                is its generator
+//  2. cotree     grows a spanning tree of the faces and disks (the cotree). A link of the cotree
+//                leads from a face or disk to its neighbour across a mesh edge that is not in the
+//                first tree
+//  3. generators are made from the edges that are not in the tree and not crossed by the cotree.
+//                For genus g there are 2 g such edges. Each of these edges closes one loop with
+//                edges of the first tree; this loop is its generator
 //  4. dual loops are made from the same edges. Each dual loop crosses one of these edges, and
 //                returns through the cotree
 //
@@ -25,11 +26,11 @@
 // the edge of its generator. So the number of times that the polygon contains a generator equals
 // the number of times that the polygon crosses the dual loop of this generator.
 //
-// Cost: the constructor takes O(n + total length of the dual loops) for a mesh of n faces.
-// Breadth-first search keeps dual loops short. Computing a class takes O(2 g) time. In addition,
-// each edge of the polygon takes O(1) time for each dual loop that crosses the edge. Appending a
-// loop takes time linear in the length of the loop. Errors: ResourceLimit and Cancelled when the
-// Context demands it. Proofs: docs/design/surface.md.
+// Cost: the constructor takes O(n + total length of the dual loops) for a mesh of n faces. The
+// trees are grown breadth first, because this keeps dual loops short. Computing a class takes O(2
+// g) time. In addition, each edge of the polygon takes O(1) time for each dual loop that crosses
+// the edge. Appending a loop takes time linear in the length of the loop. Errors: ResourceLimit and
+// Cancelled when the Context demands it. Proofs: docs/design/surface.md.
 #pragma once
 
 #include <cstdint>
@@ -71,9 +72,9 @@ class SurfaceHomology {
 
   /// Appends generator i, or its reverse, to `polygons`.
   void add_generator(std::size_t i, bool is_reversed, SurfacePolygons& polygons) const;
-  /// Appends loops to `polygons` so that the sum of a shape and these loops separates the surface.
-  /// The shape is given by the indices of its polygons. Returns the indices of the new polygons.
-  /// Throws what the context throws.
+  /// Appends loops to `polygons` such that the sum of a shape and these loops separates the
+  /// surface. `shape` lists the indices of the polygons of the shape. Returns the indices of the
+  /// new polygons. Throws what the context throws.
   std::vector<std::uint32_t> add_repair(std::span<const std::uint32_t> shape,
                                         SurfacePolygons& polygons,
                                         Context& context = unlimited_context()) const;

@@ -14,7 +14,7 @@
 namespace plumb {
 
 using NodeId =
-    StrongId<struct SurfaceNodeTag>;  ///< A point at which arcs or parts of sides of faces end.
+    StrongId<struct SurfaceNodeTag>;  ///< A point at which arcs or pieces of mesh edges end.
 using ArcId =
     StrongId<struct SurfaceArcTag>;  ///< A part of one or more polygons between two nodes.
 /// A part of one face, bounded by arcs and sides of the face.
@@ -46,8 +46,9 @@ inline std::int32_t entry_value(std::int64_t sum) {
 //
 // Half-edge 3 f + i runs from corner i of face f to corner i + 1, with the face to its left. The
 // twin of a half-edge is the half-edge of the same edge in the adjacent face. A half-edge at the
-// border has no twin. Coordinates are not read. So triangles may have area zero, the mesh may
-// intersect itself, and several vertices may have the same coordinates.
+// border has no twin. The constructor stores coordinates but does not use them. So triangles may
+// have area zero, the mesh may intersect itself, and several vertices may have the same
+// coordinates.
 //
 // Main flow of the constructor:
 //  1. check     checks that corners are indices of points, and that each face has three different
@@ -69,10 +70,11 @@ class SurfaceMesh {
  public:
   /// Makes an empty mesh.
   SurfaceMesh() = default;
-  /// Makes the mesh of the given triangles. All faces of a component are oriented consistently, as
-  /// the larger part of them is in the list. If both parts have the same number of faces, the first
-  /// face of the component keeps its orientation. If a face has to be flipped, its last two corners
-  /// are exchanged, and is_flipped() returns true for the face. O(n). Throws:
+  /// Makes the mesh of the given triangles. In each component, some faces are flipped so that all
+  /// faces of the component have consistent orientations. There are two ways to do this. The
+  /// constructor chooses the way in which fewer faces are flipped; in case of a tie, the first face
+  /// of the component is not flipped. If a face is flipped, its last two corners are exchanged, and
+  /// is_flipped() returns true for the face. O(n). Throws:
   /// - Error{BadIndex} if a corner is not the index of a point,
   /// - Error{DegenerateFace} if a face has a repeated corner,
   /// - Error{BadShape} if the triangles are not an orientable manifold; the error lists up to ten
@@ -93,15 +95,16 @@ class SurfaceMesh {
   const SurfaceTriangle& corners(FaceId f) const { return corners_[f]; }
   /// Returns corner i of the face. Requires that i < 3.
   VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f][i]); }
-  /// Whether the face was flipped. If so, this mesh has the second and the third corner of the face
-  /// exchanged, compared with the input. The weights of the corners are exchanged in the same way.
+  /// Whether the face was flipped. If it was flipped, the second corner in this mesh is the third
+  /// corner in the input, and the other way round. So the weights of these two corners are
+  /// exchanged, too.
   bool is_flipped(FaceId f) const { return is_flipped_[f] != 0; }
   /// Returns the index of the face's component. Components are in the order of the lowest face
   /// index in each component.
   std::uint32_t component(FaceId f) const { return component_[f]; }
 
-  /// Returns side 0, 1 or 2 of the face. It runs from the corner with the same index to the next
-  /// corner.
+  /// Returns side 0, 1 or 2 of the face. The side runs from the corner with the same index to the
+  /// next corner.
   static HalfedgeId halfedge(FaceId f, std::size_t side) {
     return HalfedgeId(std::size_t{3} * f.value() + side);
   }

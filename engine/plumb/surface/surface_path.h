@@ -39,17 +39,17 @@ class SurfacePointTable {
   explicit SurfacePointTable(const SurfaceMesh& mesh) : mesh_(&mesh) {}
 
   SurfacePointId add_vertex(VertexId v);           ///< Appends a vertex of the mesh.
-  SurfacePointId add_on_edge(EdgeId e, double t);  ///< Appends the point t of an edge.
-  /// Appends the point t of an edge, given exactly.
+  SurfacePointId add_on_edge(EdgeId e, double t);  ///< Appends the point t on an edge.
+  /// Appends the point t of an edge. Here t is an exact number.
   SurfacePointId add_on_edge(EdgeId e, const Rational& t);
-  /// Appends the point (u, v) of a face. If the point lies on a side or at a corner of the face, it
-  /// is stored on this edge or vertex.
+  /// Appends the point with the parameters (u, v) in a face. If the point lies on a side or at a
+  /// corner of the face, it is stored on this edge or vertex.
   SurfacePointId add_in_face(FaceId f, double u, double v);
-  /// Appends the point (u, v) of a face, given exactly.
+  /// Appends the point with the exact parameters (u, v) in a face.
   SurfacePointId add_in_face(FaceId f, const Rational& u, const Rational& v);
 
   std::size_t size() const { return item_.size(); }  ///< Returns the number of rows.
-  /// Returns whether the point is stored on a vertex, on an edge or in a face.
+  /// Returns the kind of the cell on which the point is stored.
   SurfacePlace place(SurfacePointId p) const { return static_cast<SurfacePlace>(item_[p] >> 30U); }
   /// Returns the vertex on which the point is stored. Requires that place(p) is Vertex.
   VertexId vertex(SurfacePointId p) const { return VertexId(index(p)); }
@@ -62,22 +62,22 @@ class SurfacePointTable {
   /// edge, and (u, v) for a point in a face. PointTable2::approx() of the returned table gives the
   /// nearest doubles.
   const PointTable2& parameters() const { return parameters_; }
-  /// Returns the point's row of parameters(), rounded to the nearest doubles.
+  /// Returns the entry of parameters() for the point, rounded to the nearest doubles.
   Point2 approx(SurfacePointId p) const { return parameters_.approx(p.value()); }
-  /// Returns the point's row of parameters().
+  /// Returns the exact entry of parameters() for the point.
   RationalPoint2 exact(SurfacePointId p) const { return parameters_.exact(p.value()); }
 
   /// Whether p and q are the same point of the surface. The test is exact.
   bool is_same(SurfacePointId p, SurfacePointId q) const;
   /// Whether the point lies in the face or on its boundary.
   bool is_in(SurfacePointId p, FaceId f) const;
-  /// Appends the parameters (u, v) of the point in a face to a table. This function and the next
-  /// two functions require is_in(p, f).
+  /// Appends to the table `to` the parameters (u, v) that the point has in the face f. This
+  /// function and the next two functions require is_in(p, f).
   void append_local(SurfacePointId p, FaceId f, PointTable2& to) const;
-  /// Returns the parameters (u, v) of the point in a face. Both are within 2^-52 of the exact
-  /// values.
+  /// Returns the parameters (u, v) that the point has in the face f. Both have an error of at most
+  /// 2^-52.
   Point2 approx_in(SurfacePointId p, FaceId f) const;
-  /// Returns the exact parameters (u, v) of the point in a face.
+  /// Returns the exact parameters (u, v) that the point has in the face f.
   RationalPoint2 exact_in(SurfacePointId p, FaceId f) const;
   /// Returns the position of the point in space, rounded.
   Point3 position(SurfacePointId p) const;
@@ -88,7 +88,8 @@ class SurfacePointTable {
   std::uint32_t index(SurfacePointId p) const { return item_[p] & 0x3fffffffU; }
   SurfacePointId add(SurfacePlace place, std::uint32_t index);
   SurfacePointId add_on_side(FaceId f, std::size_t side, const Rational& weight);
-  /// Returns which side of the face contains a point on an edge; an invalid id if no side does.
+  /// Returns the side of the face that contains a point, or an invalid id if no side contains it.
+  /// Requires that the point lies on an edge.
   HalfedgeId side_in(SurfacePointId p, FaceId f) const;
 
   const SurfaceMesh* mesh_;
@@ -107,8 +108,8 @@ struct SurfacePath {
   std::vector<FaceId> faces;  ///< The face of each segment. There is one face fewer than points.
 };
 
-/// The kind of the point at which a segment of a polygon starts. A control point was given by the
-/// caller. At a path point, a traced path crosses an edge.
+/// The kind of the point at which a segment of a polygon starts. The caller gave the control
+/// points. A path point is a point where a traced path crosses an edge.
 enum class SegmentStart : std::uint8_t { ControlPoint, PathPoint };
 
 /// Closed polygons over one table of points, in flat arrays. Polygon p has the entries begin[p] to
@@ -123,8 +124,8 @@ struct SurfacePolygons {
   std::vector<std::uint32_t> begin = {0};  ///< The first entry of each polygon; size() + 1 values.
   std::vector<SurfacePointId> point;       ///< The point at each entry.
   std::vector<FaceId> face;                ///< The face of the segment that starts at each entry.
-  /// For each entry, 1 if its point was given (a control point). The value is 0 if a traced path
-  /// crosses an edge at the point.
+  /// For each entry, 1 if its point is a control point, which the caller gave, and 0 if it is a
+  /// path point, where a traced path crosses an edge.
   std::vector<std::uint8_t> is_control;
 
   std::size_t size() const { return begin.size() - 1; }  ///< Returns the number of polygons.

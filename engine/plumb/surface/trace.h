@@ -1,5 +1,5 @@
 // Traces geodesics between points of a mesh. A geodesic is a locally shortest path. On request, the
-// path is a shortest one of all.
+// tracer finds a globally shortest path.
 //
 // Notation: a strip is a sequence of faces in which each face shares a side with the next one. The
 // shared sides are the doors of the strip (face_strip.h). A bend is a vertex at which the shortest
@@ -10,19 +10,19 @@
 //                the same path. If this exchanges the two end points, the last step reverses the
 //                path
 //  2. find       finds a short strip by a search in the dual graph of the mesh (face_strip.h). The
-//                length of a strip is measured between the centroids of its faces
+//                search measures the length of a strip along the centroids of its faces
 //  3. tighten    lays the strip out in the plane, and finds the shortest path in the strip by the
 //                funnel algorithm (unfolded_strip.h)
-//  4. flip       looks at each bend. The path turns around the vertex of the bend on one side. If
-//                the angle on the other side of the vertex is less than half a turn, the strip is
-//                changed so that it passes the vertex on this other side. Repeats steps 3 and 4
-//                until there are no such bends, or the path does not become shorter. If a
+//  4. flip       examines each bend. The path passes the vertex of the bend on one side. If the
+//                angle on the other side of the vertex is less than half a turn, the strip is
+//                changed so that it passes the vertex on this other side. Steps 3 and 4 are
+//                repeated until there are no such bends, or the path does not become shorter. If a
 //                shortest path is asked for, a second search looks for the strip of a path that is
 //                shorter than this one (shortest_strip.h)
 //  5. read off   appends the points of the path. These are the vertices where the path bends, and
 //                the vertices whose distance from the path is at most 2^-40 times the length of a
 //                side. Where the path crosses a side away from these vertices, the crossing point
-//                is appended. It is given by its parameter t on the side. If the faces between two
+//                is appended. It is stored by its parameter t on the side. If the faces between two
 //                such vertices are coplanar, t is exact; otherwise t is a double (unfolded_strip.h)
 //
 // Steps 1 to 4 are computed in doubles. Rounding can only affect the choice of the path. From step
@@ -46,7 +46,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Which of the locally shortest paths a tracer finds.
+/// Selects the kind of path that a tracer finds.
 enum class PathChoice : std::uint8_t {
   Local,    ///< A locally shortest path near the strip that a quick search finds.
   Shortest  ///< A shortest path: no other path is shorter by more than 2^-40 of its length.
@@ -64,9 +64,10 @@ class Tracer {
   /// Returns a path from a to b, and appends the inner points of the path to `points`. Both a and b
   /// are rows of `points`. Returns no value if a and b lie on different components. Requires that
   /// `points` is a table over the same mesh. trace(b, a) returns the same path in reverse. Two
-  /// points in the same face are joined by a segment. The cost is that of finding the strip
-  /// (StripFinder). Each repetition of steps 3 and 4 adds the length of the strip. A shortest path
-  /// also costs what ShortestStripFinder::find() states. Throws what the context throws.
+  /// points in the same face are joined by a segment. The cost is the cost of finding the strip
+  /// (StripFinder), plus the length of the strip for each repetition of steps 3 and 4. If the path
+  /// choice is Shortest, the cost of ShortestStripFinder::find() is added. Throws what the context
+  /// throws.
   std::optional<SurfacePath> trace(SurfacePointTable& points, SurfacePointId a, SurfacePointId b,
                                    Context& context = unlimited_context());
 
@@ -96,9 +97,9 @@ double polygon_length(const SurfacePolygons& polygons, std::size_t p);
 /// success. On failure, appends no polygon, and returns the index of the first control point from
 /// which no path leads to the next control point. For each control point, `named` contains a face
 /// in which the control point lies. If the next control point lies in this face, too, the two
-/// points are joined by a segment in this face. If two consecutive control points have several
-/// common faces, it seldom matters which of these faces is named. It matters only in a component of
-/// two triangles that share all edges. Throws what the context throws.
+/// points are joined by a segment in this face. Two consecutive control points can lie in several
+/// common faces. It makes no difference which of these faces is named, except in a component of two
+/// triangles that share all their edges. Throws what the context throws.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               std::span<const FaceId> named,

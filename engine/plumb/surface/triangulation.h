@@ -1,14 +1,14 @@
-// The triangulation of a divided surface, for pictures and files.
+// Triangulates a divided surface, for pictures and files.
 //
 // Main flow of triangulate_surface():
-//  1. cut       triangulates each piece of a touched face; the corners of triangles are nodes
-//               (plumb/space/planar/triangulate.h)
+//  1. cut       triangulates each piece of each face that polygons touch
+//               (plumb/space/planar/triangulate.h). The corners of the triangles are nodes
 //  2. flip      flips edges inside pieces until they are Delaunay. Distances are measured in the
 //               face (triangulation.cpp). Arcs and sides of faces are never flipped. So the result
 //               is the constrained Delaunay triangulation of each face. A node on a side is a
 //               corner of triangles in both adjacent faces
-//  3. sew       finds the neighbours of triangles: within a piece, across half-edges, and in
-//               untouched faces
+//  3. sew       finds the neighbours of triangles: within a piece, across half-edges, and in faces
+//               that no polygon touches
 // Cost: usually O(mesh + k log k) for k half-edges.
 #pragma once
 
@@ -21,7 +21,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A divided surface in triangles. Side 3 t + i runs from corner i of triangle t to corner i + 1.
+/// A divided surface as a list of triangles. Side 3 t + i runs from corner i of triangle t to
+/// corner i + 1.
 struct SurfaceTriangulation {
   /// Rounded positions: first the positions of the vertices of the mesh, then the positions of the
   /// nodes.
@@ -30,7 +31,7 @@ struct SurfaceTriangulation {
   std::vector<SurfaceTriangle> triangles;  ///< The point indices of each triangle's corners.
   std::vector<CellId> cell;                ///< The cell that contains each triangle.
   std::vector<FaceId> face;                ///< The face of the mesh that contains each triangle.
-  /// For each side, the same side in the adjacent triangle; kNone at the border.
+  /// For each side, the index of the same side in the adjacent triangle; kNone at the border.
   std::vector<std::uint32_t> across;
   std::vector<ArcId> arc;  ///< The arc along each side; invalid if no arc runs there.
 };

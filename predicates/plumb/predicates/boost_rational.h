@@ -1,6 +1,6 @@
-// Conversions between the exact numbers of plumb and the exact numbers of Boost.Multiprecision.
-// The conversions are meant for programs that use both libraries. This header includes 200000 lines
-// of Boost's headers. No other file of plumb includes it.
+// Conversions between the exact numbers of plumb and the exact numbers of Boost.Multiprecision. The
+// conversions are meant for programs that use both libraries. This header includes 200000 lines of
+// Boost's headers. Therefore no other file of plumb includes it.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>

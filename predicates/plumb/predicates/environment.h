@@ -1,4 +1,4 @@
-// Check of the floating-point environment. The error bounds of the filters rest on assumptions
+// Checks the floating-point environment. The error bounds of the filters depend on assumptions
 // about this environment. input_filters.h checks these assumptions at compile time, and self_test()
 // checks them at run time.
 #pragma once
@@ -19,11 +19,11 @@ struct SelfTestReport {
 /// Tests the arithmetic of this build with the current settings of the calling thread, and runs
 /// predicates on difficult inputs with known signs. The function does not change the environment.
 ///
-/// Failures are reassociated arithmetic, extended-precision arithmetic, and wrong signs of
-/// predicates. Notes report each of these settings: flush-to-zero, denormals-are-zero, the
-/// contraction of a*b+c to a fused multiply-add, and a rounding mode that is not to nearest. The
-/// bounds of the filters hold under every setting that a note reports, but other code of the caller
-/// may depend on such a setting.
+/// The possible failures are: the compiler reassociates arithmetic; arithmetic has extended
+/// precision; a predicate returns a wrong sign. Notes report the following settings: flush-to-zero,
+/// denormals-are-zero, the contraction of a*b+c to a fused multiply-add, and a rounding mode other
+/// than to nearest. The bounds of the filters hold under all these settings. Other code of the
+/// caller may depend on such a setting.
 SelfTestReport self_test();
 
 }  // namespace plumb

@@ -4,8 +4,8 @@
 // points. The sign is exact for all finite doubles, including subnormals, +-DBL_MAX and any spread
 // of exponents. The sign is exact in every rounding mode. The sign is exact whether flush-to-zero
 // and denormals-are-zero are on or off. Every function requires finite coordinates, but does not
-// check that they are finite. A function can throw only one exception, std::bad_alloc, and only in
-// the stage that uses GMP. Several threads may call all functions at the same time.
+// check that they are finite. The only exception that a function can throw is std::bad_alloc, and
+// only the Big stage can throw it. Several threads may call all functions at the same time.
 //
 // Main flow of every predicate: the predicate runs the following stages in turn until a stage
 // decides. Tests and benchmarks can also call each stage on its own, in namespace rung.
@@ -16,9 +16,9 @@
 //                       Unsure
 //  4. Big     X_big     (determinants.h)   evaluates in GMP integers; always returns a sign
 //
-// All stages that decide return the same sign; docs/design/numbers.md proves the bounds. The sign
-// conventions are those of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
-// Robust Geometric Predicates, Discrete & Computational Geometry 18 (1997).
+// If several stages decide, they return the same sign. The page docs/design/numbers.md proves this.
+// The sign conventions are those of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic
+// and Fast Robust Geometric Predicates, Discrete & Computational Geometry 18 (1997).
 #pragma once
 
 #include "plumb/predicates/arithmetic/double_bits.h"
@@ -52,9 +52,8 @@ inline constexpr int kExactBits = 125;
 FilteredSign orient2d_exact(const Point2& a, const Point2& b, const Point2& c);
 FilteredSign cross_sign_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
 FilteredSign orient3d_exact(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
-/// Does the same as the function above for points on one common grid, which the caller passes as
-/// `grid`. If the grid integers have at most 61 bits, this function takes a third of the time of
-/// the function above.
+/// Does the same as the function above for points on the common grid `grid`. If the grid integers
+/// have at most 61 bits, this function takes a third of the time of the function above.
 FilteredSign orient3d_exact(const Grid& grid, const Point3& a, const Point3& b, const Point3& c,
                             const Point3& d);
 FilteredSign incircle_exact(const Point2& a, const Point2& b, const Point2& c, const Point2& d);

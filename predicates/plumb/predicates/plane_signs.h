@@ -1,8 +1,9 @@
 // Predicates on planes of space, and on lines that are each given by two planes. No line is stored.
 // Every result is exact, including the results for planes of the frame (docs/design/frame.md).
 //
-// Two pairs of planes can define the same line with opposite directions. turn_about_line compares
-// the two directions.
+// The line of the planes p and q has the direction n_p x n_q, where n_p and n_q are the normals of
+// the planes. Two pairs of planes can define the same line with opposite directions.
+// turn_about_line() compares the two directions.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,10 @@
 namespace plumb {
 
 /// Whether `plane` contains the common line of p and q. Requires that p and q are not parallel. The
-/// degree in input coordinates is 7. The stages are:
-///   - identity: `plane` is p or q, or was made as a wall through the common line of p and q;
+/// degree in input coordinates is 7. The function uses the following stages in turn until a stage
+/// decides:
+///   - identity: `plane` is p or q, or was constructed as a wall (a plane given by its position in
+///     a pencil) through the common line of p and q;
 ///   - the filter of det3;
 ///   - fixed-width integers;
 ///   - GMP integers.
@@ -29,8 +32,8 @@ bool is_same_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, Pla
 /// fingerprint of a line does not depend on the choice or order of the planes that define the line.
 /// Different fingerprints prove that the lines differ. Lines with equal fingerprints may differ, so
 /// is_same_line must confirm that they are equal. Requires that p and q are not parallel. Cost:
-/// about 250 ns, most of it for one modular inversion. Each plane with stored exact coefficients,
-/// such as a wall, adds about 100 ns.
+/// about 250 ns, most of it for one modular inversion. Each plane whose exact coefficients are
+/// stored, such as a wall, adds about 100 ns.
 Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 
 // Predicates on planes. The canonical row of a plane is (n, d), where n is its normal vector and d
@@ -42,13 +45,13 @@ Fingerprint line_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q);
 //   det4(p, q, r, s)    determinant of the four rows
 //
 // Every predicate on a polyhedral complex is a product of such signs (docs/design/planes-first.md).
-// Every result is exact. The planes have their canonical orientation; a caller with oriented planes
-// multiplies the result by their orientations.
+// Every result is exact. Each plane has its canonical orientation. If a caller needs the sign for
+// planes with other orientations, the caller multiplies the result by -1 for each reversed plane.
 //
 // The stages are identity (equal ids), the filters in namespace rung, integers of the fixed widths
-// Narrow, Medium and Wide, and GMP integers. docs/design/numbers.md proves the bounds.
-// Cost: a filter takes 3 to 8 ns. A stage of fixed width takes 60 to 250 ns for coordinates with
-// full mantissas. GMP takes 2 to 6 us.
+// Narrow, Medium and Wide, and GMP integers. The page docs/design/numbers.md proves the error
+// bounds of the filters and the bounds for the widths. Cost: a filter takes 3 to 8 ns. A stage of
+// fixed width takes 60 to 250 ns for coordinates with full mantissas. GMP takes 2 to 6 us.
 
 /// Returns the sign of component `axis` (0, 1 or 2) of n_p x n_q. The sign is Zero if the line of p
 /// and q is orthogonal to the axis, or if p and q are parallel. Swapping p and q flips the sign.
@@ -81,15 +84,17 @@ Sign order_along_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r,
 
 /// Returns the turn from n_m1 to n_m2 about the line of p and q. The result is the sign of the
 /// number t with n_m1 x n_m2 = t (n_p x n_q). Requires that p and q are not parallel and that all
-/// four planes are parallel to the same line. The degree in input coordinates is 4. If m1 and m2
-/// are the planes of two facets at an edge, Zero means that the facets lie in one plane, on the
-/// same side of the edge or on opposite sides. If the pairs (p, q) and (m1, m2) define the same
-/// line, Positive means that the directions n_p x n_q and n_m1 x n_m2 are the same.
+/// four planes are parallel to the same line. The degree in input coordinates is 4. Two examples of
+/// the meaning of the sign:
+///   - Let m1 and m2 be the planes of two facets at an edge. Zero means that the two facets are
+///     coplanar.
+///   - Let the pairs (p, q) and (m1, m2) define the same line. Positive means that n_p x n_q and
+///     n_m1 x n_m2 have the same direction.
 Sign turn_about_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId m1, PlaneId m2);
 
 /// The stages of the predicates. Tests and benchmarks can call each stage on its own. W is
-/// exact3::Narrow, Medium or Wide. A stage of fixed width returns Unsure if and only if the
-/// operands do not fit the width.
+/// exact3::Narrow, Medium or Wide. A stage of fixed width returns Unsure if and only if its
+/// operands are too long for the width.
 namespace rung {
 
 FilteredSign minor_filter(const PlaneRow& p, const PlaneRow& q, std::size_t axis);

@@ -1,10 +1,11 @@
 // Predicates on points of space: input points, constructed points and points of the frame
 // (docs/design/frame.md). Every result is exact.
 //
-// The stages are identity, the filters in namespace rung on the cached boxes, fixed-width integers,
-// and GMP integers. docs/design/numbers.md proves the bounds and the degrees.
-// Cost: identity takes about 2 ns, and a filter takes 5 to 12 ns. A stage of fixed width takes 100
-// to 400 ns for coordinates with full mantissas. GMP takes 3 to 10 us.
+// The stages are identity (of ids), the filters in namespace rung, fixed-width integers, and GMP
+// integers. The filters use boxes: the table stores a small box around each point, with doubles as
+// coordinates. The page docs/design/numbers.md proves the error bounds and the degrees. Cost:
+// identity takes about 2 ns, and a filter takes 5 to 12 ns. A stage of fixed width takes 100 to 400
+// ns for coordinates with full mantissas. GMP takes 3 to 10 us.
 #pragma once
 
 #include <cstddef>
@@ -22,15 +23,15 @@ namespace plumb {
 /// Returns the side of the canonical plane on which x lies, which is the sign of n.x + d. The sign
 /// is Positive if x lies on the side from which three input points that define the plane appear
 /// counter-clockwise. In `incident`, the caller can list further planes that are known to contain
-/// x. For example, the caller can list the planes of the facets at a vertex. No arithmetic is
-/// needed, and the result is Zero, in three cases: `plane` is one of the planes that define x,
-/// `plane` is in `incident`, or `plane` is a wall of two of these planes. The degree in input
-/// coordinates is 3 if x is an input point, and 9 otherwise.
+/// x, such as the planes of the facets at a vertex. In three cases, the result is Zero without
+/// arithmetic: `plane` is one of the planes that define x; `plane` is in `incident`; or `plane` is
+/// a wall through the common line of two of these planes. The degree in input coordinates is 3 if x
+/// is an input point, and 9 otherwise.
 ///
-/// The defining planes are compared with `plane` before the filter runs. The other identities are
-/// tested only after the filter has returned Unsure. This order misses no identity, because the
+/// The planes that define x are compared with `plane` before the filter runs. The other two cases
+/// are tested only after the filter has returned Unsure. This order misses no case, because the
 /// filter returns Unsure for every plane through x. The order saves time, because the filter reads
-/// fewer cache lines than the tests of the identities.
+/// fewer cache lines than the tests of these cases.
 Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
           std::span<const PlaneId> incident = {});
 
@@ -39,16 +40,16 @@ Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
 bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
                  std::span<const PlaneId> incident = {});
 
-/// Returns the sign of x - y along coordinate axis 0, 1 or 2. The degree in input coordinates is at
-/// most 13.
+/// Compares the coordinates of x and y on the given axis (0, 1 or 2): Negative if that of x is
+/// less. The degree in input coordinates is at most 13.
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
 /// Compares two points lexicographically (x, then y, then z). Swapping x and y flips the sign. The
 /// result is Zero if and only if equal(x, y) is true.
 Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y);
 
-/// Whether x and y are the same point. Most pairs of different points are distinguished by their
-/// boxes, which are disjoint. If the boxes intersect, the fingerprints are compared. If the
+/// Whether x and y are the same point. If the boxes of the points are disjoint, the points differ;
+/// this decides most pairs. If the boxes intersect, the fingerprints are compared. If the
 /// fingerprints are equal, an exact test confirms that the three planes of one point contain the
 /// other point.
 bool equal(const Point3Table& points, SpacePoint x, SpacePoint y);
@@ -72,7 +73,7 @@ std::vector<Fingerprint> fingerprints(const Point3Table& points, std::span<const
 /// constructed point, which is a tenth of the cost of exact().
 IntegerRow homogeneous(const Point3Table& points, SpacePoint x);
 
-/// Returns the exact coordinates, for output. Requires !points.depends_on_frame(x).
+/// Returns the exact coordinates of x, for output. Requires !points.depends_on_frame(x).
 RationalPoint3 exact(const Point3Table& points, SpacePoint x);
 
 /// The exact coordinates of any point, as the sum finite + infinite * R. R stands for the
@@ -111,13 +112,14 @@ inline FilteredSign side_filter(const PointBox& x, const PlaneRow& plane) {
 FilteredSign compare_axis_filter(const PointBox& x, const PointBox& y, std::size_t axis);
 
 /// Filters for points that depend on the frame. These filters return Unsure if none of the given
-/// points depends on the frame. The filters compute with the factors of R, which are the directions
-/// of the points (filter_stages.h). If the factors of R of both points are zero along `axis`,
-/// far_compare_axis_filter compares the parts without R.
+/// points depends on the frame. A point of the frame is a sum finite + infinite * R (FramedPoint3).
+/// The filters compute with the vectors `infinite` (filter_stages.h). If component `axis` of this
+/// vector is zero for both points, far_compare_axis_filter compares the parts without R.
 FilteredSign far_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, SpacePoint y,
                                      std::size_t axis);
-/// Filter for the sign of c0, where n.x + d = c0 + c1 R. Requires that c1 is zero.
+/// Filter for the sign of c0, where n.x + d = c0 + c1 R for the plane and the point. Requires that
+/// c1 is zero.
 FilteredSign near_side_filter(const Point3Table& points, SpacePoint x, PlaneId plane);
 
 template <class W>
@@ -130,7 +132,7 @@ Sign side_big(const Point3Table& points, SpacePoint x, PlaneId plane);
 Sign compare_axis_big(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
 /// Decides the side if side_filter returns Unsure. The remaining stages are the filter for points
-/// of the frame, the other identities, fixed-width integers, and GMP integers.
+/// of the frame, the tests for further identities, fixed-width integers, and GMP integers.
 Sign side_without_filter(const Point3Table& points, SpacePoint x, PlaneId plane,
                          std::span<const PlaneId> incident);
 

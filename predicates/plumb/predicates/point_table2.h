@@ -1,15 +1,15 @@
 // The table in which the engine stores points of the plane. The table consists of flat arrays of
 // doubles and of a second, exact table. The exact table stores the few points that doubles cannot
-// represent, such as points with fractions or with integers beyond 2^53. The predicates take the
-// indices of points. Crossing2 represents the intersection of two lines through such points without
-// computing its coordinates exactly.
+// represent, such as points with fractions or with integers beyond 2^53. Predicates take points as
+// indices into the table. A Crossing2 represents the intersection of two lines through points of
+// the table; its exact coordinates are not computed.
 //
 // Main flow of every predicate (each stage can be called on its own, in namespace rung):
 //  1. Filter   decides from the cached doubles, or returns Unsure
 //  2. Exact    computes in fixed-width integers; returns Unsure for points that are not doubles and
 //              for coordinates whose exponents differ too much
 //  3. Big      computes in GMP integers and always decides
-// docs/design/numbers.md proves the error bounds.
+// The page docs/design/numbers.md proves the error bounds.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@
 namespace plumb {
 
 /// Read-only view of an exact point (X / W, Y / W) as three integers X, Y and W > 0. The view is
-/// valid until its table grows. The integers of the view must not be cleared with mpz_clear.
+/// valid until its table grows. The caller must not free these integers with mpz_clear.
 struct HomogeneousView2 {
   mpz_t x;  ///< The integer X.
   mpz_t y;  ///< The integer Y.
@@ -36,9 +36,9 @@ struct HomogeneousView2 {
 };
 
 /// Append-only table of exact points. approx(i) is the nearest point with double coordinates (ties
-/// to even). If is_double(i), approx(i) equals point i. The integers of all other points are stored
-/// in one shared pool of limbs, so that no point has an allocation of its own. A table stores at
-/// most 2^32 - 2 points.
+/// to even). If is_double(i), approx(i) equals point i. For all other points, the table stores
+/// integers. The limbs (machine words) of all these integers lie in one array, so that no point
+/// needs a memory allocation of its own. A table stores at most 2^32 - 2 points.
 class PointTable2 {
  public:
   /// Reserves memory for `points` points, including the points that are already in the table.
@@ -46,8 +46,8 @@ class PointTable2 {
   /// Appends a point. Requires finite coordinates. Negative zero is stored as zero.
   void push_back(Point2 p);
   /// Appends a point. If doubles represent both coordinates exactly, the point is stored as
-  /// doubles. Coordinates that round to an infinity are allowed; approx() returns +-DBL_MAX for
-  /// them.
+  /// doubles. A coordinate may be so large that its nearest double is infinite. In this case,
+  /// approx() returns +-DBL_MAX for it.
   void push_back(const Rational& x, const Rational& y);
   /// Appends all points of `other` in their order. Requires that `other` is not this table. Cost:
   /// O(size of other).
@@ -173,11 +173,11 @@ Sign cross_sign_mixed(const PointTable2& points, std::uint32_t a, std::uint32_t 
 Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, std::uint32_t i);
 Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q);
 
-/// Returns the sign of p - q if p and q are more than `radius` apart. Otherwise returns Unsure.
-/// Requires radius >= 2^-300. Also requires |p| < 2^303 or radius = +inf. In any rounding mode, the
-/// computed difference is wrong by a factor of at most 1 + 2^-52. Flush-to-zero or
-/// denormals-are-zero may add an error of at most 2^-1020. The factor 1.0001 covers both errors and
-/// the rounding of `radius`.
+/// Returns the sign of p - q if |p - q| is greater than `radius` (with a small safety margin).
+/// Otherwise returns Unsure. Requires radius >= 2^-300. Also requires |p| < 2^303 or radius = +inf.
+/// In any rounding mode, the relative error of the computed difference is at most 2^-52.
+/// Flush-to-zero or denormals-are-zero may add an error of at most 2^-1020. The factor 1.0001 in
+/// the code covers both errors, and the rounding of `radius`.
 inline FilteredSign compare_apart(double p, double q, double radius) {
   const double difference = p - q;
   if (!(std::fabs(difference) > 1.0001 * radius)) return FilteredSign::Unsure;
@@ -186,8 +186,9 @@ inline FilteredSign compare_apart(double p, double q, double radius) {
 
 }  // namespace detail
 
-/// Rounding to nearest, clamping and flushing are monotone. Therefore, if one approximation is
-/// strictly less than the other, the exact points have the same order.
+/// Compares the approximate x-coordinates. The approximations result from rounding to nearest,
+/// clamping and flushing, which are monotone. Therefore, if one approximation is strictly less than
+/// the other, the exact coordinates have the same order.
 inline FilteredSign rung::compare_xy_filter(const PointTable2& points, std::uint32_t i,
                                             std::uint32_t j) {
   const Point2 p = points.approx(i);
@@ -214,9 +215,9 @@ inline Sign cross_sign(const PointTable2& points, std::uint32_t a, std::uint32_t
   return cross_sign(points.approx(a), points.approx(b), points.approx(c), points.approx(d));
 }
 
-/// Compares only the x-coordinates. If the x-coordinate of point i is not a double, its
-/// approximation has an error of at most 2^-53 of its magnitude. The only exception is a clamped
-/// coordinate. A clamped coordinate is so large that no box with a finite radius reaches it.
+/// Compares only the x-coordinates. If the x-coordinate of point i is not a double, the relative
+/// error of its approximation is at most 2^-53. The only exception is a coordinate that was clamped
+/// to +-DBL_MAX. Such a coordinate is so large that no box with a finite radius contains it.
 inline FilteredSign rung::compare_xy_filter(const PointTable2& points, const Crossing2& p,
                                             std::uint32_t i) {
   const double x = points.approx(i).x;

@@ -1,10 +1,10 @@
-// Exact integers (Integer) and fractions (Rational). Fractions are the exact coordinates in the
-// interface of plumb. The two classes wrap GMP's mpz_t and mpq_t with value semantics.
+// Exact integers (Integer) and fractions (Rational). The interface of plumb uses fractions for
+// exact coordinates. The two classes wrap GMP's mpz_t and mpq_t with value semantics.
 //
 // No memory is allocated for the number 0. No memory is allocated for the denominator of a fraction
-// that is an integer. Moving never allocates. Operators reuse the memory of temporaries. Every
-// operator also accepts built-in integers of any width. The operators of fractions also accept
-// doubles and floats and use their exact values.
+// that is an integer. Moving never allocates. If an operand of an operator is a temporary, the
+// result reuses its memory. Every operator also accepts built-in integers of any width. The
+// operators of fractions also accept doubles and floats and use their exact values.
 #pragma once
 
 #include <gmp.h>
@@ -32,10 +32,10 @@ class Rational;
 
 namespace detail {
 
-/// Every number without allocated memory points to this limb. A number without allocated memory is
-/// 0 or a denominator of 1. A denominator of 1 has this limb as its only limb, so the value of the
-/// limb is
-/// 1. The number 0 has no limbs, so this limb is never read for it.
+/// The limb that numbers without allocated memory share. (A limb is a machine word of a GMP
+/// number.) Such a number is either 0 or the denominator 1. The denominator 1 has this limb as its
+/// only limb, so the value of the limb is one. The number 0 has no limbs, so the limb is never read
+/// for it.
 inline constexpr mp_limb_t kSharedLimb = 1;
 
 inline mp_ptr shared_limb() { return const_cast<mp_ptr>(&kSharedLimb); }
@@ -96,7 +96,7 @@ class BuiltInOperand {
   mpq_t value_;
 };
 
-/// A view of an existing GMP integer as a fraction. The view copies no limbs.
+/// A view of an existing GMP integer as a fraction. The view does not copy the integer.
 class WholeOperand {
  public:
   explicit WholeOperand(mpz_srcptr value) {
@@ -109,8 +109,9 @@ class WholeOperand {
   mpq_t value_;
 };
 
-// `result` may be the same object as an operand. The denominator of `result` may point to the
-// shared limb.
+// The following functions store the result of an operation on fractions in `result`. The object
+// `result` may also be an operand. If the denominator of `result` is 1, it need not have allocated
+// memory: it may point to shared_limb().
 void add(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void subtract(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
 void multiply(mpq_ptr result, mpq_srcptr a, mpq_srcptr b);
@@ -564,8 +565,8 @@ class Rational {
     return convert_to<T>();
   }
 
-  /// Adds `other`. Like all operators of fractions, this operator throws Error (NotFinite) if
-  /// `other` is NaN or infinite.
+  /// Adds `other`. This operator throws Error (NotFinite) if `other` is NaN or infinite, and so do
+  /// all other operators of fractions.
   template <detail::RationalTerm T>
   Rational& operator+=(const T& other) {
     detail::add(value_, value_, operand(other).mpq());

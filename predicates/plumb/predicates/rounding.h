@@ -1,13 +1,14 @@
-// Correctly rounded conversions of exact numbers to doubles and to text. No other code turns a
-// rational number into a double.
+// Correctly rounded conversions of exact numbers to doubles and to text. All conversions of plumb
+// from rational numbers to doubles are made here.
 //
 // MPFR computes the doubles. The exponent range of MPFR is set to the range of double, and each
 // result is passed to mpfr_subnormalize. The doubles are assembled from their bits, so that the
-// caller's rounding mode and flush-to-zero setting have no influence. (mpq_get_d truncates, so half
-// of its results are not the nearest double. Casting a 53-bit MPFR number to double rounds
-// subnormals twice.) Decimal text is computed from the exact number by one integer division. The
-// text cannot be computed from a double, because a decimal tie, such as 3/20 rounded to one digit,
-// is not a binary tie.
+// caller's rounding mode and flush-to-zero setting have no influence. (Simpler ways are wrong:
+// mpq_get_d() truncates, so half of its results are not the nearest double. Casting a 53-bit MPFR
+// number to double rounds subnormals twice.) Decimal text is computed from the exact number by one
+// integer division. The text cannot be computed from a double. For example, 3/20 lies exactly
+// between 0.1 and 0.2, which are its two candidates with one digit, but the double nearest to 3/20
+// does not lie exactly between them.
 #pragma once
 
 #include <string>
@@ -42,14 +43,13 @@ RoundedDouble round_to_double(const Rational& value, Rounding rounding = Roundin
 /// Returns round_to_double(value).value, for pictures, reports and approximate copies.
 double nearest_double(const Rational& value);
 
-/// Returns `value` if it is finite, and otherwise the largest finite double of the same sign. For
-/// coordinates beyond the range of double, tables of points store this result. So the
-/// approximations of two coordinates have the same order as the exact coordinates, or they are
-/// equal.
+/// Returns `value` if it is finite, and otherwise the largest finite double of the same sign.
+/// Tables of points store this value for coordinates beyond the range of double. So two different
+/// coordinates have approximations that are either equal or in the same order as the coordinates.
 double clamped_to_finite(double value);
 
-/// Returns the exact value of a double. The result is also exact with flush-to-zero or
-/// denormals-are-zero. Requires a finite value. nearest_double(exact_rational(d)) equals d.
+/// Returns the exact value of a double. The result is exact even if flush-to-zero or
+/// denormals-are-zero is on. Requires a finite value. nearest_double(exact_rational(d)) equals d.
 Rational exact_rational(double value);
 
 /// Returns `value` rounded to `digits` significant decimal digits, to nearest with ties to even.

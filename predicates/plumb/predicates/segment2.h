@@ -3,8 +3,9 @@
 // line. The coordinates are doubles or exact rationals.
 //
 // A segment contains its two ends, which are different points. The interior of a segment is the
-// segment without its ends. Every result is exact. All results follow from orient2d and compare_xy,
-// so that the same implementation serves points with double and with rational coordinates.
+// segment without its ends. Every result is exact. All results are computed from orient2d() and
+// compare_xy(). So one implementation handles points with double coordinates and points with
+// rational coordinates.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,7 @@ Sign compare_along(const BasicSegment2<Point>& direction, const Point& p, const 
 enum class PlaceOnSegment : std::uint8_t {
   Off,     ///< The point is not on the segment, but may be on its line.
   Source,  ///< The point is the source.
-  Inside,  ///< The point is in the interior.
+  Inside,  ///< The point is in the interior of the segment.
   Target,  ///< The point is the target.
 };
 
@@ -62,10 +63,10 @@ enum class SegmentRelation : std::uint8_t {
   Equal,          ///< The two segments are the same point set.
 };
 
-/// Returns the way in which s and t intersect. Exchanging the two segments mirrors the result:
-/// relation(s, t) equals mirrored(relation(t, s)). Reversing s or t does not change the result.
-/// Cost: two calls of orient2d if both ends of t lie strictly on the same side of the line through
-/// s, or if both ends of t lie on this line. Otherwise the cost is four calls.
+/// Returns the way in which s and t intersect. If the two segments are exchanged, the result is
+/// mirrored: relation(s, t) equals mirrored(relation(t, s)). Reversing s or t does not change the
+/// result. Cost: two calls of orient2d if both ends of t lie strictly on the same side of the line
+/// through s, or if both ends of t lie on this line. Otherwise the cost is four calls.
 template <class Point>
 SegmentRelation relation(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
 

@@ -1,4 +1,4 @@
-// 32-bit ids, and vectors that they index. Each kind of id has its own type, so that ids of
+// 32-bit ids, and vectors that are indexed by ids. Each kind of id has its own type, so that ids of
 // different kinds cannot be confused.
 #pragma once
 
@@ -39,9 +39,10 @@ class StrongId {
   Value value_ = kInvalid;
 };
 
-/// A std::vector that ids index: element `id` belongs to the object with the index id.value().
-/// Besides ids, integers can be used as indices. Code that indexes the vector with an id of another
-/// kind does not compile. The class adds no data, so a vector may be moved in and out.
+/// A std::vector that is indexed by ids: element `id` belongs to the object with the index
+/// id.value(). Besides ids, integers can be used as indices. Code that indexes the vector with an
+/// id of another kind does not compile. The class adds no data members, so it can be constructed by
+/// moving a std::vector, and can be moved to a std::vector.
 template <class Id, class T>
 class IdVector : public std::vector<T> {
  public:

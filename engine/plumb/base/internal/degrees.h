@@ -1,4 +1,4 @@
-// Conversion of an angle in degrees to a unit vector.
+// Converts an angle in degrees to a unit vector.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Numbers and lists in messages and files.
+// Formats numbers and lists for messages and files.
 #pragma once
 
 #include <charconv>
@@ -11,11 +11,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// No number is longer: the longest shortest double is "-2.2250738585072014e-308", and the longest
-/// 64-bit integer has 20 characters.
+/// An upper bound for the length of the text of a number. The longest text of a double is
+/// "-2.2250738585072014e-308", which has 24 characters. The longest text of a 64-bit integer has 20
+/// characters.
 inline constexpr std::size_t kNumberBytes = 32;
 
-/// Writes the text of format_double() at `to`, which has kNumberBytes, and returns its end.
+/// Writes the text that format_double() returns to the memory at `to`, and returns the end of the
+/// text. Requires that kNumberBytes bytes can be written.
 inline char* put_double(char* to, double value) {
   constexpr double kTwo63 = 9223372036854775808.0;
   char* const end = to + kNumberBytes;
@@ -26,10 +28,10 @@ inline char* put_double(char* to, double value) {
   return std::to_chars(to, end, value).ptr;
 }
 
-/// Returns a text for `value`. A reader that follows the rules of record_reader.h reads exactly
-/// `value` from this text. An integer with an absolute value less than 2^63 is written as an
-/// integer. Any other value is written as the shortest decimal that is read as `value`. Requires
-/// that `value` is finite.
+/// Returns a text for `value` from which the readers of plumb (record_reader.h) read exactly the
+/// same value. An integer with an absolute value less than 2^63 is written as an integer. Any other
+/// value is written as the shortest decimal that is read as `value`. Requires that `value` is
+/// finite.
 inline std::string format_double(double value) {
   char text[kNumberBytes];
   return {text, put_double(text, value)};

@@ -1,4 +1,5 @@
-// Numbers of fixed size as bytes of a file, in the byte order of the file on every processor.
+// Converts numbers of fixed size to bytes of a file, and bytes to numbers. The byte order is that
+// of the file, whatever the byte order of the processor is.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ std::array<char, sizeof(Number)> to_bytes(Number value, std::endian order) {
 }
 
 /// Returns the integer or floating-point number whose bytes begin at `first`, in the order `order`.
-/// Requires that sizeof(Number) bytes can be read there; they need not be aligned.
+/// Requires that sizeof(Number) bytes can be read there. The bytes need not be aligned.
 template <class Number>
 Number from_bytes(const char* first, std::endian order) {
   std::array<char, sizeof(Number)> bytes;

@@ -1,10 +1,11 @@
-// Cursors over input. TextCursor reads the lines and tokens of a text. BinaryInput reads the binary
-// part of a file. Each error that a cursor throws contains a position in the input.
-// Rules for texts:
+// Two cursors, which read input from the beginning to the end. TextCursor reads the lines and
+// tokens of a text. BinaryInput reads the binary part of a file. Each error that a cursor throws
+// contains a position in the input. Rules for texts:
 //   - Lines end with LF or CRLF. Blanks are spaces and tabs.
 //   - Blank lines are skipped. A line is a comment if its first character other than a blank is
 //     '#'. Comments are skipped, too.
-//   - Comments may be in any encoding that has ASCII in it. They have no control characters.
+//   - Comments may have any encoding that is compatible with ASCII. They must not contain control
+//     characters.
 //   - A byte order mark at the start is skipped.
 //   - Columns are counted in bytes, starting at 1.
 #pragma once
@@ -91,7 +92,8 @@ class TextCursor {
   std::string_view rest() const { return {p_, bytes_left()}; }
   /// Skips `bytes` bytes of the line.
   void skip(std::size_t bytes) { p_ += bytes; }
-  /// Moves back to `where`. Requires a position of the current line before this one.
+  /// Moves back to `where`. Requires that `where` is a position in the current line, before the
+  /// current position.
   void move_back(const char* where) { p_ = where; }
   const char* line_start() const { return line_begin_; }
   std::size_t line() const { return line_; }
@@ -133,8 +135,8 @@ inline bool take_prefix(std::string_view& text, std::string_view prefix) {
   return true;
 }
 
-/// Whether the lines of `text` end with CR alone, as some old programs write them. The first line
-/// break decides. TextCursor reads with_line_feeds() of such a text.
+/// Whether the lines of `text` end with CR alone. Some old programs write such texts. The first
+/// line break decides. For such a text, pass with_line_feeds() of the text to TextCursor.
 bool ends_lines_with_cr(std::string_view text);
 /// Returns a copy of `text` in which each CR among the first `length` bytes is replaced by LF.
 std::string with_line_feeds(std::string_view text, std::size_t length);
@@ -144,7 +146,7 @@ std::string with_line_feeds(std::string_view text, std::size_t length);
 std::size_t text_prefix(std::string_view text);
 
 /// Returns `token` in quotes, for a message. The quoted text ends before the first control
-/// character of the token. It has at most 32 bytes, and is cut only between characters.
+/// character of the token. It has at most 32 bytes. A longer token is cut between two characters.
 std::string quoted(std::string_view token);
 
 // The cursor over the binary part of a file.
@@ -191,8 +193,8 @@ class BinaryInput {
   std::string name_;
 };
 
-// Every error of a reader has a position. The following code adds a position to errors about limits
-// that were thrown without a position.
+// Every error of a reader must have a position. But code that checks a limit throws an error
+// without a position. The following code adds a position to such errors.
 
 /// Throws errors that concern a whole file. Their position is the name of the file.
 struct WholeFile {

@@ -28,7 +28,8 @@ std::string format_exact(const Rational& value);
 class TextOutput {
  public:
   explicit TextOutput(std::ostream& out);
-  /// Makes a buffer that also calls Context::checkpoint() for each block that it writes.
+  /// Makes a buffer that also calls Context::checkpoint() whenever it writes its contents to the
+  /// stream.
   TextOutput(std::ostream& out, Context& context) : TextOutput(out) { context_ = &context; }
 
   TextOutput& operator<<(char c) {

@@ -1,6 +1,6 @@
-// The undirected edges of a map that is given by a list of cycles. This header also finds, for each
-// edge, the cycles that list it. It finds the connected components, too, and the borders of the
-// area that the cycles cover.
+// The undirected edges of a map that is given by a list of cycles. For each edge, the functions of
+// this header also find the cycles that list it. Other functions find the connected components, and
+// the borders of the area that the cycles cover.
 //
 // Edge e has the half-edges 2 e and 2 e + 1. Half-edge 2 e runs from ends[e].from to ends[e].to,
 // and half-edge 2 e + 1 runs in the opposite direction. Every edge has both half-edges, even if
@@ -60,7 +60,7 @@ struct MapEdges {
 /// their two vertex ids. In each bucket, it finds the directed edges of the same undirected edge.
 /// Cost: O(n), plus sorting the edges in each bucket. A MapReport does not keep the edges, because
 /// they would take 12 bytes for each corner. Instead, to_dcel() and the writer of half-edges call
-/// this function again, which takes only a small part of the time of the check. The order of
+/// this function again. This takes only a small part of the time of the check. The order of
 /// MapEdges::ends depends only on the set of undirected edges.
 MapEdges match_twins(const Map& map);
 
@@ -78,20 +78,21 @@ MapComponents connect(const Map& map, const MapEdges& edges);
 // The borders of the area that the listed cycles cover. Each border is a chain of half-edges that
 // no cycle lists.
 
-/// A closed chain of half-edges that are not listed, but whose twins are listed. The chain runs in
-/// the direction of the missing cycle: if the map listed the chain as a cycle, all half-edges of
-/// the chain would be listed, and the border would disappear.
+/// A closed chain of half-edges that are not listed, but whose twins are listed. The direction of
+/// the chain is that of a missing cycle. If the chain were added to the map as a cycle, its edges
+/// would no longer be open.
 struct OpenChain {
   std::vector<std::uint32_t> halfedges;  ///< The half-edges in order.
-  /// The sign of the area that the chain encloses. Negative for a clockwise chain, which is the
-  /// missing outer boundary of a part of the map. Positive for a counter-clockwise chain, which
-  /// bounds a gap, that is, a missing face. Zero for a slit, which encloses no area.
+  /// The sign of the area that the chain encloses. The sign is Negative for a clockwise chain,
+  /// which is the missing outer boundary of a part of the map. It is Positive for a
+  /// counter-clockwise chain, which bounds a gap, that is, a missing face. It is Zero for a slit,
+  /// which encloses no area.
   Sign area;
 };
 
-/// Returns all chains, in the order of their least half-edges. Where several borders meet at a
-/// vertex, each border continues along the same faces along which it arrived. Requires that no
-/// half-edge is listed twice. This requirement ensures that every chain closes. O(n).
+/// Returns all chains, in the order of their least half-edges. If several chains meet at a vertex,
+/// a chain that arrives along some faces continues along the same faces. Requires that no half-edge
+/// is listed twice. This requirement ensures that every chain closes. O(n).
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges);
 
 /// Returns the vertices of a chain in order, in the form of a cycle of a map.

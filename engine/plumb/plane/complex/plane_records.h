@@ -1,5 +1,5 @@
-// Records: a complex as a plain list of its vertices and edges. A .nef2 file contains such a list.
-// from_records() checks a list and makes the complex.
+// Records represent a complex as a plain list of its vertices and edges. A .nef2 file contains such
+// a list. from_records() checks a list and makes the complex.
 #pragma once
 
 #include <cstdint>
@@ -69,8 +69,8 @@ PlaneRecords::Vertex record_of(const PlaneComplex& complex, VertexId v);
 PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e);
 
 /// Returns the minimal complex of the records. If c is minimal, from_records(to_records(c)) equals
-/// c. Throws Error{BadArgument} for the first fault. If the fault concerns one record, the error is
-/// a RecordError. Faults are:
+/// c. Throws Error{BadArgument} if the records have a fault. If the fault concerns a single record,
+/// the error is a RecordError. Faults are:
 ///   - an index out of range
 ///   - a line through two equal points, or a crossing of two parallel lines
 ///   - a vertex that does not lie on the line of its edge

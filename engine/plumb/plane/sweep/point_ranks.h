@@ -1,4 +1,4 @@
-// The lexicographic order of points, with equal points found.
+// Sorts points lexicographically, and finds equal points.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,17 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The used points in lexicographic order. Points of equal coordinates share the rank of the first.
+/// The used points in lexicographic order. Points with equal coordinates have the same rank, which
+/// is the position of the first of them.
 struct PointRanks {
   static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
-  std::vector<std::uint32_t> order;  ///< The used points, sorted; equal points by index.
-  std::vector<std::uint32_t> rank;   ///< The position in `order` of the first equal point.
+  std::vector<std::uint32_t> order;  ///< The used points, sorted; equal points are sorted by index.
+  /// For each point, the position in `order` of the first point that is equal to it.
+  std::vector<std::uint32_t> rank;
 };
 
-/// Returns the ranks of the points whose `used` entry is set. O(n log n).
+/// Returns the ranks of the used points. Point i is used if used[i] is not 0. O(n log n).
 PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used);
 
 }  // namespace plumb

@@ -3,9 +3,9 @@
 // The sweep visits every point where curves start, end, cross, touch or overlap. Each such point is
 // an event. The events are visited in lexicographic order of (x, y). For each event, the sweep
 // reports the curves through the point and their order from bottom to top. It also reports the
-// nearest curve below the point. All decisions are exact predicates on input points and on
-// crossings, which are stored without coordinates. No coordinate is ever rounded, so the input may
-// have any degeneracies.
+// nearest curve below the point. All decisions are made by exact predicates on input points and
+// crossings. A crossing is stored as the two lines that cross. No coordinate is ever rounded, so
+// the input may have any degeneracies.
 //
 // Curves: a curve is a segment, a ray or a line. Its left end is the lexicographically lesser end,
 // and its right end is the lexicographically greater end. A curve runs from left to right, and a
@@ -31,21 +31,21 @@
 //  2. collect_starts      groups the curves by their left ends, and stores curves of length zero
 //                         separately
 //     start_unbounded     fills the status with the curves from the left infinity, in one event
-//  3. advance             takes the next point, which is an end point or a pending crossing. Also
-//                         takes all end points and crossings that are equal to this point
-//  4. take_enders         at a plain event, finds the curves that end at the event. These curves
-//                         are neighbours in the status. An event is plain if it has one end point,
-//                         no curve passes through it, and no curves overlap.
-//  5. take_all_through    at any other event, finds the bundles that contain the point. For this,
-//                         walks up and down in the status from the point
+//  3. advance             takes the next point, which is an end point or a pending crossing, and
+//                         all end points and crossings that are equal to this point
+//  4. take_enders         is taken at a plain event, and finds the curves that end at the event.
+//                         These curves are neighbours in the status. An event is plain if it has
+//                         one end point, no curve passes through it, and no curves overlap.
+//  5. take_all_through    is taken at any other event, and finds the bundles that contain the
+//                         point. For this, it walks up and down in the status from the point
 //     group_ends          groups the curves that end at the event by bundle
 //  6. order_starters      sorts the curves that start at the event by direction. Curves with the
 //                         same direction form a bundle. If an incoming bundle continues in this
 //                         direction, the curves join this incoming bundle.
 //  7. replace_in_status   replaces the incoming bundles by the outgoing bundles
 //  8. test_neighbours     tests every pair of bundles that became neighbours in the status. If the
-//                         two bundles cross, their crossing becomes pending. If they touch in an
-//                         end point, the event of this point is marked as not plain.
+//                         two bundles cross, their crossing becomes pending. If the bundles touch
+//                         in an end point, the event of this point is marked as not plain.
 //  9. on_event            passes the event with its curves to the visitor
 // 10. end_unbounded       ends all bundles that remain in the status. This is one event, at the
 //                         right infinity.
@@ -53,9 +53,9 @@
 // Invariants: step 8 has tested all pairs of bundles that are neighbours in the status. So an event
 // is plain if it is not marked as not plain, and if no crossing is pending at its point. No
 // arithmetic is needed to decide whether an event is plain. In the status, a bundle is represented
-// by the curve of the bundle that ends last. So the bundle ends when this curve ends. If a bundle
-// passes through an event, the event does not visit the other curves of the bundle.
-// docs/design/sweep.md has the proofs.
+// by the curve of the bundle that ends last. So the bundle ends when this curve ends. An event
+// through which a bundle passes takes no time for the other curves of the bundle. The proofs are in
+// docs/design/sweep.md.
 //
 // Cost: expected O((n + k) log n) time. Here n is the number of curves, and k is the number of
 // incidences between events and bundles. For example, n nested segments on one line have 2 n
@@ -85,12 +85,12 @@ struct SweepSegment {
   std::uint32_t to;    ///< Index of the other end point.
 };
 
-/// A segment, ray or line. A curve is a part of the directed line through the input points a and b.
-/// The curve starts at the point `from` and ends at the point `to`. Both points lie on the line,
+/// A segment, ray or line. The curve is a part of the directed line through the input points a and
+/// b. The curve starts at the point `from` and ends at the point `to`. Both points lie on the line,
 /// and `from` comes before `to` in the direction from a to b. Each of the points `from` and `to` is
-/// an input point or a crossing. If the curve is unbounded at an end, this end is kUnbounded. The
-/// points a and b have different coordinates. A segment of length zero is an exception: its a and b
-/// may be equal, and its `from` and `to` are equal points.
+/// an input point or a crossing. If the curve is unbounded at one end, the index for this end is
+/// kUnbounded. The points a and b have different coordinates. A segment of length zero is an
+/// exception: its a and b may be equal, and its `from` and `to` are equal points.
 struct SweepCurve {
   static constexpr std::uint32_t kUnbounded = std::numeric_limits<std::uint32_t>::max();
 
@@ -111,16 +111,18 @@ enum class SweepPlace : std::uint8_t {
 
 /// An event at a point or at infinity (SweepPlace), with the curves that start, end or pass there.
 /// The spans are valid only during the call of on_event(). Each bundle is represented by one of its
-/// curves. If a bundle continues to the right of an event, its representative is chosen anew at
-/// this event. The representative is the curve of the bundle that ends last.
+/// curves. The representative is the curve of the bundle that ends last. Curves can join a bundle
+/// at an event, so the representative of an outgoing bundle can differ from that of the incoming
+/// bundle.
 struct SweepEvent {
   static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
   SweepPlace place = SweepPlace::Point;  ///< The kind of the event.
-  /// The end points of curves and the stops that lie at the event. Empty if the event is only a
-  /// crossing.
+  /// The indices of all end points of curves and of all stops (see sweep()) that lie at the event.
+  /// The list is empty if the event is only a crossing.
   std::span<const std::uint32_t> points;
-  const Crossing2* crossing = nullptr;  ///< Set if `place` is Point and `points` is empty.
+  /// The crossing at the event, if `place` is Point and `points` is empty; otherwise null.
+  const Crossing2* crossing = nullptr;
   std::span<const SegmentId> incoming;  ///< Bundles just left of the event, bottom to top.
   std::span<const SegmentId> outgoing;  ///< Bundles just right of the event, bottom to top.
   /// Curves that end at the event, grouped by bundle. Empty at infinity.
@@ -136,9 +138,9 @@ struct SweepEvent {
   // members.
   /// The result of came_from() for each outgoing bundle.
   std::span<const std::uint32_t> arrived_as;
-  /// For each incoming bundle, the index just behind the curves of this bundle in `ends`.
+  /// For each incoming bundle, one past the last index in `ends` of a curve of this bundle.
   std::span<const std::uint32_t> ends_end;
-  /// For each outgoing bundle, the index just behind the curves of this bundle in `starts`.
+  /// For each outgoing bundle, one past the last index in `starts` of a curve of this bundle.
   std::span<const std::uint32_t> starts_end;
 
   /// Returns the index of the incoming bundle that continues in outgoing bundle `out`, or kNew if

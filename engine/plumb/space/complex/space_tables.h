@@ -1,7 +1,7 @@
-// The planes and points that complexes in space refer to.
+// The tables of the planes and points to which complexes in space refer.
 //
 // In every table, planes 0, 1 and 2 are x = 0, y = 0 and z = 0. A direction is given by a pair of
-// planes. With these three planes, the directions of the axes can be given in the same way.
+// planes. Because of these three planes, the directions of the axes can be given in this way, too.
 //
 // An operation on two sets first makes a common table. The operation copies the larger table by
 // copy(), and adds the entries of the smaller table to the copy by merge(). The TableMap that
@@ -23,7 +23,7 @@
 namespace plumb {
 
 /// The planes and points of complexes. There is no copy constructor, so that no copy is made by
-/// accident. The function copy() makes a copy.
+/// accident; use copy() instead.
 struct SpaceTables {
   SpaceTables();  ///< Makes tables with planes 0, 1, 2 and no points.
   /// Makes tables with these planes and a copy of the points. Requires that the points refer to
@@ -40,8 +40,8 @@ inline constexpr PlaneId kPlaneX{0};  ///< The plane x = 0.
 inline constexpr PlaneId kPlaneY{1};  ///< The plane y = 0.
 inline constexpr PlaneId kPlaneZ{2};  ///< The plane z = 0.
 
-/// Returns a copy of the tables. Planes and points have the same ids in the copy. Costs as much as
-/// copying the arrays.
+/// Returns a copy of the tables. Planes and points have the same ids in the copy. The cost is the
+/// cost of copying the arrays.
 std::shared_ptr<SpaceTables> copy(const SpaceTables& tables);
 
 /// The result of merging a table into another table: maps each id in the merged table to the new id

@@ -1,6 +1,6 @@
-// The vertices of a mesh. The first part of this header makes one vertex of all points with equal
-// coordinates, and drops points without faces. The second part sorts a mesh of triangles so that
-// neighbours in space are close together in memory.
+// Finds the vertices of a mesh, and sorts meshes. The first part of this header merges points with
+// equal coordinates into one vertex, and drops points that no face uses. The second part sorts a
+// mesh of triangles so that neighbours in space are close together in memory.
 #pragma once
 
 #include <cstdint>
@@ -27,16 +27,15 @@ struct MeshVertices {
 /// Error{NotFinite} if a coordinate is not finite. O(n) expected.
 MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables);
 
-/// Drops the points that no face uses. The others keep their order. Returns the new index of each
-/// point; kNone for a dropped point. O(n).
+/// Drops the points that no face uses. The other points keep their order. Returns the new index of
+/// each point, which is kNone for a dropped point. O(n).
 std::vector<std::uint32_t> drop_unused_points(PolygonMesh& mesh);
 
-// Order in space.
+// Sorting by position in space.
 //
 // Files list points and faces in any order. All later steps follow links from facets to edges,
 // vertices and planes. These steps are slow if linked cells are far apart in memory. For example,
-// the union of two scanned meshes took up to 1.7 times as long if their points and faces were in
-// the order of the files.
+// without sorting, the union of two scanned meshes took up to 1.7 times as long.
 //
 // A grid with 2^10 cells along each axis covers all points. Points are sorted by the grid cell that
 // contains them. Grid cells are in Morton order (G. Morton, A computer oriented geodetic data base
@@ -53,7 +52,8 @@ struct OrderedMesh {
 
   /// Returns a view of the mesh. The view is valid as long as this object exists.
   MeshView view() const { return mesh_of_triangles(coordinates, corners); }
-  /// Whether this object is empty. ordered_in_space() then kept the order of the original mesh.
+  /// Whether this object is empty. ordered_in_space() returns an empty object if the original order
+  /// of the mesh must be kept.
   bool is_empty() const { return face.empty(); }
 };
 

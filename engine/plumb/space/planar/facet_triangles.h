@@ -1,6 +1,6 @@
-// Polygons in a view (FlatView). The first part of this header tests whether a polygon is simple,
-// and computes its orientation and the region that it bounds. The second part cuts the facets of a
-// complex into triangles.
+// Functions for polygons whose corners lie in a plane of space and are seen in a view (FlatView).
+// The first part of this header tests whether a polygon is simple, and computes its orientation and
+// the region that it bounds. The second part cuts the facets of a complex into triangles.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// How a polygon meets itself.
+/// States whether and how a polygon meets itself.
 enum class PolygonShape : std::uint8_t {
   Simple,  ///< The polygon does not meet itself.
   /// The polygon meets itself only in common corners, or along edges that it contains in both
@@ -31,28 +31,30 @@ enum class PolygonShape : std::uint8_t {
 PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
                       Context& context);
 
-/// Returns the direction in which a polygon runs: Positive is counter-clockwise. Requires that the
-/// polygon is Simple and does not lie on one line. O(n).
+/// Returns the direction in which a polygon runs: Positive means counter-clockwise. Requires that
+/// the polygon is Simple and does not lie on one line. O(n).
 Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon);
 
-/// Removes pairs of an edge and its reverse, and sorts the remaining edges. O(n log n).
+/// Sorts directed edges. If the list contains an edge and its reverse, both are removed. O(n log
+/// n).
 void cancel_reverses(std::vector<IndexEdge>& edges);
 
-/// Returns the directed edges of a polygon, without pairs of an edge and its reverse.
+/// Returns the directed edges of a polygon. If the polygon runs along an edge in both directions,
+/// neither of the two directed edges is returned.
 std::vector<IndexEdge> boundary_of(std::span<const std::uint32_t> polygon);
 
 // Facets cut into triangles between vertices of the complex.
 
-/// Cuts facets into triangles. An object reuses its working memory for the next facet. So each
-/// thread needs a separate object.
+/// Cuts facets into triangles. An object reuses its working memory for every facet, so each thread
+/// needs an object of its own.
 class FacetTriangles {
  public:
   /// Keeps a reference to the complex, which must outlive the object.
   explicit FacetTriangles(const SpaceComplex& complex)
       : complex_(complex), flat_(complex.points()) {}
-  /// Makes for_each() use the given nearest doubles of vertices (rounded_point3.h) in its filters.
-  /// With nearest doubles, filters decide more predicates than with boxes of vertices. `nearest`
-  /// has one entry for each vertex of the complex.
+  /// Passes the doubles nearest to the coordinates of all vertices (rounded_point3.h). The filters
+  /// of for_each() then use these doubles instead of the boxes of vertices, and so decide more
+  /// predicates. `nearest` has one entry for each vertex of the complex.
   void use_nearest(std::span<const RoundedPoint3> nearest) { nearest_ = nearest; }
 
   /// Calls visit(a, b, c) with the vertices of each triangle, counter-clockwise seen from the

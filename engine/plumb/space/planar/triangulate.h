@@ -1,7 +1,7 @@
-// Geometry of points in a plane. This header has three parts. The first part is an interface to
-// points that are given by indices, with exact predicates; it does not depend on how the points are
-// stored. The second part triangulates regions. The third part is a sweep that is used for
-// triangulation and for the nesting of cycles.
+// Predicates, triangulation and sweep for points in a plane. This header has three parts. The first
+// part is an interface to points that are given by indices, with exact predicates; it does not
+// depend on how the points are stored. The second part triangulates regions. The third part is a
+// sweep that is used for triangulation and for the nesting of cycles.
 #pragma once
 
 #include <array>
@@ -26,9 +26,10 @@ namespace plumb {
 class PlanarPoints {
  public:
   virtual std::uint32_t size() const = 0;  ///< Returns the number of points.
-  /// Returns the direction of the turn i, j, k: Positive is left.
+  /// Returns the direction of the turn at j on the way from i over j to k: Positive means left.
   virtual Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const = 0;
-  /// Compares the points i and j by x. If their x are equal, compares them by y.
+  /// Compares the points i and j by their x-coordinates. If these are equal, compares the points by
+  /// their y-coordinates.
   virtual Sign compare(std::uint32_t i, std::uint32_t j) const = 0;
   /// Returns Positive if l lies inside the circle through i, j, k. Requires that i, j, k run
   /// counter-clockwise.
@@ -39,9 +40,10 @@ class PlanarPoints {
   ~PlanarPoints() = default;
 };
 
-/// Returns the direction of the turn of three points whose coordinates are known only nearly, if it
-/// is sure: Positive is left. A difference of two coordinates may be off by `error` and by one
-/// rounding. If anything overflows, nothing is sure.
+/// Returns the direction of the turn of three points whose coordinates are known only
+/// approximately. Positive means left. The result is Unsure if the approximations do not decide the
+/// direction, or if a computation overflows. `error` is a bound for the error of a difference of
+/// two coordinates, without the rounding error of this difference.
 FilteredSign turn_of_nearby(const Point2& a, const Point2& b, const Point2& c, double error);
 
 // Points of space, projected along a coordinate axis to points of the plane. Such a projection is
@@ -99,8 +101,8 @@ class FlatPoints final : public PlanarPoints {
     Point2 mid;
     double radius;
     SpacePoint point;
-    // Whether mid has the nearest doubles. If two such mids differ, they have the order of their
-    // points.
+    // Whether mid consists of the doubles nearest to the point. If the mids of two such points
+    // differ, they are in the same order as the points.
     bool is_nearest;
   };
   /// The coordinates (x w, y w, w) with w > 0.
@@ -124,9 +126,10 @@ class FlatPoints final : public PlanarPoints {
 // triangulate() sweeps over the points in lexicographic order, and triangulates the region behind
 // the sweep line. Source: S. Hertel, K. Mehlhorn, Fast triangulation of simple polygons,
 // Fundamentals of Computation Theory, 1983. The algorithm is extended to regions whose boundaries
-// touch in points. Consider two neighbouring edges on the sweep line with the region between them.
-// For these edges, a chain of points is stored: the points behind the sweep line at which triangles
-// are still missing. Each inner corner of a chain is reflex or flat.
+// touch in points. Consider two neighbouring edges on the sweep line that have the region between
+// them. For each such pair of edges, the algorithm stores a chain of points behind the sweep line.
+// The part of the region between this chain and the sweep line is not triangulated yet. Each inner
+// corner of a chain is reflex or flat.
 
 using IndexEdge = std::array<std::uint32_t, 2>;      ///< Two points, in a direction.
 using IndexTriangle = std::array<std::uint32_t, 3>;  ///< Three points, counter-clockwise.
@@ -142,7 +145,8 @@ bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
 
 /// Flips sides of triangles until every side that is not in `edges` is locally Delaunay. If the
 /// four corners of two adjacent triangles lie on a circle, the diagonal that ends at the point of
-/// lowest index is used. So the result is unique. Makes O(n^2) flips at worst, and usually O(n).
+/// lowest index is used. So the result is unique. The number of flips is O(n^2) in the worst case,
+/// and usually O(n).
 void make_delaunay(const PlanarPoints& points, std::span<const IndexEdge> edges,
                    std::span<IndexTriangle> triangles);
 
@@ -238,7 +242,8 @@ class RegionSweep {
   Context* context_;
   std::uint64_t steps_ = 0;
   std::vector<std::uint32_t> rank_;  // The rank of each point index.
-  // Edges by left end; at the same left end, from bottom to top.
+  // The edges, sorted by their left ends. Edges with the same left end are sorted from bottom to
+  // top.
   std::vector<std::uint32_t> starts_;
   std::uint32_t next_start_ = 0;
   std::vector<std::uint32_t> incoming_;  // An edge in the status that ends at each rank.

@@ -1,17 +1,19 @@
 // The subdivision of a surface by polygons. Each face is subdivided separately.
 //
 // A face is touched if a node lies in it or on its boundary. Each touched face is stored as a
-// planar subdivision with half-edges. The first half-edges of a touched face run along the boundary
-// of the face. They end at nodes. Their twins belong to adjacent faces. The half-edges of arcs
-// inside the face follow, in pairs of twins. Faces that are not touched are not divided.
+// planar subdivision with half-edges. In the numbering of a touched face, the half-edges along the
+// boundary of the face come first. Each of them runs from a node to the next node, and its twin
+// belongs to the adjacent face. The half-edges of arcs inside the face come after them, in pairs of
+// twins. Faces that are not touched are not divided.
 //
 // Main flow of slice():
-//  1. nodes      makes one node of all equal points, by sorting the points on each edge and in each
-//                face (make_nodes())
-//  2. runs       for each part of a mesh edge between two nodes, adds up the multiplicities of the
-//                segments that run along this part
-//  3. segments   groups all other segments by face and ends, and adds up the multiplicities in each
-//                group. Sums that are zero are dropped
+//  1. nodes      replaces all equal points by one node. To find equal points, it sorts the points
+//                on each edge and in each face (make_nodes())
+//  2. runs       computes the bundle of each part of a mesh edge between two nodes: the sum of the
+//                multiplicities of the segments that run along this part
+//  3. segments   does the same for all other segments: those with the same face and the same ends
+//                form a group, and the multiplicities in each group are added. Groups whose sum is
+//                zero are dropped
 //  4. faces      computes the arrangement of the segments in each touched face (face_arrangement.h)
 //  5. sew        finds the twins of half-edges along mesh edges
 //
@@ -33,8 +35,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The point where two segments between input nodes meet inside a face. The exact coordinates of
-/// this point are not stored. They are computed from the ends of the segments.
+/// The point where two segments cross inside a face. The exact coordinates of this point are not
+/// stored, because they can be computed from the ends of the segments.
 struct SurfaceCrossing {
   FaceId face;
   std::array<NodeId, 4> ends;  ///< The ends of the first segment, then the ends of the second.
@@ -69,15 +71,18 @@ struct SurfaceArrangement {
   IdVector<NodeId, SurfacePointId> node_point;  ///< The input points, which are the first nodes.
   std::vector<VertexId> corner_vertex;          ///< The corners, which are the next nodes.
   std::vector<SurfaceCrossing> crossings;       ///< The crossings, which are the last nodes.
-  std::vector<NodeId> node_of_entry;            ///< Node of each entry of SurfacePolygons::point.
+  /// The node of each entry of SurfacePolygons::point.
+  std::vector<NodeId> node_of_entry;
 
-  // Each touched face has a slot. Slots are in ascending order of face ids.
+  // Each touched face has an index among the touched faces, called its slot. Slots are in ascending
+  // order of face ids.
   std::vector<FaceId> slot_face;
   IdVector<FaceId, std::uint32_t> slot_of_face;  ///< Slot of each face, or kNone.
-  /// Four entries for each slot: the first half-edges of sides 0, 1 and 2, and the first half-edge
-  /// of arcs.
+  /// Four entries for each slot: the first half-edge of side 0, of side 1 and of side 2, and the
+  /// first half-edge of the arcs inside the face.
   std::vector<std::uint32_t> side_begin;
-  std::vector<PieceId> piece_begin;  ///< First piece of each slot, then one past the last piece.
+  /// The first piece of each slot. The last entry is the number of pieces.
+  std::vector<PieceId> piece_begin;
 
   IdVector<HalfedgeId, NodeId> origin;  ///< Origin of each half-edge.
   /// Twin of each half-edge. It is invalid at the mesh border, and where the adjacent face is not
@@ -91,9 +96,13 @@ struct SurfaceArrangement {
   IdVector<PieceId, double>
       piece_share;  ///< The area of each piece divided by the area of its face.
   IdVector<PieceId, std::uint32_t>
-      loop_begin;  ///< First loop of each piece, then one past the last loop.
+      /// The index in `loop` of the first loop of each piece. The last entry is the number of
+      /// loops.
+      loop_begin;
   std::vector<HalfedgeId>
-      loop;  ///< One half-edge of each boundary cycle of a piece, outer cycle first.
+      /// One half-edge of each boundary cycle (loop) of a piece. The outer cycle of a piece comes
+      /// first.
+      loop;
 
   IdVector<ArcId, HalfedgeId>
       arc_halfedge;  ///< The half-edge that runs in the direction of each arc.
@@ -127,9 +136,10 @@ struct SurfaceArrangement {
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
 
 inline constexpr std::uint8_t kCrossingEnds = 3;
-/// Returns how many ends of arcs lie at each node. Numbers greater than kCrossingEnds are replaced
-/// by kCrossingEnds. A closed arc has two ends at its node. If the number is kCrossingEnds, the
-/// node counts as a crossing. Only arcs for which `counts(arc)` returns true are counted.
+/// Returns, for each node, the number of ends of arcs at the node, but at most kCrossingEnds. A
+/// closed arc has two ends at its node. If the number is kCrossingEnds, polygons meet at the node,
+/// and the node counts as a crossing in statistics. Only arcs for which `counts(arc)` returns true
+/// are taken into account.
 template <class Counts>
 IdVector<NodeId, std::uint8_t> arc_ends(const SurfaceArrangement& a, const Counts& counts) {
   IdVector<NodeId, std::uint8_t> ends(a.node_count());
@@ -167,8 +177,8 @@ struct SurfaceNodes {
   IdVector<NodeId, SurfacePointId> point;  ///< Point of each node.
   std::vector<NodeId> of_entry;            ///< Node of each entry of the polygons.
   std::vector<EdgeId> edges;               ///< Edges with nodes inside, ascending.
-  /// First node of each entry of `edges`. A final entry is one past the last node on edges. The
-  /// nodes of an edge are in ascending order of t.
+  /// For each edge in `edges`, the id of its first node. The last entry is the number of nodes on
+  /// edges. The nodes of an edge are in ascending order of t.
   std::vector<std::uint32_t> edge_begin;
   IdVector<EdgeId, std::uint32_t> slot_of_edge;  ///< Index of each mesh edge in `edges`, or kNone.
   std::uint32_t vertices_begin = 0;
@@ -184,8 +194,8 @@ struct SurfaceNodes {
   std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e]]; }
 };
 
-/// Finds the distinct points of the polygons. Expected cost: O(n log n) for n entries, and O(mesh)
-/// to set up.
+/// Finds the distinct points of the polygons. Expected cost: O(n log n) for n entries, plus time
+/// linear in the size of the mesh.
 SurfaceNodes make_nodes(const SurfacePolygons& polygons, Context& context);
 
 }  // namespace plumb

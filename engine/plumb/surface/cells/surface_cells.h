@@ -2,8 +2,8 @@
 // cells. In the graph, two cells are joined if they are neighbours across an arc.
 //
 // Main flow of make_cells():
-//  1. join      joins pieces that are adjacent at a half-edge without an arc, and untouched faces
-//               that are adjacent at a mesh edge (union-find)
+//  1. join      joins pieces that are adjacent at a half-edge without an arc, and also faces
+//               without polygons that are adjacent at a mesh edge (union-find)
 //  2. number    numbers cells in the order of the first face in each cell
 //  3. measure   computes areas, and finds the cells at the mesh border
 //  4. graph     makes an edge of the graph for each arc between cells; equal edges are listed once
@@ -19,8 +19,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// An edge of the graph of cells. The labels in cell `to` minus the labels in cell `from` are
-/// `sign` times the bundle with index `bundle` (SurfaceBundles). `from` is never greater than `to`.
+/// An edge of the graph of cells. The difference of the labels of polygons, label in `to` minus
+/// label in `from`, is `sign` times the bundle with the index `bundle` (SurfaceBundles). `from` is
+/// never greater than `to`.
 struct CellEdge {
   CellId from;
   CellId to;
@@ -33,8 +34,7 @@ struct SurfaceCells {
   IdVector<PieceId, CellId> of_piece;
   IdVector<FaceId, CellId>
       of_face;  ///< The cell that contains each face; valid only for faces that are not touched.
-  IdVector<CellId, double>
-      area;  ///< The area of each cell; if it exceeds the largest double, the largest double.
+  IdVector<CellId, double> area;  ///< The area of each cell, but at most the largest double.
   IdVector<CellId, std::uint32_t>
       component;  ///< The component of the mesh that contains each cell.
   IdVector<CellId, std::uint8_t> is_at_border;
@@ -62,9 +62,10 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 //               and continues with the first border that it reaches. The angular order of
 //               half-edges around the point is exact. Where selected cells end at the mesh border,
 //               the loop follows the mesh border
-//  3. name      chooses the corners of the loop. The corners are control points of generators, and
-//               points where different parts of generators meet. Crossings with other polygons are
-//               not corners, because the border runs straight through them
+//  3. name      chooses the corners of the loop. The corners are the control points of the given
+//               polygons (`generators`), and the points where the loop changes from one of these
+//               polygons to another. Crossings with other polygons are not corners, because the
+//               border runs straight through them
 //
 // Cost: O(half-edges of the arrangement + half-edges of the mesh border that are followed).
 

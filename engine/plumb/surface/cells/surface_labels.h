@@ -3,18 +3,19 @@
 // shape along the arc.
 //
 // Main flow of label_cells():
-//  1. tree       grows a tree of cells in each component of the mesh. If the cell where labels must
-//                be zero is known, this cell is the root. Otherwise the root is the largest cell at
-//                the mesh border. In a component without border, the root is the largest cell
+//  1. tree       grows a tree of cells in each component of the mesh. If the caller states a cell
+//                in which labels are zero, this cell is the root. Otherwise the root is the largest
+//                cell at the mesh border. In a component without border, the root is the largest
+//                cell
 //  2. potential  computes labels along the tree, starting with zero at the root. Labels are stored
 //                as sparse vectors
 //  3. check      visits each edge of the graph that is not in the tree, and checks that the labels
 //                at its two ends differ by the jump of the edge. If this does not hold for a
 //                shape, the shape has no label. The edge and the tree then contain a cycle that
 //                proves that there is no label
-//  4. shift      adds one constant to all labels of a shape in a component of the mesh. If a level
-//                is given, the labels then agree with it. Otherwise they satisfy the rules of
-//                SurfaceScene
+//  4. shift      adds a constant to the labels of a shape in each component of the mesh. If a level
+//                is given for the shape and the component, the constant is chosen so that the
+//                labels agree with this level. Otherwise it is chosen by the rules of SurfaceScene
 //
 // Cost: O(E + L) for E edges of the graph, where L is the number of entries of all labels and
 // jumps. Proof: docs/design/surface.md, section Labels.
@@ -47,10 +48,12 @@ struct CellJumps {
   }
 };
 
-/// Returns the jumps of polygons. Each polygon counts as a shape. Throws what the context throws.
+/// Returns the jumps for the polygons, where each polygon is treated as a shape. Throws what the
+/// context throws.
 CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                             Context& context);
-/// Returns the jumps of shapes that are sums of polygons. Throws what the context throws.
+/// Returns the jumps for shapes. Each shape is a list of polygons, whose sum it is. Throws what the
+/// context throws.
 CellJumps jumps_of_shapes(const CellJumps& polygons,
                           std::span<const std::vector<std::uint32_t>> shapes, Context& context);
 
@@ -65,7 +68,7 @@ struct CellLevel {
 struct CellLabels {
   std::vector<Separation> separation;  ///< Whether the label of each shape exists.
   IdVector<CellId, std::uint32_t>
-      begin;  ///< First entry of each cell; a final value is one past the last entry.
+      begin;  ///< The first entry of each cell. The last value is the number of entries.
   std::vector<SignedEntry> entries;
   std::span<const SignedEntry> operator[](CellId c) const {
     return std::span(entries).subspan(begin[c], begin[c.value() + 1] - begin[c]);

@@ -1,8 +1,8 @@
-// Strips of triangles of a mesh. They are used for finding paths in doubles (trace.h,
-// exponential_map.h). A strip is a sequence of faces in which each face shares a side with the next
-// face; this side is a door of the strip. The first part of this header lays out the faces of a
-// strip in the plane, each face beside the face before it. The second part finds strips between two
-// points.
+// Strips of triangles of a mesh. Such strips are used to find paths by computations in doubles
+// (trace.h, exponential_map.h). A strip is a sequence of faces in which each face shares a side
+// with the next face; this side is a door of the strip. The first part of this header lays out the
+// faces of a strip in the plane, each face beside the face before it. The second part finds strips
+// between two points.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ double corner_angle(const SurfaceMesh& mesh, std::span<const Point3> positions, 
 /// in the face. The weights are computed from the approximate parameters of the point.
 std::array<double, 3> weights_in(const SurfacePointTable& table, SurfacePointId p, FaceId f);
 
-/// Vectors of doubles for layouts in the plane.
+/// Operations on vectors of doubles, for layouts in the plane.
 namespace layout {
 
 inline Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
@@ -69,10 +69,10 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 }  // namespace layout
 
 // Strips of faces between two points of a mesh, for tracing (trace.h). A strip is found by a search
-// in the dual graph of the mesh. If the strip can be made shorter by passing a vertex on its other
-// side, the strip is rerouted. After that, detours are removed. All lengths are computed in
-// doubles. A rounding error can change which strip is chosen, but the result is always a valid
-// strip.
+// in the dual graph of the mesh. If the strip becomes shorter by passing a vertex on the other side
+// of the vertex, the strip is changed in this way. After that, detours are removed. All lengths are
+// computed in doubles. A rounding error can change which strip is chosen, but the result is always
+// a valid strip.
 
 /// A sequence of faces in which each face shares a side with the next one. `doors` lists the shared
 /// sides. Each door is given as the half-edge in the first of the two faces that share the side.
@@ -104,16 +104,16 @@ class StripFinder {
   /// overflows.
   StripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
 
-  /// Returns a short strip from one end to the other, found by an A* search. The length of a strip
-  /// is measured between the centroids of its faces. Returns no value if no strip leads from one
-  /// end to the other. If two faces have the same bound, the face with the lower index is visited
-  /// first. So the result does not depend on the platform's heap.
+  /// Returns a short strip from one end to the other, found by an A* search. The search measures
+  /// the length of a strip along the centroids of its faces. Returns no value if no strip leads
+  /// from one end to the other. If two faces have the same bound, the face with the lower index is
+  /// visited first, so the result is the same on all platforms.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
   /// Shortens a strip from `from` to `to`. The new strip begins at the last face of the strip that
-  /// contains `from`. It ends at the first face after this that contains `to`. If the strip visits
-  /// a face several times between these two faces, the detour between the visits is removed. The
-  /// shortest path in the strip does not become longer.
+  /// contains `from`. It ends at the first face after this face that contains `to`. If the strip
+  /// visits a face several times between these two faces, the detour between the visits is removed.
+  /// The shortest path in the strip does not become longer.
   void shorten(FaceStrip& strip, const StripEnd& from, const StripEnd& to);
 
  private:

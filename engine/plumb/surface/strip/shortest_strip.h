@@ -1,17 +1,21 @@
-// Finds the strip of faces that contains a shortest path between two points of a mesh. The Tracer
-// uses it if shortest paths are asked for (trace.h); without it, the Tracer finds paths that are
-// only locally shortest.
+// Finds the strip of faces that contains a globally shortest path between two points of a mesh. A
+// Tracer with PathChoice::Shortest uses this search (trace.h). A Tracer with PathChoice::Local
+// finds paths that are only locally shortest.
 //
 // Main flow of ShortestStripFinder::find:
-//  1. start      makes a window on each side of the faces of the start, except for the sides on
-//                which the start lies
-//  2. spread     takes the window or vertex with the least bound from a heap. A window is spread
-//                over the face behind it: it makes windows on the two other sides, and offers a
-//                distance to the vertex between them. A vertex makes windows around itself if
-//                shortest paths can bend there
-//  3. reach      if a window or a vertex reaches a face of the end, its path is a candidate
-//  4. stop       stops if no bound is less than the length of the best path found so far
-//  5. collect    follows the windows of the best path back to the start, and lists their sides
+//  1. start      makes a window on each side of the faces that contain the start, except for sides
+//                on which the start lies. A window is a part of a side through which straight lines
+//                from the start pass
+//  2. spread     takes the window or vertex with the least bound from a heap. The bound is a lower
+//                bound for the length of paths through it. From a window, the step makes new
+//                windows on the two other sides of the face behind the window, and computes a
+//                distance for the vertex between these sides. From a vertex, the step makes windows
+//                around the vertex if shortest paths can bend there
+//  3. reach      is taken if a window or a vertex reaches a face that contains the end. The path to
+//                the end through this window or vertex becomes a candidate
+//  4. stop       ends the search if no bound is less than the length of the best path found so far
+//  5. collect    follows the windows of the best path back to the start, and lists the sides on
+//                which they lie
 //
 // Lengths are computed in doubles. Rounding can therefore affect the choice between paths whose
 // lengths differ by less than 2^-40 of their length. The result is always a valid strip.
@@ -39,28 +43,29 @@ class ShortestStripFinder {
   /// overflows. O(n) for n vertices.
   ShortestStripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
 
-  /// Returns a strip that contains a path from `from` to `to` shorter than `bound`, and as short as
-  /// possible. Returns no value if no path is shorter than `bound` by more than 2^-40 of `bound`.
+  /// Returns a strip that contains a shortest path from `from` to `to`, if it is shorter than
+  /// `bound`. Returns no value if no path is shorter than `bound` by more than 2^-40 of `bound`.
   /// Requires that no face contains both ends. Cost: O(w log w) for w windows. On usual meshes, w
-  /// is the number of sides in the ellipsoid with the ends as foci and `bound` as axis, times a
-  /// small factor; it is O(n^2) in the worst case. Throws what the context throws.
+  /// is a small multiple of the number of sides in an ellipsoid, whose foci are the two ends and
+  /// whose longest axis has the length `bound`. In the worst case, w is O(n^2). Throws what the
+  /// context throws.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, double bound,
                                 Context& context);
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// A part of a side that straight lines from one source reach through the same faces. The side
-  /// lies on the x axis, from its origin at (0, 0); the face behind it lies above the axis, and the
-  /// source lies below.
+  /// A part of a side. All points of this part are reached from one source by straight lines
+  /// through the same faces. The side lies on the x axis, from its origin at (0, 0); the face
+  /// behind it lies above the axis, and the source lies below.
   struct Window {
     HalfedgeId into;       // The side, in the face behind it.
     double begin, end;     // The part of the side, as distances from its origin.
-    Point2 source;         // The place of the seat, unfolded.
+    Point2 source;         // The position of the seat after unfolding.
     std::uint32_t seat;    // The seat from which the lines come.
     std::uint32_t before;  // The window before it; kNone if it is the first after the seat.
   };
-  /// The start, or a path to a vertex.
+  /// A source of windows: the start, or a vertex together with a path from the start to it.
   struct Seat {
     VertexId vertex;       // Invalid for the start.
     double distance;       // The length of the path from the start.
@@ -68,7 +73,7 @@ class ShortestStripFinder {
     std::uint32_t seat;    // If there is no window: the seat before it,
     FaceId face;           // and a face that contains both seats.
   };
-  /// The end of a path that reaches the end point.
+  /// The last step of a path that reaches the end point.
   struct Arrival {
     std::uint32_t window = kNone;  // The last window, or kNone.
     std::uint32_t seat = kNone;    // If there is no window: the last seat,
@@ -86,8 +91,8 @@ class ShortestStripFinder {
   };
   /// A step of the path, for collecting the strip.
   struct Step {
-    HalfedgeId door;  // A door to pass, or invalid:
-    FaceId face;      // then go to this face
+    HalfedgeId door;  // A side to cross; if invalid,
+    FaceId face;      // the strip goes to this face
     VertexId around;  // around this vertex; invalid if the strip starts here.
   };
 

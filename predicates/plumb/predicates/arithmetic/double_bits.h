@@ -1,7 +1,8 @@
 // Functions that split a double into an integer and a power of two, and functions that compare
 // doubles. All functions use integer operations only. Therefore their results are right in every
-// rounding mode, and also under flush-to-zero (FTZ) and denormals-are-zero (DAZ). In contrast, the
-// expression `a < b` for two doubles can be wrong under DAZ.
+// rounding mode, and also if the processor replaces subnormal results by zero (flush-to-zero, FTZ)
+// or subnormal operands by zero (denormals-are-zero, DAZ). In contrast, the expression `a < b` for
+// two doubles can be wrong under DAZ.
 #pragma once
 
 #include <algorithm>
@@ -73,8 +74,8 @@ constexpr std::uint64_t ordered_key(double value) {
                                         : detail::kSignBit + bits;
 }
 
-/// Returns the order of a and b: Negative if a < b. The result is right even under DAZ. Under DAZ,
-/// the result of `a < b` can be wrong.
+/// Returns the order of a and b: Negative if a < b. The result is right even under DAZ, where the
+/// result of `a < b` can be wrong.
 constexpr Sign compare(double a, double b) {
   const std::uint64_t p = ordered_key(a);
   const std::uint64_t q = ordered_key(b);
@@ -93,9 +94,10 @@ constexpr bool is_finite(double value) {
   return ((std::bit_cast<std::uint64_t>(value) >> 52) & 0x7ff) != 0x7ff;
 }
 
-/// The common grid of a set of doubles. Each double of the set is n * 2^low() for an integer n, and
-/// |n| is less than 2^bits(). The number 0 is on every grid. If the set contains no nonzero
-/// doubles, its grid is empty and bits() is 0.
+/// The common grid of a set of doubles: all multiples of a power of two, 2^low(), the unit of the
+/// grid. The unit is the largest power of two of which all doubles of the set are multiples. Each
+/// double of the set is n * 2^low() for an integer n with |n| < 2^bits(). If the set contains no
+/// nonzero doubles, its grid is empty and bits() is 0.
 class Grid {
  public:
   constexpr Grid() = default;
@@ -109,7 +111,8 @@ class Grid {
     const detail::RawDouble r = detail::raw(value);
     const int unit = r.biased + std::countr_zero(r.magnitude);
     low_ = std::min(low_, r.magnitude == 0 ? kNone : unit);
-    // A zero contributes the value 1 here. Every nonzero value contributes at least 1, too.
+    // For a zero, the second argument is 1. For a nonzero value it is at least 1, too, so a zero
+    // never changes the result of a grid with other values.
     high_ = std::max(high_, r.biased + static_cast<int>(std::bit_width(r.magnitude)));
   }
 
@@ -119,27 +122,28 @@ class Grid {
     high_ = std::max(high_, other.high_);
   }
 
-  /// Returns the exponent of the grid's unit; 0 for an empty grid.
+  /// Returns the exponent of the unit of the grid; 0 for an empty grid.
   constexpr int low() const { return is_empty() ? 0 : low_ - detail::kExponentBias; }
-  /// Returns the number of bits of the largest |n|. It is 53 plus the spread of the exponents minus
-  /// the number of common trailing zeros, and at most 2098.
+  /// Returns the number of bits of the largest integer |n|; at most 2098.
   constexpr int bits() const { return is_empty() ? 0 : high_ - low_; }
   constexpr bool is_empty() const { return low_ == kNone; }
 
-  /// Returns value / 2^low(). Requires that the value is on the grid and bits() <= 63.
+  /// Returns the integer value / 2^low(). Requires that the value is on the grid and that bits() <=
+  /// 63.
   constexpr std::int64_t to_int64(double value) const {
     const detail::RawDouble r = detail::raw(value);
-    // magnitude < 2^53, so the magnitude can be shifted left by 10 bits first. The following shift
-    // to the right is never negative, because biased - low_ > 10 would make bits() > 63. This shift
-    // is at most 62, because there are at most 52 trailing zeros. For the value 0, every shift is
-    // right. (The shift is computed in unsigned integers because low_ is kNone on an empty grid.)
+    // The magnitude is less than 2^53, so it can first be shifted to the left by 10 bits. Then it
+    // is shifted to the right by `down` bits. The number `down` is not negative, because biased -
+    // low_ > 10 would make bits() > 63. It is at most 62, because the magnitude has at most 52
+    // trailing zeros. If the value is 0, the result is 0 for every shift. (The shift is computed in
+    // unsigned integers, because low_ is kNone on an empty grid.)
     const unsigned up = static_cast<unsigned>(r.biased) - static_cast<unsigned>(low_);
     const unsigned down = (10U - up) & 63U;
     return detail::with_sign((r.magnitude << 10) >> down, r.negative);
   }
 
-  /// Returns value / 2^low() in L limbs. Requires that the value is on the grid and bits() <= 64 L
-  /// - 1.
+  /// Returns the integer value / 2^low() with L limbs (64-bit words). Requires that the value is on
+  /// the grid and that bits() < 64 L.
   template <int L>
   Fixed<L> to_fixed(double value) const {
     const Decomposed d = decompose(value);

@@ -1,9 +1,11 @@
-// Fingerprints of homogeneous rows. A fingerprint is a 64-bit word. Equal objects have equal
-// fingerprints, even if their rows differ by a factor.
+// Fingerprints of planes, lines and points. A fingerprint is a hash value in a 64-bit word. A row
+// is the list of the exact coefficients of an object, such as (a, b, c, d) for a plane or (x, y, z,
+// w) for a point. Equal objects have equal fingerprints, even if their rows differ by a common
+// factor.
 //
-// A row of exact coefficients (a plane a b c d, a point x y z w) represents the same object as
-// every multiple of the row. The row is reduced modulo the prime q = 2^61 - 1 and divided by its
-// first nonzero residue. The result is the same for every multiple, and no gcd is needed. Hence
+// To compute a fingerprint, the row is reduced modulo the prime q = 2^61 - 1 and divided by its
+// first nonzero residue. The result is the same for every multiple of the row, and no greatest
+// common divisor (gcd) is needed. Hence
 //
 //   different fingerprints  prove that the objects differ;
 //   equal fingerprints      mean that the objects are very likely equal. An exact comparison must
@@ -14,7 +16,7 @@
 // first divided by its gcd; the result has a nonzero residue.
 //
 // Cost: a product in F_q takes about 2 ns. A single inversion takes 150 ns. In a batch, each
-// inversion takes as long as 3 products. A gcd of the same row would take 700 ns.
+// inversion takes as long as 3 products. Dividing the row by its gcd instead would take 700 ns.
 #pragma once
 
 #include <array>
@@ -77,8 +79,8 @@ class Residue {
   static constexpr Residue reduced(std::uint64_t value) {
     return raw(value >= kModulus ? value - kModulus : value);
   }
-  /// Returns exponent mod 61, in [0, 61). Adding 61 * 2^20 makes every exponent that occurs
-  /// positive.
+  /// Returns exponent mod 61, in [0, 61). The function first adds 61 * 2^20, which makes every
+  /// exponent that occurs positive.
   static constexpr unsigned modulo_bits(int exponent) {
     return static_cast<unsigned>(exponent + kBits * (1 << 20)) % kBits;
   }
@@ -99,8 +101,10 @@ constexpr Residue Residue::of(double value) {
 }
 
 #ifdef PLUMB_PORTABLE
-/// Let a = a1 2^31 + a0 and b = b1 2^31 + b0 with a1, b1 < 2^30. In F_q, 2^62 = 2, and the middle
-/// term is (h 2^30 + l) 2^31 = h + l 2^31. The sum is below 2^61 + 2^32 + 2^61 + 2^62 < 2^64.
+/// Multiplies without 128-bit products. Let a = a1 2^31 + a0 and b = b1 2^31 + b0 with a1, b1 <
+/// 2^30. The product is a1 b1 2^62 + (a1 b0 + a0 b1) 2^31 + a0 b0. In F_q, 2^62 = 2. The factor of
+/// the middle term is written as h 2^30 + l with l < 2^30, so that (h 2^30 + l) 2^31 = h + l 2^31.
+/// The sum of all terms is below 2^61 + 2^32 + 2^61 + 2^62 < 2^64.
 constexpr Residue operator*(Residue a, Residue b) {
   constexpr std::uint64_t kLow31 = (std::uint64_t{1} << 31) - 1;
   constexpr std::uint64_t kLow30 = (std::uint64_t{1} << 30) - 1;
@@ -153,8 +157,8 @@ constexpr Residue sum_of_products(Residue a, Residue b, Residue c, Residue d, Re
 /// many elements as `values`. Cost: one inversion in all, and three products for each element.
 void invert_all(std::span<Residue> values, std::span<Residue> scratch);
 
-/// A word that distinguishes objects. The low 61 bits of a fingerprint are uniform enough for use
-/// as a hash.
+/// A hash value of an object, as described above. Its low 61 bits are distributed uniformly enough
+/// for use in hash tables.
 using Fingerprint = std::uint64_t;
 
 /// A homogeneous row modulo q.
@@ -172,10 +176,11 @@ constexpr Residue leading(const std::array<Residue, N>& row) {
   return {};
 }
 
-/// Returns the fingerprint of a row whose leading residue l has the given inverse. Division by l
-/// and hashing are both linear: sum_i k_i (r_i / l) = (sum_i k_i r_i) / l. Therefore one product
-/// with the inverse suffices. With random weights k_i, two different rows would have the same
-/// fingerprint with a probability of about 1/q. The weights here are fixed.
+/// Returns the fingerprint of a row, which is sum_i k_i (r_i / l). Here r_i are the residues of the
+/// row, k_i are weights, and l is the leading residue, whose inverse the caller passes. The sum
+/// equals (sum_i k_i r_i) / l, so one product with the inverse suffices. For random weights, two
+/// different rows would have the same fingerprint with a probability of about 1/q. The weights of
+/// this function are fixed.
 constexpr Fingerprint fingerprint(const ResidueRow& row, Residue inverse_of_leading) {
   constexpr std::array<std::uint64_t, 4> kWeights = {0x0b7e151628aed2a6, 0x1f4bf70c11a8a4d1,
                                                      0x18a9e0a1d2c5b3f7, 0x046d1f2a9c83e5b1};

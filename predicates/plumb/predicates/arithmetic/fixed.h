@@ -1,11 +1,12 @@
-// Signed integers with a fixed number of 64-bit limbs. The stages of fixed width compute with these
-// integers.
+// Signed integers with a fixed number of 64-bit words, called limbs. The fixed-width stages of
+// predicates compute with these integers.
 //
 // Fixed<L> represents the integers of [-2^(64L-1), 2^(64L-1)) in two's complement. No operation
 // checks for overflow. Every caller has a proof that its results fit (docs/design/numbers.md).
 // There are two implementations of this interface:
 //
-//   fixed_native.h     uses carry chains and 64x64->128 products; everything inlines and unrolls
+//   fixed_native.h     uses carry chains and products of two 64-bit words with 128 bits. All
+//                      functions are inlined and all loops are unrolled
 //   fixed_portable.h   uses Boost.Multiprecision cpp_int of fixed size (PLUMB_PORTABLE)
 //
 // Members (both implementations; L, M, A, B, To are limb counts):
@@ -18,7 +19,7 @@
 //   x + y, x - y, -x, x += y, x -= y    require that the result fits L limbs
 //   x << n                           requires 0 <= n < 64 L, and that the result fits
 //   x == y, x <=> y                  compare the values of x and y
-//   x.fits<M>()                      tells whether x lies in the range of Fixed<M>
+//   x.fits<M>()                      returns whether x lies in the range of Fixed<M>
 //   x.resized<M>()                   returns the same value in M limbs; requires fits<M>()
 //   multiply(Fixed<A>, Fixed<B>)     returns a Fixed<A + B>, and never overflows
 //   multiply_to<To>(Fixed<A>, Fixed<B>)    returns a Fixed<To>; the product must fit To limbs

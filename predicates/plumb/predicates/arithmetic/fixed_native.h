@@ -1,11 +1,11 @@
-// Fixed<L> on 64-bit words with 128-bit products. fixed.h describes the interface.
+// Implements Fixed<L> with 64-bit words and 128-bit products. fixed.h describes the interface.
 //
 // The carry chains use the compiler's built-in functions that implement _addcarry_u64 and
 // _subborrow_u64, because the header that declares these two functions has 45,000 lines.
 //
-// Notes on speed (g++ 12, clang 14): in an unrolled loop, _addcarry_u64 becomes a clean add/adc
-// chain. Under g++ 12, the same chain written with __int128 takes four to five times as many
-// instructions.
+// Notes on speed (g++ 12, clang 14): in an unrolled loop, calls of _addcarry_u64 become a chain of
+// add and adc instructions. Under g++ 12, the same chain written with __int128 takes four to five
+// times as many instructions.
 #pragma once
 
 #include <array>
@@ -192,8 +192,8 @@ class Fixed {
 
 namespace detail {
 
-/// Adds x * y * 2^(64 offset) to r, modulo the size of r. This is one row of the schoolbook
-/// product. Requires that limb offset + B of r and all higher limbs of r are zero.
+/// Adds x * y * 2^(64 offset) to r, modulo 2^(64 To). This is one row of schoolbook multiplication.
+/// Requires that limb offset + B of r and all higher limbs of r are zero.
 template <std::size_t To, std::size_t B>
 void add_row(std::array<std::uint64_t, To>& r, std::uint64_t x,
              const std::array<std::uint64_t, B>& y, std::size_t offset) {
@@ -211,8 +211,8 @@ void add_row(std::array<std::uint64_t, To>& r, std::uint64_t x,
 }  // namespace detail
 
 /// Returns the product in two's complement. Let X and Y be the values of the limbs of x and y, read
-/// as unsigned integers. Then x y = X Y - [x < 0] 2^(64 A) Y - [y < 0] 2^(64 B) X, modulo
-/// 2^(64 (A + B)).
+/// as unsigned integers. Let [c] be 1 if the condition c holds, and 0 otherwise. Then x y = X
+/// Y - [x < 0] 2^(64 A) Y - [y < 0] 2^(64 B) X, modulo 2^(64 (A + B)).
 template <int To, int A, int B>
 Fixed<To> multiply_to(const Fixed<A>& x, const Fixed<B>& y) {
   if constexpr (To > A + B) {

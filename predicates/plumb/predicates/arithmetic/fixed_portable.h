@@ -10,8 +10,8 @@
 
 #include "plumb/predicates/sign.h"
 
-// g++ 12 warns of reads past the end in the copy between cpp_ints of two sizes. The warning is
-// wrong, because the smaller size bounds the copy.
+// If a cpp_int is copied to a cpp_int of another size, g++ 12 warns of reads past the end. The
+// warning is wrong, because only as many limbs are copied as the smaller of the two numbers has.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Warray-bounds"
@@ -27,9 +27,9 @@ class Fixed {
 
  public:
   static constexpr int kLimbs = L;
-  /// The number of bits of a magnitude, without the sign. This is one bit more than the interface
-  /// needs. The number is at least 128, because narrower cpp_ints are machine words, which behave
-  /// differently on overflow.
+  /// The number of bits of a magnitude, without the sign. The interface needs only 64 L - 1 bits.
+  /// The number is at least 128, because cpp_ints with fewer bits are stored in machine words,
+  /// which behave differently on overflow.
   static constexpr unsigned kBits = L == 1 ? 128 : 64 * L;
   using Number = boost::multiprecision::number<
       boost::multiprecision::cpp_int_backend<kBits, kBits, boost::multiprecision::signed_magnitude,

@@ -1,5 +1,5 @@
-// Sums of many rationals. Adding the rationals one by one would have a quadratic cost, which the
-// functions of this header avoid.
+// Computes sums of many rationals. The functions of this header avoid the quadratic cost of adding
+// the rationals one by one.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Adds terms in a balanced tree. If n fractions have no common denominator, their sum has about n
-/// times as many digits as a single fraction. Therefore adding the fractions one by one would take
-/// O(n^2) time.
+/// Adds terms in a balanced tree. If the denominators of n fractions have no common factors, the
+/// sum has about n times as many digits as a single fraction. Therefore adding the fractions one by
+/// one would take O(n^2) time.
 class RationalSum {
  public:
   /// Adds a term.
@@ -29,14 +29,15 @@ class RationalSum {
 /// Returns the sum of fractions whose denominators have only small common factors, such as the
 /// coordinates of crossings of many lines. For such fractions, RationalSum would spend most of its
 /// time on greatest common divisors (gcd) of long numbers. In addition, GMP cannot be interrupted
-/// during a gcd. This function first splits off the factors that a denominator shares with any
-/// other denominator. The sums of the remaining fractions are in lowest terms, so no gcd is needed
-/// for them. The function calls `watch` between long operations. Let n be the number of digits of
-/// all terms, and M(n) the cost of a product of n digits. Cost: O(M(n) log n), unless the
-/// denominators share long factors.
+/// during a gcd. This function first splits each fraction into two parts, such that the factors
+/// that its denominator shares with other denominators are in one part. The sums of the other parts
+/// are always in lowest terms, so no gcd is needed for them. Between long operations, the function
+/// calls `watch`, which may throw to stop the computation. Let n be the number of digits of all
+/// terms, and M(n) the cost of a product of n digits. Cost: O(M(n) log n), unless the denominators
+/// share long factors.
 ///
-/// Shared factors are found by trees of products and remainders. Source: D. J. Bernstein, How to
-/// find smooth parts of integers (2004).
+/// The shared factors are found by product trees and remainder trees. Source: D. J. Bernstein, How
+/// to find smooth parts of integers (2004).
 Rational sum_of_fractions(const std::vector<Rational>& terms, const std::function<void()>& watch);
 
 }  // namespace plumb

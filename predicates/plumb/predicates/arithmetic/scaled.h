@@ -1,5 +1,5 @@
-// Conversions of exact integers. An integer can be approximated by a double times a power of two.
-// It can also be converted to an array of limbs and back.
+// Converts exact integers. An integer can be approximated by a double times a power of two. It can
+// also be converted to an array of limbs (64-bit words) and back.
 #pragma once
 
 #include <bit>
@@ -27,7 +27,8 @@ constexpr double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// Returns the approximation of x. Integer operations extract the leading bits of x.
+/// Returns the approximation of x, which has the leading bits of x. The result does not depend on
+/// the rounding mode.
 template <int L>
 Scaled scaled(const Fixed<L>& x) {
   const bool negative = x.is_negative();
@@ -53,14 +54,14 @@ inline int bit_length(const Integer& x) {
 /// Returns the number of trailing zero bits. Requires x != 0.
 inline int trailing_zeros(const Integer& x) { return static_cast<int>(mpz_scan1(x.mpz(), 0)); }
 
-/// Appends x to `limbs` in two's complement of `count` limbs. Requires bit_length(x) < 64 count.
+/// Appends x to `limbs`, as `count` limbs in two's complement. Requires bit_length(x) < 64 count.
 void append_limbs(const Integer& x, std::size_t count, std::vector<std::uint64_t>& limbs);
 
 /// Returns the integer that append_limbs() wrote.
 Integer integer_from_limbs(const std::uint64_t* limbs, std::size_t count);
 
-/// Converts an integer of `count` limbs to one of L limbs, by sign extension or truncation.
-/// Requires that the integer fits L limbs.
+/// Converts an integer with `count` limbs to an integer with L limbs. Requires that L limbs can
+/// represent the value.
 template <int L>
 Fixed<L> fixed_from_limbs(const std::uint64_t* limbs, std::size_t count) {
   const bool negative = static_cast<std::int64_t>(limbs[count - 1]) < 0;
@@ -78,7 +79,7 @@ inline Integer shifted(const Integer& mantissa, int shift) {
   return result;
 }
 
-/// Returns value / 2^low. Requires that the value is on the grid of unit 2^low.
+/// Returns value / 2^low. Requires that the value is a multiple of 2^low.
 inline Integer to_integer(double value, int low) {
   const Decomposed d = decompose(value);
   return d.mantissa == 0 ? Integer(0) : shifted(Integer(d.mantissa), d.exponent - low);

@@ -1,13 +1,14 @@
 // Hash functions for tables of data from files, and a hash set of ids.
 //
 // If the hash function were known, an attacker could write a file of points that all have the same
-// hash. A table of these points would take quadratic time. A table that grows if keys collide would
-// grow until no memory is left. Therefore each process chooses a random hash function. No result of
-// plumb may depend on the hash function: tables are searched and never iterated.
+// hash. A hash table of these points would take quadratic time to build. A table that grows
+// whenever keys collide would grow until no memory is left. Therefore each process chooses a random
+// hash function. No result of plumb may depend on the hash function: tables are searched and never
+// iterated.
 //
-// Any two different keys have the same hash with a probability of 2^-32. Each 32-bit word of a key
-// is multiplied by a random 64-bit word, and the products are added. A fixed permutation of the
-// 32-bit words maps the upper half of this sum to the hash, so that consecutive keys do not have
+// The probability that two different keys have the same hash is 2^-32. Each 32-bit word of a key is
+// multiplied by a random 64-bit word, and the products are added. A fixed permutation of the 32-bit
+// words maps the upper half of this sum to the hash, so that consecutive keys do not have
 // consecutive hashes.
 //
 // Sources: D. Lemire, O. Kaser, Strongly universal string hashing is fast, The Computer Journal 57

@@ -4,44 +4,46 @@
 //
 // Notation
 //   eps     2^-52. In *every* rounding mode, |fl(x) - x| <= eps |x| and |fl(x) - x| <= eps |fl(x)|,
-//           if there is no underflow or overflow. (If only rounding to nearest were allowed, eps
-//           could be 2^-53.)
-//   M       2^m, the gate. All computed differences are <= M in magnitude, so nothing overflows.
+//           if there is no underflow or overflow. (If rounding to nearest were the only allowed
+//           mode, eps could be 2^-53.)
+//   M       2^m, a bound that a filter tests (the gate). If the magnitudes of all computed
+//           differences are at most M, nothing overflows.
 //   flush   2^-1021. This bounds the error that underflow causes in one operation. A result below
 //           2^-1022 may become 0 when it is computed (FTZ) or when it is read (DAZ).
 //   Delta   2^-1020. This bounds the error that underflow causes in a difference of two inputs.
 //           Each input may be read as 0 (DAZ), which is a change below 2^-1022, and the difference
 //           may be flushed.
 //
-// Each filter relies on this statement: the sign of the computed determinant det' is right if
+// Each filter relies on this theorem: the sign of the computed determinant det' is right if
 //
 //     |det'| > C P' + F
 //
 // Here P' is the computed permanent: the sum of the absolute values of the terms of the
 // determinant. C P' bounds the rounding errors, and F bounds the errors by underflow.
 //
-// C. Follow one term of the determinant through the expression. The relative error of a difference
-// is eps. The relative error of a product is the sum of the errors of its factors, plus eps. The
-// relative error of a sum is the larger error of its two parts, plus eps. The error of the last sum
-// is eps |det'|. The error of the term relative to the computed permanent is k eps to first order;
-// k is given with each constant. The remaining errors are of second order. There are fewer than 32
-// operations, and k <= 16. Therefore the products of factors (1 +- eps) in k, in the computed P',
-// in C P' + F and in the last sum together change k by less than 2000 eps. C is at least k + 1 (in
-// units of eps), and the additional 1 is far more than 2000 eps. A fused multiply-add omits one of
-// the counted roundings, so contraction does no harm.
+// The factor C. Follow one term of the determinant through the expression. The relative error of a
+// difference is eps. The relative error of a product is the sum of the errors of its factors, plus
+// eps. The relative error of a sum is the larger error of its two parts, plus eps. The error of the
+// last sum is eps |det'|. The error of the term, divided by the computed permanent, is k eps to
+// first order. The comment of each constant states k. The remaining errors are of second order.
+// There are fewer than 32 operations, and k <= 16. Therefore all errors of second order together
+// change k by less than 2000 eps. (They arise in the term, in the computed P', in C P' + F and in
+// the last sum.) C is at least k + 1 (in units of eps), and the additional 1 is far more than 2000
+// eps. A fused multiply-add omits one of the counted roundings, so contraction does no harm.
 //
-// F. Let the determinant be a sum of T products of n differences. An error of Delta in a difference
-// is multiplied by the other n - 1 differences, whose product is at most M^(n-1). Together these
-// errors are at most T n Delta M^(n-1). A flush of an intermediate result of degree j >= 2 is
-// multiplied by at most 3 M^(n-2). The factor 3 comes from the lift of a point, a sum of up to
-// three squares. All these flushes together are smaller than the bound T n Delta M^(n-1) by a
-// factor of 2^100. Twice this bound covers the flushes and the rounding:
+// The bound F. Let the determinant be a sum of T products of n differences. An error of Delta in a
+// difference is multiplied by the other n - 1 differences, whose product is at most M^(n-1).
+// Together these errors are at most T n Delta M^(n-1). A flush of an intermediate result of degree
+// j >= 2 is multiplied by at most 3 M^(n-2). The factor 3 comes from the lift of a point, a sum of
+// up to three squares. All these flushes together are smaller than the bound T n Delta M^(n-1) by a
+// factor of 2^100. So twice this bound covers the errors Delta, all these flushes, and the rounding
+// of F itself:
 //
 //     F >= 2 T n 2^-1020 M^(n-1)
 //
 // Flushes in P' are multiplied by C and are negligible compared with F. The exponent m is chosen so
 // that the range of exponents for which the filter decides is about symmetric around 0. For points
-// of size 2^-m, det' is about F.
+// with coordinates of about 2^-m, det' is about F.
 #pragma once
 
 #include <algorithm>
@@ -67,7 +69,8 @@ namespace constants {
 
 inline constexpr double kEpsilon = 0x1p-52;
 
-// The comments below give the errors of the parts in units of eps, and then k.
+// For each predicate, the comments below state the relative errors of the parts of its expression,
+// in units of eps, and then k.
 //
 // orient2d, cross: difference 1, product 1+1+1 = 3: k = 3. T = 2, n = 2: F >= 2^3 2^-1020 2^340.
 inline constexpr double kOrient2dError = 4 * kEpsilon;
@@ -80,9 +83,9 @@ inline constexpr double kOrient3dError = 8 * kEpsilon;
 inline constexpr double kOrient3dGate = 0x1p200;
 inline constexpr double kOrient3dFloor = 0x1p-612;
 
-// incircle: minor 4, lift 3+1 = 4, product 4+4+1 = 9, first sum 10: k = 10.
-// T = 12, n = 4: F >= 96 2^-1020 2^432. The gate is on the lift: d^2 (1 - eps) <= lift' <=
-// 2^(2m-1).
+// incircle: minor 4, lift 3+1 = 4, product 4+4+1 = 9, first sum 10: k = 10. T = 12, n = 4: F >= 96
+// 2^-1020 2^432. The gate is tested for the lifts, not for the differences d: d^2 (1 - eps) <=
+// lift' <= 2^(2m-1).
 inline constexpr double kIncircleError = 12 * kEpsilon;
 inline constexpr double kIncircleLiftGate = 0x1p287;
 inline constexpr double kIncircleFloor = 0x1p-578;
@@ -107,9 +110,10 @@ struct Evaluation {
   bool in_gate;
 };
 
-/// Returns the sign of the determinant if its magnitude exceeds the bound, otherwise Unsure. If the
-/// gate is exceeded, infinities and then a NaN can arise. The result for a NaN is Unsure. A
-/// determinant above the bound is a normal number, so its sign bit is right.
+/// Returns the sign of the determinant if its magnitude exceeds the bound. Otherwise returns
+/// Unsure. If the gate does not hold, infinities and then a NaN can arise; the result for a NaN is
+/// Unsure. A determinant whose magnitude exceeds the bound is not subnormal, so its sign bit is
+/// right.
 inline FilteredSign certify(const Evaluation& e, double error, double floor) {
   if (e.in_gate && std::abs(e.det) > error * e.permanent + floor) [[likely]] {
     return static_cast<FilteredSign>((std::bit_cast<std::int64_t>(e.det) >> 63) | 1);
@@ -117,8 +121,8 @@ inline FilteredSign certify(const Evaluation& e, double error, double floor) {
   return FilteredSign::Unsure;
 }
 
-/// Two doubles in one register. g++ and clang support this type on every target. It saves a quarter
-/// of the time of orient2d.
+/// Two doubles in one register. g++ and clang support this type on every target. With this type,
+/// orient2d takes a quarter less time.
 typedef double Pair __attribute__((vector_size(16)));
 typedef std::int64_t PairBits __attribute__((vector_size(16)));
 

@@ -1,6 +1,6 @@
-// Counters that tell, for each predicate, how many calls each stage decided. Each thread has its
-// own counters. The counters exist only if PLUMB_COUNT_RUNGS is defined. Otherwise count_rung()
-// does nothing and the counts stay zero.
+// Counters that record, for each predicate, how many calls each stage decided. (In code, a stage is
+// called a rung.) Each thread has its own counters. The counters exist only if PLUMB_COUNT_RUNGS is
+// defined. Otherwise count_rung() does nothing and the counts stay zero.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class Predicate : std::uint8_t {
   PlaneDet4,
   SideOfPlane,
   CompareAxis,
-  HoldsLine,          ///< Whether three planes have a common line.
+  HoldsLine,          ///< Whether a plane contains the common line of two planes.
   ComparePoints2,     ///< The order of points of a table of the plane.
   CompareCrossings2,  ///< The order of two points of which at least one is a crossing.
   SideOfCrossing2,    ///< orient2d of a line and a crossing.

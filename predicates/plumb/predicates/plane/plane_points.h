@@ -1,6 +1,5 @@
-// The signed area of polygons, and the points of an arrangement with their predicates. The points
-// are input points and crossings, which share one range of indices. The predicates compute the
-// order and the orientation of these points.
+// Computes signed areas of polygons, and predicates on the points of an arrangement. These points
+// are input points and crossings of lines. They are numbered together by one range of indices.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +12,20 @@
 namespace plumb {
 
 /// Returns the sign of the signed area of the closed polygon through the given points. The polygon
-/// need not be simple. The sign is Positive if the counter-clockwise area exceeds the clockwise
-/// area. It is Zero if both areas are equal, as for a symmetric bow-tie. Reversing the list of
-/// points flips the sign. Rotating the list keeps the sign. Cost: O(n) operations on doubles if the
-/// filter decides, otherwise O(n) exact terms.
+/// need not be simple. Regions around which the polygon runs clockwise count as negative area. So
+/// the sign is Positive if the counter-clockwise area exceeds the clockwise area. It is Zero if
+/// both areas are equal, as for a symmetric bow-tie. Reversing the list of points flips the sign.
+/// Rotating the list keeps the sign. Cost: O(n) operations on doubles if the filter decides,
+/// otherwise O(n) exact terms.
 Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
-/// Returns twice the signed area, exactly. Requires a polygon that is not empty.
+/// Returns twice the exact signed area. Requires a polygon that is not empty.
 Rational twice_polygon_area(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
-// The points of an arrangement have dense indices: input point i has the index i, and crossing k
-// has the index inputs.size() + k. A line is always given by two input points, never by crossings.
-// Therefore the degree of a predicate does not grow with the number of constructions.
+// The points of an arrangement are numbered as follows: input point i has the index i, and crossing
+// k has the index inputs.size() + k. Such an index is called dense. A line is always given by two
+// input points, never by crossings. Therefore the degree of a predicate does not grow with the
+// number of constructions.
 
 /// Input points, and crossings of lines through input points.
 struct PlanePoints {

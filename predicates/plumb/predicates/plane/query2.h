@@ -1,5 +1,5 @@
-// Query points and query rays in the plane. They are not in a table. The predicates compare a query
-// with the points of a table.
+// Query points and query rays in the plane, and predicates that compare them with the points of a
+// table. A query point or ray is not itself in the table.
 #pragma once
 
 #include <cstdint>
@@ -45,9 +45,9 @@ Sign compare_x(const PlanePointsView& points, std::uint32_t i, const QueryPoint2
 Sign orient2d(const PlanePointsView& points, std::uint32_t a, std::uint32_t b,
               const QueryPoint2& q);
 
-/// A ray of a query. "The ray's line" is the line through the ray, directed to the right. If the
-/// line is vertical, it is directed upward. The ray itself may have the opposite direction. "Above"
-/// means to the left of the directed line.
+/// A ray of a query. In the comments below, "the ray's line" is the line that contains the ray,
+/// directed to the right, or upward if it is vertical. The ray itself may have the opposite
+/// direction. A point is above the ray's line if it lies to the left of this directed line.
 class QueryRay2 {
  public:
   /// Requires a direction that is not zero.
@@ -56,7 +56,7 @@ class QueryRay2 {
   const QueryPoint2& origin() const { return origin_; }
   /// Returns the direction of the ray's line, which is to the right or upward.
   const QueryPoint2& direction() const { return direction_; }
-  /// Whether the ray has the direction of its line. If not, it has the opposite direction.
+  /// Whether the ray itself is directed to the right, or upward if it is vertical.
   bool goes_right() const { return goes_right_; }
   bool is_vertical() const { return direction_.exact().x == 0; }
 
@@ -66,7 +66,7 @@ class QueryRay2 {
   QueryPoint2 direction_;
 };
 
-/// Returns the side of the ray's line on which point i lies; Positive is above.
+/// Returns the side of the ray's line on which point i lies: Positive means above.
 Sign side(const PlanePointsView& points, const QueryRay2& ray, std::uint32_t i);
 
 /// Returns the direction of the turn from the line through a and b to the ray's line. The line

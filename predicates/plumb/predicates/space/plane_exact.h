@@ -1,40 +1,42 @@
-// Exact coefficients of planes, and determinants of these coefficients. Both are computed in
-// integers of fixed width or in GMP integers. The result of every predicate on planes is the sign
-// of such a determinant.
+// Computes the exact coefficients of planes, and determinants of these coefficients. All numbers
+// are integers of a fixed width or GMP integers. The result of every predicate on planes is the
+// sign of such a determinant.
 //
 // Notation: a plane is written as n.x + d 2^scale = 0. Here n is a vector of three integers, and d
-// is an integer. A common positive factor of n and d does not matter. Let p, q, r be input points
-// on the grid of unit 2^g. Then p = P 2^g, q = Q 2^g and r = R 2^g with integer vectors P, Q and R.
-// The plane through p, q, r has n = (Q - P) x (R - P), d = -n.P and scale = g.
+// is an integer. If n and d are multiplied by a common positive factor, the plane stays the same.
+// Let p, q, r be input points on the grid of unit 2^g. Then p = P 2^g, q = Q 2^g and r = R 2^g with
+// integer vectors P, Q and R. The plane through p, q, r has n = (Q - P) x (R - P), d = -n.P and
+// scale = g.
 //
 // Bits (docs/design/numbers.md, Planes). If |P| < 2^b for all three points, then |Q - P| < 2^(b+1),
-// |n| < 2^(2b+3), |d| <= 3 |n| |P| < 2^(3b+5). A width W has C limbs for each coordinate, N limbs
-// for each component of a normal, and D limbs for each offset. Loading guarantees the bound
+// |n| < 2^(2b+3), |d| <= 3 |n| |P| < 2^(3b+5). A width W has C limbs (64-bit words) for each
+// coordinate, N limbs for each component of a normal, and D limbs for each offset. The function
+// load() guarantees the bound
 //
 //   (L)  |n| <= 2^(64N-3)  and  |d| <= 2^(64D-2)
 //
-// With this bound, no computation below overflows. In the table, M = 64N and O = 64D:
+// With this bound, no computation below overflows, as the following table shows. In the table, M =
+// 64N and O = 64D:
 //   minor  n x m                       2 2^(2M-6)                    = 2^(2M-5)  < 2^(2M-1)
 //   det3   (n x m).k                   3 2^(2M-5) 2^(M-3)            < 2^(3M-6)  < 2^(3M-1)
 //   x      sum of 3 d (n x m)          3 2^(O-2) 2^(2M-5)            < 2^(O+2M-5) < 2^(O+2M-1)
 //   det4   sum of 4 d det3             4 2^(O-2) 2^(3M-6)            = 2^(O+3M-6) < 2^(O+3M-1)
 //          x.n + d det3                3 2^(O+3M-8) + 2^(O+3M-8)     = 2^(O+3M-6)
-// From 2b+3 <= 64N-3 and 3b+5 <= 64D-2 follow these limits on b. The limit is 29 for N,D = 1,2. It
-// is 61 for N,D = 2,3, and 125 for N,D = 4,6.
+// The inequalities 2b+3 <= 64N-3 and 3b+5 <= 64D-2 give a limit for b. The limit is 29 for N,D =
+// 1,2. It is 61 for N,D = 2,3, and 125 for N,D = 4,6.
 //
 // Parts (docs/design/frame.md, Lemma 2). The offset of a plane of the frame (plane_table.h) is d R,
-// and the stored offset is d. Each of the following forms is linear in the column of offsets, or
-// does not read this column:
+// and the stored offset is d. Each of the following expressions is linear in the offsets:
 //   det4                  has one offset in each of its terms
 //   common point          x = P0 + P1 R, because each component is a sum of d (n x m); w contains
 //                         no offset
 //   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
 //   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
-// So every form has a value c0 + c1 R. The Infinite part c1 is the form of the stored coefficients
-// after the ordinary offsets are set to 0. The Finite part c0 is the form of the stored
-// coefficients after the offsets of the frame are set to 0. R is larger than every number.
-// Therefore the form has the sign of c1 if c1 is not 0, and otherwise the sign of c0. If none of
-// the planes belongs to the frame, c1 is 0 and is not computed.
+// So every expression has a value c0 + c1 R. To compute the Infinite part c1, the ordinary offsets
+// are replaced by 0. To compute the Finite part c0, the offsets of planes of the frame are replaced
+// by 0. R is larger than every number. Therefore the expression has the sign of c1 if c1 is not 0,
+// and otherwise the sign of c0. If none of the planes belongs to the frame, c1 is 0 and is not
+// computed.
 #pragma once
 
 #include <array>
@@ -49,7 +51,7 @@
 namespace plumb::exact3 {
 
 /// The widths of the exact stages. kCoordinate, kNormal and kOffset are the numbers of limbs C, N
-/// and D. kMaxBits is the limit on b.
+/// and D. kMaxBits is the limit for b.
 struct Narrow {
   static constexpr int kCoordinate = 1, kNormal = 1, kOffset = 2, kMaxBits = 29, kIndex = 0;
 };
@@ -78,8 +80,9 @@ using Det4 = Fixed<W::kOffset + 3 * W::kNormal>;
 template <class Number>
 using Vector = std::array<Number, 3>;
 
-/// The scale of a plane through the origin. The offset of such a plane is 0, so every scale is
-/// right. The constant is the largest integer, so it never lowers the minimum of several scales.
+/// The value of `scale` for a plane through the origin. The offset d of such a plane is 0, so the
+/// factor 2^scale does not matter. This value is the largest integer, so such a plane does not
+/// affect the minimum of the scales of several planes (see align()).
 inline constexpr int kAnyScale = INT_MAX;
 
 /// The plane n.x + d 2^scale = 0 in integers of the width W.
@@ -111,22 +114,24 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));
 }
 
-/// Returns the side of `plane` on which the input point x lies if the three points that define the
-/// plane have a common coordinate, which is compared with that of x. Otherwise returns Unsure.
-/// Requires that `plane` is defined by three input points.
+/// Returns the side of `plane` on which the input point x lies, or Unsure. The function decides
+/// only for planes that are orthogonal to a coordinate axis: the three points that define such a
+/// plane have the same coordinate along this axis, and the function compares it with that of x. For
+/// all other planes, the function returns Unsure. Requires that `plane` is defined by three input
+/// points.
 FilteredSign side_across(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
 /// Returns the side of `plane` on which the input point x lies. Requires that `plane` is defined by
-/// three input points. The side is computed by orient3d from these three points and x. Returns
-/// Unsure if the points have too many bits for fixed widths.
+/// three input points. The function computes the side by orient3d from these three points and x.
+/// Returns Unsure if the points have too many bits for fixed widths.
 FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
 /// The parts of a number c0 + c1 R: Finite is c0, Infinite is c1.
 enum class Part { Finite, Infinite };
 
-/// Reduces `plane` to the given part. The offset of a plane of the frame belongs to the Infinite
-/// part, and every other offset to the Finite part. If the offset does not belong to `part`, the
-/// function sets it to 0.
+/// Prepares `plane` for the computation of one part. The offset of a plane of the frame belongs to
+/// the Infinite part, and every other offset belongs to the Finite part. If the offset does not
+/// belong to `part`, the function sets it to 0.
 template <class Plane>
 void take_part(const Operand& operand, Part part, Plane& plane) {
   if (operand.source.is_frame() == (part == Part::Infinite)) return;
@@ -134,8 +139,9 @@ void take_part(const Operand& operand, Part part, Plane& plane) {
   plane.scale = kAnyScale;
 }
 
-/// Returns the sign of c0 + c1 R. question(part) returns the sign of one part as a FilteredSign. If
-/// `has_frame` is false, c1 is 0 and its sign is not computed.
+/// Returns the sign of c0 + c1 R. The caller passes the function `question`: question(part) returns
+/// the sign of one part as a FilteredSign. If `has_frame` is false, c1 is 0 and its sign is not
+/// computed.
 template <class Question>
 FilteredSign by_parts(bool has_frame, const Question& question) {
   if (has_frame) {
@@ -146,8 +152,7 @@ FilteredSign by_parts(bool has_frame, const Question& question) {
 }
 
 /// Returns the exact coefficients. For a plane of the frame, whose offset is d R, the returned
-/// offset is d. Loading a plane in different widths gives the same numbers. Requires operand.width
-/// <= W::kIndex.
+/// offset is d. All widths give the same numbers. Requires operand.width <= W::kIndex.
 template <class W>
 FixedPlane<W> load(const Operand& operand);
 /// Returns the exact coefficients in integers of any length.
@@ -157,7 +162,8 @@ extern template FixedPlane<Narrow> load(const Operand&);
 extern template FixedPlane<Medium> load(const Operand&);
 extern template FixedPlane<Wide> load(const Operand&);
 
-// --- products of fixed widths and of integers, under the same names ------------------------------
+// --- products, with the same names for integers of fixed width and GMP integers
+// ------------------------------
 
 template <class To, int A, int B>
 To product(const Fixed<A>& x, const Fixed<B>& y) {
@@ -204,8 +210,8 @@ Integer dot(const Vector<Integer>& a, const Vector<Integer>& b) {
 
 // --- shifts --------------------------------------------------------------------------------------
 
-/// Sets value <<= shift and returns true, or returns false if |value| would have more than
-/// `max_bits` bits. Requires shift >= 0.
+/// Shifts `value` to the left by `shift` bits and returns true. If |value| would then have more
+/// than `max_bits` bits, the function returns false instead. Requires shift >= 0.
 template <int L>
 bool shift_within(Fixed<L>& value, int shift, int max_bits) {
   if (shift == 0 || value.is_zero()) return true;
@@ -247,7 +253,7 @@ bool align(std::array<Plane, K>& planes) {
 
 // --- determinants --------------------------------------------------------------------------------
 
-/// The number types that a plane type uses for each form.
+/// The types of the numbers that the functions below compute, for each type of plane.
 template <class Plane>
 struct Types;
 template <class W>
@@ -288,9 +294,10 @@ struct Determinants {
 };
 
 /// Returns both determinants. det4 is expanded along the column of offsets. The expansion has four
-/// determinants of three normals each, and these determinants share two cross products. This takes
-/// a sixth fewer products of words than the method that computes the common point of p, q, r and
-/// its value in the equation of s. Requires aligned planes.
+/// determinants of three normals each, and these determinants share two cross products. Another
+/// method would be to compute the common point of p, q and r, and to insert it into the equation of
+/// s. The expansion takes a sixth fewer products of words than this method. Requires aligned
+/// planes.
 template <class Plane>
 Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const Plane& s) {
   using T = Types<Plane>;
@@ -303,8 +310,8 @@ Determinants<Plane> expand(const Plane& p, const Plane& q, const Plane& r, const
   return {sum, pqr};
 }
 
-/// Returns expand(p, q, r, s). The function is compiled in plane_exact.cpp, where every product is
-/// inlined if this is faster.
+/// Returns expand(p, q, r, s). This function is compiled only once, in plane_exact.cpp. The
+/// compiler inlines products there if this is faster.
 template <class Plane>
 Determinants<Plane> determinants(const Plane& p, const Plane& q, const Plane& r, const Plane& s);
 template <>

@@ -3,9 +3,10 @@
 // A plane is the set of all points x with n.x + d = 0. It has a positive and a negative side. The
 // table stores for every plane:
 //
-//   row          the normal and the offset in doubles, with error bounds; filters read the row
-//   fingerprint  a hash of the exact homogeneous row (n, d); interning uses it to find equal planes
-//   source       three input points, or a slot of exact limbs; the exact stages read the source
+//   row          the normal and the offset in doubles, with error bounds. Filters use the row
+//   fingerprint  a hash of the exact coefficients (n, d). The table uses it to find equal planes
+//   source       the definition of the plane: three input points, or exact coefficients in a slot.
+//                The exact stages use the source
 //
 // A plane takes 60 bytes, and 12 to 24 more bytes in the index. A plane through three input points
 // needs no allocation of its own. The exact coefficients of such a plane are never stored, because
@@ -24,13 +25,13 @@
 // accepts planes of the frame. No other plane equals a plane of the frame.
 //
 // The row of a plane of the frame has an exact normal, the offset in units of R, and an infinite
-// offset error. Filters that read only normals decide as for other planes. Filters that read
-// offsets return Unsure for these rows; other filters then decide c1 and c0 separately
+// offset error. Filters that use only normals decide as for other planes. Filters that use offsets
+// return Unsure for these rows. Then other filters compute the signs of c1 and c0 separately
 // (filter_stages.h). The exact stages compute the two parts separately, too (Part in
 // plane_exact.h).
 //
-// Several threads may call const members at the same time. A thread that interns a plane or adds
-// points needs exclusive access to the table.
+// Several threads may call const members at the same time. A thread that adds planes or points
+// needs exclusive access to the table.
 #pragma once
 
 #include <array>
@@ -81,11 +82,11 @@ class OrientedPlane {
 };
 
 /// The coefficients of a plane in its canonical orientation, in doubles. They are scaled by a power
-/// of two so that 1/2 <= max |n[i]| <= 1. The errors are bounded: |n[i] - exact| <= normal_error /
-/// 2 and |d - exact| <= offset_error / 2. The other halves of normal_error and offset_error cover
-/// the rounding errors of the computations with the row (plane_signs.cpp). If offset_error is
-/// infinite, no filter that reads the offset decides. If the offset of the plane is a multiple of
-/// R, d is the sign of the factor of R and offset_error is infinite.
+/// of two so that 1/2 <= max |n[i]| <= 1. The error of each n[i] is at most normal_error / 2, and
+/// the error of d is at most offset_error / 2. The other halves of normal_error and offset_error
+/// cover the rounding errors of computations with the row (plane_signs.cpp). If offset_error is
+/// infinite, every filter that uses the offset returns Unsure. If the offset of the plane is a
+/// multiple f R of R, d is the sign of f, and offset_error is infinite.
 struct PlaneRow {
   std::array<double, 3> n;  ///< The normal.
   double d;                 ///< The offset.
@@ -93,8 +94,8 @@ struct PlaneRow {
   float offset_error;       ///< Twice the error bound of the offset, at least 2^-126.
 };
 
-/// The residue that replaces R in fingerprints. Equal objects have equal fingerprints for every
-/// choice of this residue.
+/// The residue that stands for R when fingerprints are computed. Any other residue would be
+/// possible, too: equal objects always have equal fingerprints.
 inline constexpr Residue kFrameResidue = Residue::of(std::uint64_t{0x13198a2e03707344});
 
 /// The definition of a plane by three input points, by stored coefficients, or as a plane of the
@@ -121,8 +122,8 @@ struct PlaneSource {
   }
 };
 
-/// The exact coefficients of a plane n.x + d 2^scale = 0 with n = (a, b, c). The limb pool of the
-/// table contains the four integers a, b, c, d in two's complement.
+/// The exact coefficients of a plane n.x + d 2^scale = 0 with n = (a, b, c). The table stores the
+/// four integers a, b, c, d in two's complement, in one array of limbs.
 struct PlaneSlot {
   std::size_t first;               ///< Index of the first limb.
   std::uint32_t limbs;             ///< Number of limbs of each of the four integers.
@@ -132,15 +133,15 @@ struct PlaneSlot {
   std::array<PlaneId, 2> parents;  ///< The parents of a wall; invalid for other planes.
 };
 
-/// A wall of two planes, that is, a plane through their common line. The pencil of two planes
-/// consists of all such planes. The row of the wall is c_second * first - c_first * second. Here
-/// `first` and `second` stand for the rows that PlaneTable::coefficients() returns for the two
-/// planes. The multipliers c_second and c_first are exact.
+/// A plane of a pencil. The pencil of two planes consists of all planes through their common line.
+/// A plane of the pencil is called a wall of the two planes. The coefficients of the wall are
+/// c_second * first - c_first * second. Here `first` and `second` stand for the coefficients that
+/// PlaneTable::coefficients() returns for the two planes.
 struct Pencil {
   PlaneId first;     ///< One plane of the pencil.
   PlaneId second;    ///< The other plane of the pencil.
-  Integer c_first;   ///< The value of the first row at the point or direction of the wall.
-  Integer c_second;  ///< The value of the second row at the point or direction of the wall.
+  Integer c_first;   ///< The value of the equation of `first` at a point or direction of the wall.
+  Integer c_second;  ///< The value of the equation of `second` at the same point or direction.
 };
 
 /// The planes of space and the input points that define them. The opening comment of this file
@@ -149,7 +150,7 @@ class PlaneTable {
  public:
   PlaneTable();
   ~PlaneTable();
-  /// Copies a table and keeps all ids. The constructor only copies arrays.
+  /// Copies a table and keeps all ids. This costs as much as copying the arrays.
   explicit PlaneTable(const PlaneTable& other);
   /// Copies a part of the planes and input points of `other`. The maps contain the new id of each
   /// plane and point that is kept, and invalid ids for the rest. A wall whose parents are not both
@@ -208,10 +209,11 @@ class PlaneTable {
   void intern_triangles(std::span<const std::array<InputPointId, 3>> triangles,
                         std::span<OrientedPlane> result);
   /// Adds the points and planes of another table. Plane i of `other` has the id result[i] in this
-  /// table. The points of `other` are appended to the points of this table in the same order.
-  /// Planes are found by their fingerprints, as in a hash join. The only exact computation confirms
-  /// that two planes with the same fingerprint are equal. A plane has the same canonical
-  /// orientation in both tables, so signs stay valid. Requires a table other than this one.
+  /// table. The points of `other` are appended to the points of this table in the same order. Equal
+  /// planes of the two tables are found by their fingerprints. If two planes have the same
+  /// fingerprint, exact arithmetic confirms that they are equal. A plane has the same canonical
+  /// orientation in both tables, so the signs of predicates stay valid. Requires a table other than
+  /// this one.
   std::vector<PlaneId> merge(const PlaneTable& other);
 
   // --- reading --------------------------------------------------------------------------------
@@ -232,11 +234,11 @@ class PlaneTable {
   /// planes.
   std::optional<std::array<PlaneId, 2>> parents(PlaneId wall) const;
   /// Returns exact coefficients (a, b, c, d) of the plane in its canonical orientation, up to a
-  /// positive factor. The factor is the same in every call. For a plane of the frame, whose offset
-  /// is a multiple of R, the returned d is the factor of R.
+  /// positive factor. The factor is the same in every call. The offset of a plane of the frame is a
+  /// multiple d R of R. For such a plane, the function returns this factor d.
   IntegerRow coefficients(PlaneId p) const;
-  /// Returns the coefficients divided by their gcd. The function is meant for output, because the
-  /// gcd is expensive.
+  /// Returns the coefficients divided by their greatest common divisor. Computing this divisor is
+  /// expensive, so the function is meant for output only.
   IntegerRow primitive(PlaneId p) const;
 
  private:
@@ -268,11 +270,11 @@ class PlaneTable {
   std::unique_ptr<Index> index_;  // Finds the id of a fingerprint (plane_table.cpp).
 };
 
-/// Returns the wall of two planes that is parallel to `direction`. The wall is a plane through
-/// their common line. (For two planes without a common line, the result is one of these two planes,
-/// or no plane.) Requires finite doubles. The multipliers are n1.u and n2.u, where n1 and n2 are
-/// the normals of the two planes and u is the direction. If u is a coordinate axis and the planes
-/// pass through input points of b bits, the multipliers and normals have at most 2 b + 3 bits
+/// Returns the wall of two planes that is parallel to `direction`. (If the two planes have no
+/// common line, the result is one of these planes, or no plane.) Requires finite doubles. The
+/// multipliers c_first and c_second are n1.u and n2.u, where n1 and n2 are the normals of the two
+/// planes and u is the direction. If u is a coordinate axis and the planes pass through input
+/// points of b bits, the multipliers and normals have at most 2 b + 3 bits
 /// (docs/design/numbers.md). The normal of the wall is a difference of two products, so it has at
 /// most 4 b + 7 bits.
 Pencil wall_along(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& direction);

@@ -1,8 +1,8 @@
-// Points of space with their definitions. A point is an input point or a constructed point. A
-// constructed point is the common point of three planes, or the intersection of a plane with a line
-// through two input points. The coordinates of a constructed point are not stored, so they are
-// never rounded. The table stores the definition of the point and a box of doubles that contains
-// the point. The box decides nearly every predicate.
+// A table of points of space. A point is an input point or a constructed point. A constructed point
+// is the common point of three planes, or the intersection of a plane with a line through two input
+// points. The coordinates of a constructed point are not stored, so they are never rounded. The
+// table stores the definition of the point and a box of doubles that contains the point. The box
+// decides nearly every predicate.
 //
 // A constructed point takes 45 bytes. Input points take no memory here, because the PlaneTable
 // stores them. Several threads may call const members at the same time.
@@ -46,11 +46,11 @@ class SpacePoint {
 };
 
 /// A cube around a point: each coordinate of the point differs from the same coordinate of mid by
-/// at most the radius. The radius may be infinite. It is infinite for every point P0 + u R that
-/// depends on the frame. For such a point, mid approximates the direction u if u is known, and
-/// otherwise mid is 0. The error of each coordinate of mid is at most kDirectionError times the
-/// largest magnitude of the coordinates of u. Each coordinate of mid has the same sign as the
-/// corresponding coordinate of u.
+/// at most the radius. The radius may be infinite. It is infinite for every point that depends on
+/// the frame, that is, for a point P0 + u R with u not zero. For such a point, mid approximates the
+/// direction u if u is known, and otherwise mid is 0. The error of each coordinate of mid is at
+/// most kDirectionError times the largest magnitude of the coordinates of u. Each coordinate of mid
+/// has the same sign as the corresponding coordinate of u.
 struct PointBox {
   std::array<double, 3> mid;  ///< The centre of the cube, or the direction u.
   double radius;              ///< Half of the side length.
@@ -119,9 +119,9 @@ class Point3Table {
 
   /// Adds the common point of three planes and returns it. If the planes have no common point or
   /// more than one, adds nothing and returns a point that is not valid. Equal points are not
-  /// merged; equal() recognizes them. Cost: about 25 ns if doubles give the box to 2^-34 of its
-  /// coordinates. Otherwise the cost is 150 ns for a point on the line of an edge, and 500 ns for
-  /// any other point.
+  /// merged; equal() recognizes them. Cost: about 25 ns if a computation in doubles gives a box
+  /// whose size is at most 2^-34 times its coordinates. Otherwise the cost is 150 ns for a point on
+  /// the line of an edge, and 500 ns for any other point.
   SpacePoint add(PlaneId p, PlaneId q, PlaneId r);
   /// Adds the intersection of the plane with the line through two input points. Returns a point
   /// that is not valid if the line is parallel to the plane or lies in it.
@@ -148,8 +148,8 @@ class Point3Table {
   }
   /// Whether the middle of the box is known to be the point rounded to the nearest doubles. If the
   /// result is true and the radius is 0, the middle is the point itself. The result is true for
-  /// every input point. It is also true for a constructed point if plain doubles did not suffice to
-  /// compute the box, with two exceptions:
+  /// every input point. It is also true for a constructed point if its box was computed with more
+  /// precision than that of doubles, with two exceptions:
   ///   - points that depend on the frame;
   ///   - points with a coordinate that is a double or half-way between two doubles, unless a plane
   ///     or line of the definition is orthogonal to the axis of that coordinate.

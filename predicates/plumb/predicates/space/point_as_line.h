@@ -1,4 +1,5 @@
-// The shortest source of a point of three planes. Implemented in point3_exact.cpp.
+// Finds a shorter definition of a point that is the common point of three planes. The function is
+// implemented in point3_exact.cpp.
 #pragma once
 
 #include "plumb/predicates/space/point3_table.h"
@@ -6,9 +7,11 @@
 #pragma GCC visibility push(default)
 namespace plumb::exact3 {
 
-/// Returns the same point as that of a line and a plane, which takes fewer and smaller products, if
-/// two of its planes go through two common input points, as those of neighbours in a mesh do, and
-/// the third is not of the frame. Otherwise returns the source itself.
+/// Returns a definition of the same point that needs fewer and smaller products, or `source`
+/// itself. If two of the three planes are defined by triangles with two common input points, the
+/// point is the intersection of the line through these two points with the third plane. This is
+/// typical of neighbouring triangles of a mesh. The function returns this definition, unless the
+/// third plane belongs to the frame.
 PointSource as_line(const PlaneTable& planes, const PointSource& source);
 
 }  // namespace plumb::exact3

@@ -1,5 +1,5 @@
-// Points of queries in space. A query point may be in a table, but need not be. The predicates
-// compare a query point with the planes and the points of a table.
+// Query points in space, and predicates that compare them with the planes and the points of a
+// table. A query point may be a point of the table, but need not be.
 #pragma once
 
 #include <cstddef>
@@ -49,9 +49,9 @@ class QueryPoint3 {
 };
 
 // If the query point comes from the table, the functions below call the predicates on points of the
-// table. If the query point has double coordinates and the plane is defined by input points, they
-// call the predicates on doubles. In all other cases they first try a filter. If the filter cannot
-// decide, they compute with rational numbers.
+// table. If the query point has double coordinates and the plane is defined by input points, these
+// functions call the predicates on doubles. In all other cases, they first try a filter. If the
+// filter cannot decide, they compute with rational numbers.
 
 /// Returns the side of `plane`, in its canonical orientation, on which the query point lies. The
 /// signs have the same meaning as those of side() in point3_signs.h.

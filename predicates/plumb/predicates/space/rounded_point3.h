@@ -1,5 +1,6 @@
-// Computes the nearest doubles to points of space. The exact coordinates in lowest terms are not
-// needed for this. docs/design/numbers.md (Rounding to nearest) proves the bounds.
+// Computes the doubles nearest to the coordinates of points of space. This is faster than computing
+// the exact coordinates in lowest terms and rounding them. docs/design/numbers.md (Rounding to
+// nearest) proves the bounds.
 #pragma once
 
 #include <optional>
@@ -19,20 +20,22 @@ struct RoundedPoint3 {
 namespace rung {
 
 /// Rounds the common point of three planes, or of a line and a plane, if the planes and the line
-/// are defined by input points. The function computes with some 100 bits. Cost: about 0.5 us.
-/// Returns no value in the following cases:
+/// are defined by input points. The function computes with a precision of about 100 bits. Cost:
+/// about 0.5 us. Returns no value in the following cases:
 ///   - the point has another definition;
 ///   - the arithmetic does not round to nearest;
 ///   - a coordinate is equal or very near to a double or to the middle of two adjacent doubles,
 ///     unless a plane or line of the definition is orthogonal to the axis of that coordinate.
 std::optional<RoundedPoint3> rounded_filter(const Point3Table& points, SpacePoint x);
-/// Computes exact coordinates in integers of fixed width and rounds by their leading bits. Unlike
-/// rounded_filter(), this function also rounds points whose planes are nearly parallel. Returns no
-/// value in the last two cases of rounded_filter(), and if the point has too many bits for fixed
-/// widths. Requires a constructed point that does not depend on the frame. Cost: about 0.5 us.
+/// Computes exact coordinates in integers of fixed width, and rounds them by using their leading
+/// bits. Unlike rounded_filter(), this function also rounds points whose planes are nearly
+/// parallel. Returns no value in the last two cases of rounded_filter(), and if the point has too
+/// many bits for fixed widths. Requires a constructed point that does not depend on the frame.
+/// Cost: about 0.5 us.
 std::optional<RoundedPoint3> rounded_fixed(const Point3Table& points, SpacePoint x);
 /// Rounds by three divisions of exact integers. Requires a constructed point that does not depend
-/// on the frame. Cost: about 1.5 us, a third of exact(), as no gcd is computed.
+/// on the frame. Cost: about 1.5 us. This is a third of the cost of exact(), because no gcd is
+/// computed.
 RoundedPoint3 rounded_exact(const Point3Table& points, SpacePoint x);
 
 }  // namespace rung
