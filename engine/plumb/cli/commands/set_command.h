@@ -151,7 +151,7 @@ class SetOperation : public CommandBody {
     app.add_flag("--strict", strict_, "Exit 2 if the file would differ from the result");
     rounding_.declare(app, kHasGrid);
     if constexpr (kHasCanonical) {
-      app.add_flag("--canonical", canonical_, "Number by the set alone: equal sets, equal .nef");
+      app.add_flag("--canonical", canonical_, "Equal sets give equal .nef files");
     }
   }
 
