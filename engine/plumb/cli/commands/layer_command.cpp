@@ -37,7 +37,7 @@ class MapRepair : public CommandBody {
                "(default), the largest, the smallest, or the first one");
     app.add_option(
            "--gaps-below", options_.gaps_below,
-           "Fill enclosed gaps whose width (twice the area by the perimeter) is less than W "
+           "Fill enclosed gaps whose width (twice the area over the perimeter) is less than W "
            "(default: 1/10000 of the diagonal of the layer, and no small lakes)")
         ->check(CLI::Range(0.0, 1e300).description(""))
         ->type_name("W");

@@ -123,7 +123,7 @@ class MapSimplify : public CommandBody {
                    "layer")
         ->check(CLI::Range(0.0, 1e300).description(""))
         ->type_name("AREA");
-    app.add_option("--percent", percent_, "Keep this part of the corners that may be removed")
+    app.add_option("--percent", percent_, "Keep P percent of the corners that may be removed")
         ->check(CLI::Range(0.0, 100.0).description(""))
         ->type_name("P");
     app.add_option("--within", within_, "Move no point of a border farther than this distance")

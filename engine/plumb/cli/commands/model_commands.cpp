@@ -174,14 +174,14 @@ class TransformSolid : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
     declare_first<Solid>(app, a_);
-    app.add_option("--mirror", mirror_, "At a plane through 0 with this normal")
+    app.add_option("--mirror", mirror_, "Mirror at the plane through 0 with this normal")
         ->type_name("X,Y,Z");
     app.add_option("--scale", scale_, "Factors along the axes")->type_name("X,Y,Z");
-    app.add_option("--resize", resize_, "Size of the box around it; 0 keeps it")
+    app.add_option("--resize", resize_, "New size of the bounding box; 0 keeps a size")
         ->type_name("X,Y,Z");
-    app.add_option("--rotate", rotate_, "Degrees about an axis: 0,0,1,45")
+    app.add_option("--rotate", rotate_, "Rotate about an axis through 0: 0,0,1,45")
         ->type_name("X,Y,Z,DEGREES");
-    app.add_option("--translate", translate_, "By a vector")->type_name("X,Y,Z");
+    app.add_option("--translate", translate_, "Move by this vector")->type_name("X,Y,Z");
   }
   Nef3 compute(Session& session) override {
     const Nef3 set = read(a_, session);

@@ -197,10 +197,10 @@ class PlaneOffset : public PlaneOperation {
         ->type_name("D");
     add_choice(app, "--join", join_, {"round", "mitre", "square", "bevel"},
                "The shape at convex corners (default: round)");
-    app.add_option("--mitre-limit", mitre_limit_, "Cut mitres longer than LIMIT distances: 2")
+    app.add_option("--mitre-limit", mitre_limit_, "Cut mitres longer than LIMIT * D (default 2)")
         ->type_name("LIMIT");
     app.add_option("--chord-error", chord_error_,
-                   "Between an arc and its chords: a thousandth of D")
+                   "Largest distance of an arc from its chords (default: a thousandth of D)")
         ->type_name("E");
     app.add_option("--segments", segments_, "Chords of a full circle, instead of --chord-error")
         ->type_name("N");
@@ -240,7 +240,7 @@ class PlaneSimplify : public PlaneOperation {
     app.add_option("--tolerance", tolerance_, "Remove corners whose triangle has at most this area")
         ->check(CLI::Range(0.0, 1e300).description(""))
         ->type_name("AREA");
-    app.add_option("--percent", percent_, "Keep this part of the corners that may be removed")
+    app.add_option("--percent", percent_, "Keep P percent of the corners that may be removed")
         ->check(CLI::Range(0.0, 100.0).description(""))
         ->type_name("P");
     app.add_option("--within", within_, "Move no point of a border farther than this distance")

@@ -154,7 +154,7 @@ class SetOperation : public CommandBody {
       app.add_flag("--triangles", triangles_, "Write triangles instead of polygons");
     }
     if constexpr (kHasCanonical) {
-      app.add_flag("--canonical", canonical_, "Number by the set alone: equal sets, equal .nef");
+      app.add_flag("--canonical", canonical_, "Equal sets give equal .nef files");
     }
   }
 

@@ -202,7 +202,7 @@ class SectionOperation : public SolidOperation {
                "closed: <= 0, open: < 0, plane: = 0")
         ->required();
     add_choice(app, "--keep", keep_, {"inside", "outside"},
-               "What lies there (default), or what lies beyond");
+               "The part there (default), or the rest");
   }
 
   Nef3 compute(Session& session) override {

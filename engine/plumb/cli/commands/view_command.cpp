@@ -45,7 +45,7 @@ class View : public CommandBody {
         ->required()
         ->type_name("");
     app.add_option("--explode", apart_,
-                   "Several solids in one picture, moved apart by X times their distances")
+                   "Move solids apart: by X times the distance from their common middle")
         ->type_name("X")
         ->check(CLI::Range(0., 1e6).description(""));
     input_.declare(app);

@@ -17,7 +17,7 @@ namespace plumb::cli {
 class CertificateOption {
  public:
   void declare(CLI::App& app) {
-    app.add_option("--certificate", file_, "Write what proves the verdict (docs/certificates.md)")
+    app.add_option("--certificate", file_, "Write a proof of the verdict (docs/certificates.md)")
         ->type_name("OUT");
   }
   /// Opens the output before the work, if there is one. Requires that the option outlives the

@@ -194,13 +194,14 @@ std::string flaw_of_distance(const std::string& text) {
 }  // namespace
 
 void RepairFlags::declare(CLI::App& app) {
-  app.add_option("--weld", weld_, "Make vertices at most EPS apart one")
+  app.add_option("--weld", weld_, "Merge vertices that are at most EPS apart")
       ->type_name("EPS")
       ->check(flaw_of_distance);
-  app.add_flag("--one-side", one_side_, "Keep one of faces with the same corners");
-  app.add_flag("--reorient", reorients_, "Turn faces that disagree with their neighbours");
+  app.add_flag("--one-side", one_side_, "Of faces with the same corners, keep only one");
+  app.add_flag("--reorient", reorients_, "Flip faces oriented opposite to their neighbours");
   app.add_option("--fill-holes", fill_holes_, "Fill holes of at most N edges")->type_name("N");
-  app.add_option("--fill-holes-below", fill_holes_below_, "Fill holes at most D in diameter")
+  app.add_option("--fill-holes-below", fill_holes_below_,
+                 "Fill holes whose box has a diagonal of at most D")
       ->type_name("D")
       ->check(flaw_of_distance);
 }
@@ -240,11 +241,11 @@ void SolidInput::declare_keep(CLI::App& app) {
   keep_ = "all";
   const bool is_taken = app.get_option_no_throw("--keep") != nullptr;
   add_choice(app, is_taken ? "--attributes" : "--keep", keep_, {"all", "colours", "ids", "none"},
-             "What stays with the faces of meshes (default: all)");
+             "Attributes of meshes that are kept (default: all)");
 }
 
 void SolidInput::declare_keep_faces(CLI::App& app) {
-  app.add_flag("--keep-faces", keeps_faces_, "Faces of meshes in one plane stay apart");
+  app.add_flag("--keep-faces", keeps_faces_, "Do not merge faces of meshes in one plane");
 }
 
 KeptAttributes SolidInput::kept() const {

@@ -204,7 +204,7 @@ void CommonOptions::declare(CLI::App& app) {
       ->check(require_name)
       ->type_name("OUT")
       ->group(kCommonGroup);
-  app.add_option("--format", format, "Format, whatever the extension of OUT")
+  app.add_option("--format", format, "Format to write (default: by the extension of OUT)")
       ->type_name("NAME")
       ->group(kCommonGroup);
   app.add_flag("--exact-decimals", exact_decimals, "Read 0.1 as 1/10, not as the nearest double")
