@@ -1,9 +1,9 @@
 // Runs openscad with its output in a pipe. No shell reads the name of the model.
 //
 // openscad leads a group of processes of its own: whatever it starts ends when the command goes on,
-// fails or is ended, whether at a checkpoint, by an alarm or by a second signal. The id of the group
-// is valid until its leader is waited for, so this is the last step. Neither the pipe nor the end
-// of openscad is waited for without checkpoints.
+// fails or is ended, whether at a checkpoint, by an alarm or by a second signal. The id of the
+// group is valid until its leader is waited for, so this is the last step. Neither the pipe nor the
+// end of openscad is waited for without checkpoints.
 // Tested by tests/cli/csg_command_test.cpp.
 #include "plumb/cli/files/openscad.h"
 
@@ -44,8 +44,8 @@ namespace {
 
 constexpr int kMillisecondsBetweenCheckpoints = 50;
 
-/// What posix_spawn() is told: standard input is empty, standard output is a pipe, the process leads
-/// a group, and signals have their default actions.
+/// What posix_spawn() is told: standard input is empty, standard output is a pipe, the process
+/// leads a group, and signals have their default actions.
 class SpawnSettings {
  public:
   SpawnSettings(int output, const sigset_t& blocked) {
