@@ -1,8 +1,11 @@
 // The commands `plumb solid csg` and `plumb plane csg` from outside.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -170,6 +173,108 @@ TEST_F(CsgProgram, reads_programs_through_openscad) {
   expect_refusal(run({"solid", "csg", bad}), bad, "openscad cannot read this model");
   const std::string refused = holding("cube();\nfrob();", "refused.scad");
   expect_refusal(run({"solid", "csg", refused}), refused + " (as .csg):2:1", "frob");
+}
+
+/// Tests of what remains of openscad once the program has ended. A script stands for it: it starts
+/// a process in the background that writes a file again and again.
+class OpenscadThatNeverEnds : public CsgProgram {
+ protected:
+  /// Runs the program on a model, with a script that ends with `rest`.
+  RunResult run_with(
+      const std::string& rest, const Words& options,
+      const std::function<void(pid_t)>& meanwhile = [](pid_t) {}) {
+    const std::string script = holding(
+        "#!/bin/sh\n(while :; do echo x >>'" + beats() + "'; sleep 0.02; done) >&2 &\n" + rest,
+        "openscad");
+    fs::permissions(script, fs::perms::owner_all);
+    const SearchPath found(file("") + ":/usr/bin:/bin");
+    Words words{"solid", "csg", holding("cube();", "m.scad"), "-o", file("out.off")};
+    words.insert(words.end(), options.begin(), options.end());
+    RunOptions during;
+    during.meanwhile = meanwhile;
+    return run(words, during);
+  }
+  std::string beats() const { return file("beats"); }
+  void wait_for_beats() const {
+    while (!fs::exists(beats())) ::usleep(1000);
+  }
+  void expect_nothing_runs() const {
+    ASSERT_TRUE(fs::exists(beats()));
+    const auto before = fs::file_size(beats());
+    ::usleep(300'000);
+    EXPECT_EQ(fs::file_size(beats()), before);
+  }
+  void expect_nothing_remains() const {
+    expect_nothing_runs();
+    EXPECT_FALSE(fs::exists(file("out.off")));
+  }
+};
+
+const Words kHalfASecond{"--limit-seconds", "0.5"};
+
+TEST_F(OpenscadThatNeverEnds, ends_at_the_time_limit) {
+  // It waits; it has closed its output; it never stops writing; it ignores what asks it to end.
+  for (const std::string rest :
+       {"wait", "exec >&-\nwait", "exec yes", "trap '' TERM INT HUP PIPE\nwait\nwait"}) {
+    SCOPED_TRACE(rest);
+    const RunResult result = run_with(rest, kHalfASecond);
+    EXPECT_EQ(result.code, 3) << result.err;
+    EXPECT_NE(result.err.find("--limit-seconds"), std::string::npos) << result.err;
+    expect_nothing_remains();
+  }
+}
+
+TEST_F(OpenscadThatNeverEnds, ends_at_the_memory_limit) {
+  const RunResult result = run_with("exec yes", {"--limit-memory", "20", "--limit-seconds", "60"});
+  EXPECT_EQ(result.code, 3) << result.err;
+  EXPECT_NE(result.err.find("--limit-memory"), std::string::npos) << result.err;
+  expect_nothing_remains();
+}
+
+/// What openscad started ends even if openscad itself has ended before.
+TEST_F(OpenscadThatNeverEnds, ends_with_an_error_and_with_an_answer) {
+  const std::string once_started = "while [ ! -e '" + beats() + "' ]; do sleep 0.01; done\n";
+  const RunResult failed = run_with(once_started + "exit 1", {});
+  EXPECT_EQ(failed.code, 2) << failed.err;
+  expect_nothing_remains();
+  const RunResult done = run_with(once_started + "echo 'cube();'", {});
+  EXPECT_EQ(done.code, 0) << done.err;
+  expect_nothing_runs();
+  EXPECT_TRUE(fs::exists(file("out.off")));
+}
+
+TEST_F(OpenscadThatNeverEnds, ends_with_a_signal) {
+  struct Case {
+    int signal;
+    int code;
+  };
+  // A stop is taken at a checkpoint, and a terminal that is closed ends the program at once.
+  for (const auto& [signal, code] :
+       {Case{SIGINT, 4}, {SIGTERM, 4}, {SIGHUP, -SIGHUP}, {SIGQUIT, -SIGQUIT}}) {
+    SCOPED_TRACE(signal);
+    fs::remove(beats());
+    const RunResult result = run_with("wait", {}, [&, sent = signal](pid_t program) {
+      wait_for_beats();
+      ::kill(program, sent);
+    });
+    EXPECT_EQ(result.code, code) << result.err;
+    expect_nothing_remains();
+  }
+}
+
+/// The second signal does not wait for a checkpoint. The program is stopped until both are there,
+/// and both are handled before it goes on.
+TEST_F(OpenscadThatNeverEnds, ends_with_two_signals) {
+  const RunResult result = run_with("wait", {}, [&](pid_t program) {
+    wait_for_beats();
+    ::kill(program, SIGSTOP);
+    ::kill(program, SIGINT);
+    ::kill(program, SIGTERM);
+    ::kill(program, SIGCONT);
+  });
+  EXPECT_EQ(result.code, 4) << result.err;
+  EXPECT_EQ(result.err, "");
+  expect_nothing_remains();
 }
 
 }  // namespace

@@ -544,10 +544,11 @@ TEST(Json, has_errors_as_one_object_on_standard_error) {
 }
 
 /// Tetrahedra that cross each other, with coordinates that are fractions of `digits` digits.
-void write_number_bomb(const std::string& file, std::size_t digits, int count) {
+void write_number_bomb(const std::string& file, std::size_t digits, int count,
+                       std::uint64_t seed = 7) {
   std::ostringstream out;
   out << "OFF\n" << 4 * count << ' ' << 4 * count << " 0\n";
-  std::uint64_t state = 7;
+  std::uint64_t state = seed;
   const auto number = [&](int digit) {
     std::string above(1, static_cast<char>('1' + digit)), below = "1";
     for (std::size_t i = 1; i < digits; ++i) {
@@ -572,17 +573,42 @@ void write_number_bomb(const std::string& file, std::size_t digits, int count) {
 TEST(Limits, hold_for_numbers_of_thousands_of_digits) {
   const ScratchDirectory scratch;
   const std::string bomb = (scratch / "bomb.off").string();
-  write_number_bomb(bomb, 2040, 10);
+  write_number_bomb(bomb, 9000, 1);
   const RunResult refused = run({"solid", "info", bomb});
   EXPECT_EQ(refused.code, 2);
   EXPECT_TRUE(contains(refused.err, "--digits")) << refused.err;
+  write_number_bomb(bomb, 2040, 10);
   for (const double limit : {0.3, 0.7, 1.5}) {
-    const RunResult result =
-        run({"solid", "info", bomb, "--digits", "4096", "--limit-seconds", std::to_string(limit)});
+    const RunResult result = run({"solid", "info", bomb, "--limit-seconds", std::to_string(limit)});
     EXPECT_EQ(result.code, 3);
     EXPECT_TRUE(contains(result.err, "raise --limit-seconds")) << result.err;
     EXPECT_TRUE(!kMeasures || result.user_seconds < limit + 0.15) << result.user_seconds;
   }
+}
+
+/// Corners of results have many times the digits of those of the operands.
+TEST(ExactOff, holds_results_of_thousands_of_digits) {
+  const ScratchDirectory scratch;
+  const std::string a = (scratch / "a.off").string(), b = (scratch / "b.off").string();
+  const std::string off = (scratch / "c.off").string(), nef = (scratch / "c.nef").string();
+  write_number_bomb(a, 300, 1, 7);
+  write_number_bomb(b, 300, 1, 8);
+  const Words both{"solid", "intersection", a, b, "-o"};
+  Words to_off = both, to_nef = both;
+  to_off.insert(to_off.end(), {off, "--format", "off-exact"});
+  to_nef.push_back(nef);
+  ASSERT_EQ(run(to_off).code, 0);
+  ASSERT_EQ(run(to_nef).code, 0);
+  const std::string text = read_file(off);
+  std::size_t longest = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+    longest = std::max(longest, end - at);
+    at = end + 1;
+  }
+  EXPECT_GT(longest, 1200U);
+  const RunResult same = run({"solid", "compare", off, nef});
+  EXPECT_TRUE(same.out.starts_with("equal")) << same.out << same.err;
 }
 
 TEST(Limits, bound_the_memory_of_the_whole_command) {
@@ -602,6 +628,29 @@ TEST(Limits, bound_the_memory_of_the_whole_command) {
     constexpr double kLibraries = 8;
     EXPECT_TRUE(!kMeasures || result.megabytes < base + kLibraries + 1.1 * limit)
         << limit << " MB: " << result.megabytes;
+  }
+}
+
+/// Threads that read at the same time need more memory; if there is too little, they take turns.
+TEST(Limits, of_memory_stop_no_threads_that_one_would_not_stop) {
+  const ScratchDirectory scratch;
+  const std::string a = (scratch / "a.off").string(), b = (scratch / "b.off").string();
+  const auto make = [](const std::string& file, const std::string& radius) {
+    return run({"solid", "make", "torus", "--segments", "90", "--radius", radius, "-o", file}).code;
+  };
+  ASSERT_EQ(make(a, "1") + make(b, "1.1"), 0);
+  const auto is_enough = [&](int megabytes, const std::string& threads) {
+    const RunResult result =
+        run({"solid", "union", a, b, "-o", (scratch / "out.nef").string(), "--threads", threads,
+             "--limit-memory", std::to_string(megabytes)});
+    EXPECT_TRUE(result.code == 0 || result.code == 3) << result.code << result.err;
+    return result.code == 0;
+  };
+  int least = 4;
+  while (least < 100 && !is_enough(least, "1")) ++least;
+  EXPECT_GT(least, 8);
+  for (const char* const threads : {"2", "4"}) {
+    EXPECT_TRUE(is_enough(least + least / 10 + 1, threads)) << least << " MB, " << threads;
   }
 }
 

@@ -11,6 +11,9 @@
 #define PLUMB_CHECKPOINT \
   "_ZN5plumb7Context10checkpointESt17basic_string_viewIcSt11char_traitsIcEEmm"
 
+#define PLUMB_CHECK_LIMITS \
+  "_ZNK5plumb7Context12check_limitsESt17basic_string_viewIcSt11char_traitsIcEE"
+
 namespace plumb::testing {
 namespace {
 
@@ -32,6 +35,7 @@ void CountedCheckpoints::begin() {
   before = "the begin";
   after = {};
   last_phase_ = before;
+  measured_ = std::this_thread::get_id();
   last_ = cpu_seconds();
 }
 
@@ -47,7 +51,10 @@ void CountedCheckpoints::pass(std::string_view phase) {
   last_phase_ = phase;
 }
 
-void CountedCheckpoints::end() { pass("the end"); }
+void CountedCheckpoints::end() {
+  pass("the end");
+  measured_ = {};
+}
 
 void real_checkpoint(Context* context, std::string_view phase, std::uint64_t done,
                      std::uint64_t total) asm("__real_" PLUMB_CHECKPOINT);
@@ -61,6 +68,18 @@ void wrapped_checkpoint(Context* context, std::string_view phase, std::uint64_t 
   if (counted.left == 0) throw Error(ErrorCode::Cancelled, "cancelled");
   if (counted.left > 0) --counted.left;
   real_checkpoint(context, phase, done, total);
+}
+
+void real_check_limits(const Context* context,
+                       std::string_view phase) asm("__real_" PLUMB_CHECK_LIMITS);
+void wrapped_check_limits(const Context* context,
+                          std::string_view phase) asm("__wrap_" PLUMB_CHECK_LIMITS);
+
+/// Other threads of an operation call it, too.
+void wrapped_check_limits(const Context* context, std::string_view phase) {
+  CountedCheckpoints& counted = counted_checkpoints();
+  if (counted.measures_here()) counted.pass(phase);
+  real_check_limits(context, phase);
 }
 
 }  // namespace plumb::testing

@@ -1,10 +1,11 @@
-// Context::checkpoint(), counted, and made to cancel. A program has it by linking
-// plumb_counted_checkpoints, whose calls the linker then leads here first; in programs whose plumb
-// is a static library.
+// Context::checkpoint() and check_limits(), counted, and the first made to cancel. A program has it
+// by linking plumb_counted_checkpoints, whose calls the linker then leads here first; in programs
+// whose plumb is a static library.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
+#include <thread>
 
 namespace plumb::testing {
 
@@ -17,8 +18,11 @@ struct CountedCheckpoints {
   void begin();
   void end();  ///< The end of what is measured ends a gap, too.
   void pass(std::string_view phase);
+  /// Whether the calling thread is between begin() and end().
+  bool measures_here() const { return std::this_thread::get_id() == measured_; }
 
  private:
+  std::thread::id measured_;
   double last_ = 0;
   std::string_view last_phase_;
 };

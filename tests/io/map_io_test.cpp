@@ -134,6 +134,12 @@ TEST(MapReader, reads_integers_and_fractions_exactly) {
   }
   const std::string digits(1000, '9');
   EXPECT_EQ(read_number(digits).x, Rational(digits));
+  // plumb writes fractions of many digits, and no other numbers.
+  const std::string more(8000, '7');
+  EXPECT_EQ(read_number("-" + more + "/" + more + "1").x, Rational("-" + more + "/" + more + "1"));
+  EXPECT_THROW(read_number(more), Error);
+  EXPECT_THROW(read_number(more + ".5"), Error);
+  EXPECT_THROW(read_number(more + more + "/" + more), Error);
   EXPECT_EQ(read_number("2/4").x, Rational(1, 2));
   EXPECT_EQ(read_number("0000000000000000000000000000017").x, 17);
 }

@@ -12,10 +12,13 @@
 #include <string_view>
 #include <vector>
 
+#include "generate/counted_checkpoints.h"
 #include "generate/counted_memory.h"
+#include "plumb/io/csg_reader.h"
 #include "plumb/io/map_io.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/nef3_reader.h"
+#include "plumb/io/plane/dxf.h"
 #include "plumb/io/plane/geojson.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
@@ -63,6 +66,14 @@ void read_planes(std::string_view text, const ReadOptions& options, Context& con
 
 void read_drawing(std::string_view text, const ReadOptions& options, Context& context) {
   (void)read_svg(text, options, 0.5, context);
+}
+
+void read_dxf_shapes(std::string_view text, const ReadOptions& options, Context& context) {
+  (void)read_dxf(text, options, context);
+}
+
+void read_model(std::string_view text, const ReadOptions& options, Context& context) {
+  (void)read_csg(options.name, text, {}, context);
 }
 
 void read_scene(std::string_view text, const ReadOptions& options, Context& context) {
@@ -173,6 +184,26 @@ std::vector<Format> flat_formats() {
        masses_of_svg(),
        {},
        35},
+      {"DXF",
+       read_dxf_shapes,
+       "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n@\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n",
+       {{"0\nSECTION\n2\nENTITIES\n", "0\nCIRCLE\n10\n0\n20\n0\n40\n1\n", "0\nENDSEC\n0\nEOF\n"},
+        {"0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n70\n1\n", "10\n0\n20\n0\n",
+         "0\nENDSEC\n0\nEOF\n"},
+        {"", "0\n", ""},
+        {"", "999\n\n", "0\nEOF\n"}},
+       {},
+       80},
+      {".csg",
+       read_model,
+       "cube(size = [1, @, 1]);\n",
+       {{"", "cube();", ""},
+        {"", "union(){", ""},
+        {"polygon(points = [", "[0,0],", "[0,0]]);"},
+        {"", "// \n", ""},
+        {"cube(size = ", "[", ""}},
+       {},
+       60},
       {"scene",
        read_scene,
        R"({"model": "m.obj", "points": [[0, @, 0.5]], "polygons": [[0]]})",
@@ -371,6 +402,42 @@ TEST(HostileFiles, LargeDrawings) {
               10 * static_cast<double>(file.size()) + kOfAnyFile);
   }
   EXPECT_TRUE(is_refused);  // as it has to be for so many points
+}
+
+/// A stop does not wait for the end of a number.
+TEST(HostileFiles, LongNumbersHaveCheckpoints) {
+  constexpr std::size_t kDigits = 8'000'000, kBytesPerCheckpoint = std::size_t{1} << 20U;
+  std::vector<Format> formats = flat_formats();
+  for (const Format& format : space_formats()) formats.push_back(format);
+  CountedCheckpoints& counted = counted_checkpoints();
+  for (const Format& format : formats) {
+    if (format.with_number.empty()) continue;
+    for (const char digit : {'0', '7'}) {
+      SCOPED_TRACE(std::string(format.name) + ", digits " + digit);
+      const std::string number = "1" + std::string(kDigits, digit);
+      const std::string file = replaced(format.with_number, number);
+      Context context;
+      const std::uint64_t before = counted.passed;
+      counted.begin();
+      EXPECT_THROW(format.read(file, {}, context), Error);
+      counted.end();
+      EXPECT_GE(counted.passed - before, kDigits / kBytesPerCheckpoint);
+    }
+  }
+}
+
+/// Numbers of results take longer to read than their bytes.
+TEST(HostileFiles, LongFractionsHaveCheckpoints) {
+  const std::string digits(8'000, '7'), fraction = digits + "/" + digits + "1";
+  std::string file = "OFF\n100 0 0\n";
+  for (int i = 0; i < 100; ++i) file += fraction + " " + fraction + " " + fraction + "\n";
+  CountedCheckpoints& counted = counted_checkpoints();
+  const std::uint64_t before = counted.passed;
+  Context context;
+  counted.begin();
+  read_solid_mesh<MeshFormat::Off>(file, {}, context);
+  counted.end();
+  EXPECT_GE(counted.passed - before, file.size() / 100'000);
 }
 
 TEST(HostileFiles, FlatFormats) { expect_bounded(flat_formats()); }

@@ -49,7 +49,7 @@ bool is_on_one_line(const PointTable2& points, std::span<const std::uint32_t> fa
 class MapReader {
  public:
   MapReader(std::string_view text, const ReadOptions& options, Context& context)
-      : in_(text, options, context, "the map") {}
+      : in_(text, options, context, "the map", ResultNumbers::Fractions) {}
 
   Map read() {
     read_counts();

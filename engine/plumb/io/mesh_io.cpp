@@ -24,6 +24,7 @@
 #include "plumb/io/mesh/ply.h"
 #include "plumb/io/mesh/stl.h"
 #include "plumb/io/mesh/threemf.h"
+#include "plumb/io/text/charged_input.h"
 #include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/foreign_files.h"
@@ -178,11 +179,9 @@ std::string lack_of_faces(const MeshFile& file) {
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
                         ReadOptions options, Context& context) {
   options.name = input_name(path);
-  const std::string bytes = read_input(path, context);
-  MeshFile file = format ? read_placed_mesh(path, bytes, *format, options, context)
-                         : read_mesh_of(path, bytes, options, context);
-  context.release_memory(bytes.size());
-  return file;
+  const ChargedInput input(path, context);
+  return format ? read_placed_mesh(path, input.bytes(), *format, options, context)
+                : read_mesh_of(path, input.bytes(), options, context);
 }
 
 namespace {

@@ -38,7 +38,7 @@ struct Count {
 class Nef3Reader {
  public:
   Nef3Reader(std::string_view text, const ReadOptions& options, Context& context)
-      : in_(text, {options.name, false}, context, "the set", RecordReader::kDigitsOfResults) {}
+      : in_(text, {options.name, false}, context, "the set", ResultNumbers::All) {}
 
   SpaceComplex read() {
     return with_place(cursor(), [this] {

@@ -26,6 +26,7 @@
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/svg_reader.h"
+#include "plumb/io/text/charged_input.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/text_output.h"
@@ -508,11 +509,9 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
 PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                               ReadOptions options, Context& context) {
   options.name = input_name(path);
-  const std::string text = read_input(path, context);
-  if (!format) format = plane_format_of(path, text);
-  PlaneRead read = read_plane_set(text, *format, options, context);
-  context.release_memory(text.size());
-  return read;
+  const ChargedInput input(path, context);
+  if (!format) format = plane_format_of(path, input.bytes());
+  return read_plane_set(input.bytes(), *format, options, context);
 }
 
 std::string PlaneLosses::closing() const {

@@ -19,6 +19,7 @@
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/nef3_reader.h"
 #include "plumb/io/solid/half_space_reader.h"
+#include "plumb/io/text/charged_input.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/text_output.h"
@@ -190,10 +191,8 @@ SolidRead read_solid(const std::string& path, const std::string& bytes,
 
 SolidRead read_solid_file(const std::string& path, const SolidReadOptions& options,
                           Context& context) {
-  const std::string bytes = read_input(path, context);
-  SolidRead read = read_solid(path, bytes, options, context);
-  context.release_memory(bytes.size());
-  return read;
+  const ChargedInput input(path, context);
+  return read_solid(path, input.bytes(), options, context);
 }
 
 namespace {
@@ -319,10 +318,8 @@ std::optional<RepairOptions> remedy_for(const PolygonMesh& mesh, const SolidRead
 HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options,
                                     Context& context) {
   options.name = input_name(path);
-  const std::string text = read_input(path, context);
-  HalfSpaceList half_spaces = read_half_spaces(text, options, context);
-  context.release_memory(text.size());
-  return half_spaces;
+  const ChargedInput input(path, context);
+  return read_half_spaces(input.bytes(), options, context);
 }
 
 }  // namespace plumb

@@ -40,7 +40,7 @@ class SvgReader {
             SvgFrame frame, Context& context)
       : frame_(frame),
         scanner_(text, options.name, context),
-        numbers_(context.limits(), false, text.size()),
+        numbers_(context, false, text.size()),
         text_(text.data()),
         tolerance_(tolerance),
         outline_(text, tolerance, context),

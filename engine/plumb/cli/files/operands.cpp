@@ -23,6 +23,7 @@
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/io/text/charged_input.h"
 #include "plumb/io/text/files.h"
 #include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/input_cursors.h"
@@ -122,7 +123,7 @@ Rational read_argument(const std::string& text, const std::string& name, bool ex
     if (token.size() != text.size()) {
       throw Error(ErrorCode::Usage, "expected a number, found " + plumb::quoted(text));
     }
-    NumberReader numbers(session.context().limits(), exact_decimals, text.size());
+    NumberReader numbers(session.context(), exact_decimals, text.size());
     numbers.read(cursor, token, number);
   } catch (const Error& error) {
     const bool is_stop =
@@ -310,10 +311,8 @@ std::string with_hints(const Error& error, const std::string& file, const std::s
 
 SolidRead SolidInput::load(const std::string& file, const CommonOptions& options,
                            Context& context) const {
-  const std::string bytes = read_input(file, context);
-  SolidRead solid = load(file, bytes, options, context);
-  context.release_memory(bytes.size());
-  return solid;
+  const ChargedInput input(file, context);
+  return load(file, input.bytes(), options, context);
 }
 
 SolidRead SolidInput::load(const std::string& file, const std::string& bytes,
@@ -334,10 +333,8 @@ SolidRead SolidInput::load(const std::string& file, const std::string& bytes,
 }
 
 Nef3 SolidInput::read(const std::string& file, Session& session) const {
-  const std::string bytes = read_input(file, session.context());
-  Nef3 set = read(file, bytes, session);
-  session.context().release_memory(bytes.size());
-  return set;
+  const ChargedInput input(file, session.context());
+  return read(file, input.bytes(), session);
 }
 
 Nef3 SolidInput::read(const std::string& file, const std::string& bytes, Session& session) const {

@@ -21,14 +21,34 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 
 namespace plumb::cli::process {
 
+namespace {
+
+#ifndef _WIN32
+// The group of EndsWithProcess; 0 if there is none.
+std::atomic<pid_t> group_to_end = 0;
+static_assert(std::atomic<pid_t>::is_always_lock_free);
+#endif
+
+/// Async-signal-safe.
+void end_group() {
+#ifndef _WIN32
+  const pid_t group = group_to_end;
+  if (group != 0) ::kill(-group, SIGKILL);
+#endif
+}
+
+}  // namespace
+
 /// On Linux the system is called itself: sanitizers look for leaks in _exit(), with locks that the
 /// interrupted thread may hold.
 void end_now(int code) {
+  end_group();
 #ifdef __linux__
   ::syscall(SYS_exit_group, code);
 #endif
@@ -198,6 +218,37 @@ BlockedSignals::BlockedSignals() {
   ::pthread_sigmask(SIG_BLOCK, &all, &before_);
 }
 BlockedSignals::~BlockedSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+namespace {
+
+/// The signal ends the process when the handler returns, because it is blocked until then.
+extern "C" void end_group_and_process(int signal) {
+  end_group();
+  std::signal(signal, SIG_DFL);
+  ::raise(signal);
+}
+
+/// Replaces the default action, and no other: nohup ignores SIGHUP.
+void replace_handler(int signal, void (*from)(int), void (*to)(int)) {
+  struct sigaction now {};
+  if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == from) handle(signal, to);
+}
+
+}  // namespace
+
+EndsWithProcess::EndsWithProcess(pid_t group) {
+  group_to_end = group;
+  for (const int signal : {SIGHUP, SIGQUIT}) {
+    replace_handler(signal, SIG_DFL, end_group_and_process);
+  }
+}
+EndsWithProcess::~EndsWithProcess() {
+  end_group();
+  group_to_end = 0;
+  for (const int signal : {SIGHUP, SIGQUIT}) {
+    replace_handler(signal, end_group_and_process, SIG_DFL);
+  }
+}
 
 #endif
 

@@ -15,7 +15,7 @@ void handle(int signal, void (*handler)(int));
 /// Makes a write to a closed pipe, or beyond the largest size of a file, fail as any other write.
 void ignore_failed_writes();
 
-/// Ends the process without any further work. Async-signal-safe.
+/// Ends the process, and the group of EndsWithProcess, without any further work. Async-signal-safe.
 [[noreturn]] void end_now(int code);
 
 /// Sets the handler of alarm_after().
@@ -46,9 +46,27 @@ class BlockedSignals {
   BlockedSignals& operator=(const BlockedSignals&) = delete;
 
 #ifndef _WIN32
+  /// Returns the signals that were blocked before.
+  const sigset_t& before() const { return before_; }
+
  private:
   sigset_t before_;
 #endif
 };
+
+#ifndef _WIN32
+/// The processes of a group live no longer than the object, and end with this process: in
+/// end_now(), and when SIGHUP or SIGQUIT ends it, which a terminal does not send to the group. At
+/// most one object exists.
+class EndsWithProcess {
+ public:
+  /// `group` is the id of a child that leads a group of its own, and that is not waited for before
+  /// the object ends.
+  explicit EndsWithProcess(pid_t group);
+  ~EndsWithProcess();
+  EndsWithProcess(const EndsWithProcess&) = delete;
+  EndsWithProcess& operator=(const EndsWithProcess&) = delete;
+};
+#endif
 
 }  // namespace plumb::cli::process

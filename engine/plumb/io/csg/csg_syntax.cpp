@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "plumb/io/text/double_text.h"
+#include "plumb/io/text/watched_scan.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
@@ -33,7 +34,7 @@ constexpr std::size_t kMostVectors = 64;
 
 CsgScanner::CsgScanner(std::string_view text, const std::string& name, Context& context)
     : cursor_(text, name),
-      numbers_(context.limits(), false, text.size()),
+      numbers_(context, false, text.size()),
       context_(context),
       memory_(context),
       begin_(text.data()),
@@ -81,7 +82,7 @@ void CsgScanner::skip_comment() {
 /// Returns whether there is more than blanks and comments.
 bool CsgScanner::skip_blanks() {
   for (;;) {
-    while (p_ != end_ && is_csg_blank(*p_)) ++p_;
+    p_ = find_watched(p_, end_, context_, [](char c) { return !is_csg_blank(c); });
     const bool is_comment = end_ - p_ >= 2 && *p_ == '/' && (p_[1] == '/' || p_[1] == '*');
     if (!is_comment) return p_ != end_;
     skip_comment();
@@ -256,17 +257,16 @@ void CsgScanner::read_scalar() {
 void CsgScanner::read_number() {
   const char* const first = p_;
   const char* const digits = *first == '+' ? first + 1 : first;
-  const char* last = digits;
-  const auto is_part = [](char c) {
-    return is_csg_digit(c) || is_csg_letter(c) || c == '.' || c == '-' || c == '+';
-  };
-  while (last != end_ && is_part(*last)) ++last;
+  const char* const last = find_watched(digits, end_, context_, [](char c) {
+    return !is_csg_digit(c) && !is_csg_letter(c) && c != '.' && c != '-' && c != '+';
+  });
   const std::string_view token(first, static_cast<std::size_t>(last - first));
   if (starts_not_finite(token)) {
     fail(ErrorCode::NumberOutOfRange, "the number is not finite: " + plumb::quoted(token), first);
   }
   double value = 0;
-  const auto [end, error] = double_from_chars(digits, last, value);
+  constexpr std::ptrdiff_t kMost = 64;  // Longer ones are rare, and may be very long.
+  const auto [end, error] = double_from_chars(digits, std::min(last, digits + kMost), value);
   const bool is_read = error == std::errc() && end == last && std::isfinite(value);
   if (!is_read) {
     if (first > cursor_.position()) cursor_.move_to(first);

@@ -78,8 +78,8 @@ class ObjReader {
  public:
   ObjReader(std::string_view text, const ReadOptions& options, const ObjLoader& loader,
             Context& context)
-      : cursor_(text, options.name),
-        numbers_(context.limits(), options.exact_decimals, text.size()),
+      : cursor_(text, options.name, &context),
+        numbers_(context, options.exact_decimals, text.size()),
         mesh_(context),
         attributes_(std::in_place, options.attributes, loader, context),
         loader_(loader),

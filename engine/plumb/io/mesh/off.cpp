@@ -273,7 +273,7 @@ std::size_t count_lines(std::string_view text) {
 class OffReader {
  public:
   OffReader(std::string_view text, const ReadOptions& options, Context& context)
-      : in_(text, options, context, "the mesh"),
+      : in_(text, options, context, "the mesh", ResultNumbers::Fractions),
         mesh_(context),
         attributes_(options.attributes, context) {}
 

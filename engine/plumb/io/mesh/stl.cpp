@@ -59,8 +59,8 @@ void add_triangle(MeshCollector& mesh) {
 class StlTextReader {
  public:
   StlTextReader(std::string_view text, const ReadOptions& options, Context& context)
-      : cursor_(text, options.name),
-        numbers_(context.limits(), options.exact_decimals, text.size()),
+      : cursor_(text, options.name, &context),
+        numbers_(context, options.exact_decimals, text.size()),
         mesh_(context),
         context_(context),
         total_bytes_(text.size()) {}

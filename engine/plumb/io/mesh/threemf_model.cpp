@@ -176,7 +176,7 @@ class ModelReader3mf : public XmlListener {
       : part_(part),
         scene_(scene),
         stream_(threemf_text_name(options.name, scene.parts[part].name), *this),
-        numbers_(context.limits(), options.exact_decimals, archive_bytes) {}
+        numbers_(context, options.exact_decimals, archive_bytes) {}
 
   void read(ZipArchive& archive, std::uint64_t entry) {
     archive.read(entry, [this](std::string_view block) { stream_.feed(block); });

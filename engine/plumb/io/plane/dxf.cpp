@@ -56,7 +56,7 @@ class DxfReader {
         rest_(text),
         only_layer_(only_layer),
         options_(options),
-        numbers_(context.limits(), false, text.size()),
+        numbers_(context, false, text.size()),
         context_(context),
         charge_(context) {}
 
@@ -118,7 +118,7 @@ class DxfReader {
   double number() {
     ReadNumber number;
     try {
-      TextCursor cursor(value_, {});
+      TextCursor cursor(value_, {}, &context_);
       if (!cursor.next_line()) throw Error(ErrorCode::Syntax, "a number is missing");
       numbers_.read(cursor, cursor.token(), number);
     } catch (const Error& error) {

@@ -126,7 +126,7 @@ class GeoJsonReader {
  public:
   GeoJsonReader(std::string_view text, const ReadOptions& options, Context& context)
       : json_(text, options.name, context),
-        numbers_(context.limits(), options.exact_decimals, text.size()),
+        numbers_(context, options.exact_decimals, text.size()),
         keeps_features_(options.attributes),
         shapes_(context, text.size()) {
     shapes_.expect(TextCursor(text, options.name), most_positions(text));

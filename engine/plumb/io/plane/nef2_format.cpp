@@ -31,7 +31,7 @@ constexpr std::uint64_t kEdgeBytes = 14;
 class Nef2Reader {
  public:
   Nef2Reader(std::string_view text, const ReadOptions& options, Context& context)
-      : in_(text, options, context, "the set", RecordReader::kDigitsOfResults) {}
+      : in_(text, options, context, "the set", ResultNumbers::All) {}
 
   PlaneRecords read();
   /// Returns the line of a vertex or edge that has been read; 0 for anything else.

@@ -340,7 +340,7 @@ void read_token(const TextCursor& cursor, std::string_view token, const std::str
 
 PlaneFile read_wkb(std::string_view bytes, const ReadOptions& options, Context& context) {
   ShapeCollector shapes(context, bytes.size());
-  TextCursor cursor(bytes, options.name);
+  TextCursor cursor(bytes, options.name, &context);
   const bool is_hexadecimal = !is_binary(bytes);
   shapes.expect(cursor, bytes.size() / kPositionBytes / (is_hexadecimal ? 2 : 1));
   if (!is_hexadecimal) {

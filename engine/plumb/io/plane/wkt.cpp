@@ -22,6 +22,7 @@
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/lines.h"
 #include "plumb/io/text/record_reader.h"
+#include "plumb/io/text/watched_scan.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -80,9 +81,14 @@ bool is_no_number(std::string_view token) {
 
 /// Whether a number that is dropped may be written so. No value is made of it, so none is too
 /// large.
-bool looks_like_number(std::string_view token) {
-  return token.find_first_not_of("+-.0123456789/eE") == token.npos &&
-         token.find_first_of("0123456789") != token.npos;
+bool looks_like_number(std::string_view token, const Context& context) {
+  const char* const end = token.data() + token.size();
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  const auto is_other = [&](char c) {
+    return !is_digit(c) && c != '+' && c != '-' && c != '.' && c != '/' && c != 'e' && c != 'E';
+  };
+  return find_watched(token.data(), end, context, is_other) == end &&
+         find_watched(token.data(), end, context, is_digit) != end;
 }
 
 bool are_equal(const ReadNumber& a, const ReadNumber& b) {
@@ -93,9 +99,10 @@ bool are_equal(const ReadNumber& a, const ReadNumber& b) {
 class WktReader {
  public:
   WktReader(std::string_view text, const ReadOptions& options, Context& context)
-      : cursor_(text, options.name),
-        numbers_(context.limits(), options.exact_decimals, text.size()),
-        shapes_(context, text.size()) {}
+      : cursor_(text, options.name, &context),
+        numbers_(context, options.exact_decimals, text.size()),
+        shapes_(context, text.size()),
+        context_(context) {}
 
   PlaneFile read();
 
@@ -158,6 +165,7 @@ class WktReader {
   TextCursor cursor_;
   NumberReader numbers_;
   ShapeCollector shapes_;
+  const Context& context_;
   std::string_view next_;       // The token looked at and not yet taken; empty if there is none.
   const char* last_ = nullptr;  // The token taken last.
   More more_;
@@ -362,7 +370,7 @@ void WktReader::read_more(int index) {
   const bool is_height = index == 0 && more_.has_height;
   const std::string_view token = take("a number");
   const bool is_missing = is_no_number(token);
-  if (!is_missing && !looks_like_number(token)) cursor_.fail_token(token, "a number");
+  if (!is_missing && !looks_like_number(token, context_)) cursor_.fail_token(token, "a number");
   if (is_missing && cursor_.rest().starts_with('(')) skip_payload();
   if (is_height && is_flat_ && !is_missing) read_height(token);
   (is_height ? drops_heights_ : drops_measures_) = true;

@@ -30,8 +30,8 @@ std::size_t most_lines(std::string_view text) {
 class HalfSpaceReader {
  public:
   HalfSpaceReader(std::string_view text, const ReadOptions& options, Context& context)
-      : cursor_(text, options.name),
-        numbers_(context.limits(), options.exact_decimals, text.size()),
+      : cursor_(text, options.name, &context),
+        numbers_(context, options.exact_decimals, text.size()),
         text_(text),
         context_(context) {}
 

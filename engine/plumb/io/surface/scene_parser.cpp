@@ -45,8 +45,8 @@ ScenePointReader::ScenePointReader(std::string_view text, const ReadOptions& opt
                                    JsonPlaces& places, Context& context)
     : text_(text.data()),
       places_(places),
-      nearest_(context.limits(), options.exact_decimals, text.size()),
-      exact_(context.limits(), true, text.size()),
+      nearest_(context, options.exact_decimals, text.size()),
+      exact_(context, true, text.size()),
       exact_decimals_(options.exact_decimals),
       context_(context) {}
 
@@ -172,7 +172,7 @@ class SceneHandler : public nlohmann::json_sax<Json> {
       : begin_(text.data()),
         places_(text, options.name, context),
         points_(text, options, places_, context),
-        numbers_reader_(context.limits(), false, text.size()),
+        numbers_reader_(context, false, text.size()),
         context_(context) {}
 
   ParsedScene read() {

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/watched_scan.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
@@ -192,7 +193,9 @@ bool XmlScanner::find_tag() {
 
 // ---------------------------------------------------------------- tags
 
-void XmlScanner::skip_blanks() { p_ = std::find_if_not(p_, end_, is_blank); }
+void XmlScanner::skip_blanks() {
+  p_ = find_watched(p_, end_, context_, [](char c) { return !is_blank(c); });
+}
 
 std::string_view XmlScanner::take_name(const char* what) {
   const char* const first = p_;
@@ -218,7 +221,7 @@ void XmlScanner::read_attribute() {
   const char quote = peek();
   if (quote != '"' && quote != '\'') fail(ErrorCode::Syntax, "expected a value in quotes", p_);
   const char* const first = ++p_;
-  p_ = std::find_if(p_, end_, [quote](char c) { return c == quote || c == '<'; });
+  p_ = find_watched(p_, end_, context_, [quote](char c) { return c == quote || c == '<'; });
   if (peek() != quote) fail(ErrorCode::Syntax, "a value without its closing quote", first - 1);
   attribute.value = {first, static_cast<std::size_t>(p_ - first)};
   ++p_;
@@ -365,7 +368,9 @@ void SvgValue::skip_separator() {
 }
 
 double SvgValue::number_alone() {
-  const std::string_view token = rest_.substr(0, number_length(rest_));
+  // Longer ones are refused in any case, and the value may be a hundred times as long.
+  constexpr std::size_t kMost = std::size_t{1} << 21U;
+  const std::string_view token = rest_.substr(0, number_length(rest_.substr(0, kMost)));
   if (token.empty()) fail_expected("a number");
   cursor_.move_to(token.data());
   numbers_.read(cursor_, token, number_);

@@ -14,6 +14,8 @@
 #include <cstring>
 #include <utility>
 
+#include "plumb/io/text/watched_scan.h"
+
 namespace plumb {
 namespace {
 
@@ -83,12 +85,13 @@ std::string quoted(std::string_view token) {
   return text;
 }
 
-TextCursor::TextCursor(std::string_view text, std::string name)
+TextCursor::TextCursor(std::string_view text, std::string name, const Context* context)
     : begin_(text.data()),
       p_(begin_),
       end_(begin_ + text.size()),
       line_begin_(begin_),
-      name_(std::move(name)) {
+      name_(std::move(name)),
+      context_(context) {
   if (text.starts_with(kByteOrderMark)) p_ += kByteOrderMark.size();
 }
 
@@ -106,12 +109,16 @@ bool TextCursor::next_line() {
   }
 }
 
-std::string_view TextCursor::token() {
+/// Takes the characters before the first one for which `ends` holds: at least one.
+template <class Ends>
+std::string_view TextCursor::take_until(Ends ends) {
   const char* const first = p_;
-  p_ = std::find_if(p_, end_, ends_token);
+  p_ = context_ == nullptr ? std::find_if(p_, end_, ends) : find_watched(p_, end_, *context_, ends);
   if (p_ == first) fail(ErrorCode::NotText, "a carriage return inside a line");
   return {first, static_cast<std::size_t>(p_ - first)};
 }
+
+std::string_view TextCursor::token() { return take_until(ends_token); }
 
 std::string_view TextCursor::word(std::string_view marks) {
   // A loop, because std::string_view::find() calls a function for each character.
@@ -122,10 +129,7 @@ std::string_view TextCursor::word(std::string_view marks) {
     return false;
   };
   if (is_mark(*p_)) return {p_++, 1};
-  const char* const first = p_;
-  p_ = std::find_if(p_, end_, [&](char c) { return ends_token(c) || is_mark(c); });
-  if (p_ == first) fail(ErrorCode::NotText, "a carriage return inside a line");
-  return {first, static_cast<std::size_t>(p_ - first)};
+  return take_until([&](char c) { return ends_token(c) || is_mark(c); });
 }
 
 void TextCursor::move_to(const char* where) {

@@ -23,12 +23,15 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+class Context;
+
 /// Reads the lines and tokens of a text.
 class TextCursor {
  public:
   /// Starts before the first line of `text`. Requires that the bytes of `text` outlive the cursor.
-  /// `name` is the name of the file in messages.
-  TextCursor(std::string_view text, std::string name);
+  /// `name` is the name of the file in messages. The limits of `context`, which may be null, are
+  /// checked inside long tokens.
+  TextCursor(std::string_view text, std::string name, const Context* context = nullptr);
 
   /// Moves to the first token of the next line that has a token. Returns false at the end of the
   /// text. Requires that the current line is finished (at_line_end()).
@@ -116,6 +119,8 @@ class TextCursor {
  private:
   bool skip_carriage_return();
   void skip_comment();
+  template <class Ends>
+  std::string_view take_until(Ends ends);
   /// Throws Error{NotText} at the first byte of `text` that is not text. Requires that `text` is a
   /// part of the current line.
   void require_text(std::string_view text) const;
@@ -126,6 +131,7 @@ class TextCursor {
   const char* line_begin_;
   std::size_t line_ = 0;
   std::string name_;
+  const Context* context_;
 };
 
 /// Removes `prefix` from the front of `text`. Returns false if `text` does not start with `prefix`.

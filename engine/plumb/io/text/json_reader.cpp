@@ -29,7 +29,16 @@ JsonPlaces::JsonPlaces(std::string_view text, std::string name, Context& context
       cursor_(text, name_),
       context_(context),
       read_to_(cursor_.position()),
+      next_check_(read_to_),
       token_end_(cursor_.position()) {}
+
+/// The parser reads a long token to its end before it reports it.
+void JsonPlaces::check_limits() {
+  constexpr std::ptrdiff_t kBytesPerCheckpoint = std::ptrdiff_t{1} << 20;
+  const char* const end = text_.data() + text_.size();
+  next_check_ = read_to_ + std::min(end - read_to_, kBytesPerCheckpoint);
+  context_.check_limits("read");
+}
 
 void JsonPlaces::find_token() {
   constexpr std::string_view kBetween = " \t\r\n,:";

@@ -55,13 +55,16 @@ class JsonPlaces {
 
   /// Reports how far the parser has read.
   struct Reach {
-    const char** read_to;
-    void operator()(const char* at) const { *read_to = at; }
+    JsonPlaces* places;
+    void operator()(const char* at) const {
+      places->read_to_ = at;
+      if (at >= places->next_check_) places->check_limits();
+    }
   };
   using Iterator = SteppedText<Reach>;
   /// Returns what the parser reads. The object must stay where it is meanwhile.
-  Iterator begin() { return {text_.data(), {&read_to_}}; }
-  Iterator end() { return {text_.data() + text_.size(), {&read_to_}}; }
+  Iterator begin() { return {text_.data(), {this}}; }
+  Iterator end() { return {text_.data() + text_.size(), {this}}; }
 
   /// Finds the token of an event: it starts behind the last token, blanks and separators, and ends
   /// where the parser stands.
@@ -92,11 +95,14 @@ class JsonPlaces {
   [[noreturn]] void fail_syntax(std::size_t position, int id, std::string_view what) const;
 
  private:
+  void check_limits();
+
   std::string_view text_;
   std::string name_;
   TextCursor cursor_;
   Context& context_;
   const char* read_to_;
+  const char* next_check_;
   const char* token_ = nullptr;  // The token of the current event.
   const char* token_end_;
   std::size_t tokens_ = 0;

@@ -14,6 +14,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "plumb/io/text/watched_scan.h"
+
 namespace plumb {
 namespace {
 
@@ -69,7 +71,7 @@ void JsonScanner::check_context() {
 }
 
 void JsonScanner::skip_blanks() {
-  while (p_ != end_ && is_blank(*p_)) ++p_;
+  p_ = find_watched(p_, end_, context_, [](char c) { return !is_blank(c); });
 }
 
 JsonToken JsonScanner::next() {
@@ -130,7 +132,7 @@ JsonToken JsonScanner::read_value() {
 }
 
 JsonToken JsonScanner::read_number() {
-  p_ = std::find_if_not(p_, end_, [](char c) { return has(kOfNumber, c); });
+  p_ = find_watched(p_, end_, context_, [](char c) { return !has(kOfNumber, c); });
   return JsonToken::Number;
 }
 
@@ -141,7 +143,8 @@ JsonToken JsonScanner::read_word() {
 }
 
 const char* JsonScanner::end_of_word(const char* first) const {
-  return std::find_if(first, end_, [](char c) { return is_control(c) || c == ' ' || is_mark(c); });
+  return find_watched(first, end_, context_,
+                      [](char c) { return is_control(c) || c == ' ' || is_mark(c); });
 }
 
 JsonToken JsonScanner::open() {
@@ -169,12 +172,15 @@ void JsonScanner::close_bracket() {
 
 void JsonScanner::read_string() {
   for (const char* p = p_ + 1; p != end_; ++p) {
+    p = find_watched(p, end_, context_,
+                     [](char c) { return c == '"' || c == '\\' || is_control(c); });
+    if (p == end_) break;
     if (*p == '"') {
       p_ = p + 1;
       return;
     }
     if (is_control(*p)) fail(ErrorCode::Syntax, "not JSON: a control character in a string", p);
-    if (*p == '\\' && ++p == end_) break;
+    if (++p == end_) break;
   }
   fail(ErrorCode::Syntax, "not JSON: a string that does not end", p_);
 }
@@ -225,7 +231,7 @@ void JsonScanner::skip_brackets() {
   open_bracket();
   while (open_.size() > outer) {
     check_context();
-    p_ = std::find_if(p_, end_, [](char c) { return has(kQuotesAndBrackets, c); });
+    p_ = find_watched(p_, end_, context_, [](char c) { return has(kQuotesAndBrackets, c); });
     if (p_ == end_) fail_expected(open_.back() ? "'}'" : "']'");
     if (*p_ == '"') {
       skip_string();

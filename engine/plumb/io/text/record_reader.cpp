@@ -165,19 +165,49 @@ void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y) {
   }
 }
 
-NumberReader::NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes)
-    : max_digits_(limits.max_number_digits),
-      max_exponent_(limits.max_decimal_exponent),
+namespace {
+
+constexpr std::uint32_t kDigitsOfResults = 16'384;
+
+std::uint32_t digits_at_most(const Limits& limits, bool are_results) {
+  return std::max(limits.max_number_digits, are_results ? kDigitsOfResults : 0);
+}
+
+}  // namespace
+
+NumberReader::NumberReader(const Context& context, bool exact_decimals, std::size_t file_bytes,
+                           ResultNumbers results)
+    : context_(context),
+      max_digits_(digits_at_most(context.limits(), results == ResultNumbers::All)),
+      max_fraction_digits_(digits_at_most(context.limits(), results != ResultNumbers::None)),
+      max_exponent_(context.limits().max_decimal_exponent),
       exact_decimals_(exact_decimals),
       expansion_left_(4 * static_cast<std::uint64_t>(file_bytes) + 24'000'000) {}
 
+/// Long numbers take longer than their bytes.
+void NumberReader::watch(std::size_t bytes) {
+  constexpr std::size_t kBytesPerCheckpoint = std::size_t{1} << 16;
+  bytes_unchecked_ += bytes;
+  if (bytes_unchecked_ < kBytesPerCheckpoint) return;
+  bytes_unchecked_ = 0;
+  context_.check_limits("read");
+}
+
+void NumberReader::require_few_digits(const TextCursor& cursor, std::string_view token) const {
+  constexpr std::size_t kOthers = 8;  // Signs, a point and an exponent.
+  if (token.size() <= max_digits_ + kOthers) return;
+  const bool is_fraction = token.substr(0, max_fraction_digits_).find('/') != token.npos;
+  const std::uint32_t most = is_fraction ? max_fraction_digits_ : max_digits_;
+  if (token.size() <= most + kOthers) return;
+  cursor.fail(ErrorCode::NumberOutOfRange,
+              "a number of " + std::to_string(token.size()) + " characters; at most " +
+                  std::to_string(most) + " digits are read",
+              token.data());
+}
+
 void NumberReader::read(const TextCursor& cursor, std::string_view token, ReadNumber& number) {
-  if (token.size() > std::size_t{max_digits_} + 8) {
-    cursor.fail(ErrorCode::NumberOutOfRange,
-                "a number of " + std::to_string(token.size()) + " characters; at most " +
-                    std::to_string(max_digits_) + " digits are read",
-                token.data());
-  }
+  require_few_digits(cursor, token);
+  watch(token.size());
   if (all_digits(without_sign(token))) return read_integer(token, number);
   if (const std::size_t slash = token.find('/'); slash != token.npos) {
     return read_fraction(cursor, token, slash, number);
@@ -284,17 +314,12 @@ namespace {
 
 constexpr std::size_t kLinesPerCheckpoint = 4096;
 
-Limits with_digits(Limits limits, std::uint32_t least) {
-  limits.max_number_digits = std::max(limits.max_number_digits, least);
-  return limits;
-}
-
 }  // namespace
 
 RecordReader::RecordReader(std::string_view text, const ReadOptions& options, Context& context,
-                           std::string_view contents, std::uint32_t least_digits)
-    : cursor_(text, options.name),
-      numbers_(with_digits(context.limits(), least_digits), options.exact_decimals, text.size()),
+                           std::string_view contents, ResultNumbers results)
+    : cursor_(text, options.name, &context),
+      numbers_(context, options.exact_decimals, text.size(), results),
       context_(context),
       total_bytes_(text.size()),
       contents_(contents) {}

@@ -55,12 +55,22 @@ std::size_t exact_bytes(const ReadNumber& x, const ReadNumber& y);
 /// Appends the point (x, y).
 void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y);
 
+/// Which numbers of a format are results of plumb. They have up to 16,384 digits, whatever the
+/// limits of the context say: more than any double, as the planes through three points do.
+enum class ResultNumbers : std::uint8_t {
+  None,
+  Fractions,  ///< Other programs write the same format, but no fractions.
+  All,
+};
+
 /// Reads the numbers of one file. Numbers written with exponents can be far larger than their text;
 /// the reader counts the digits that they expand to, and stops at 4 digits for each byte of the
 /// file plus 24 million. Requires rounding to nearest (RoundToNearest).
 class NumberReader {
  public:
-  NumberReader(const Limits& limits, bool exact_decimals, std::size_t file_bytes);
+  /// Keeps the context, whose limits are checked once in a while if numbers are long.
+  NumberReader(const Context& context, bool exact_decimals, std::size_t file_bytes,
+               ResultNumbers results = ResultNumbers::None);
 
   /// Reads the number `token` of the cursor's line. Throws with the place: Syntax, NotText,
   /// NumberOutOfRange (too many digits, too large an exponent, beyond the largest double, zero
@@ -83,16 +93,21 @@ class NumberReader {
 
  private:
   bool read_ordinary(TextCursor& cursor, ReadNumber& number) const;
+  void require_few_digits(const TextCursor& cursor, std::string_view token) const;
+  void watch(std::size_t bytes);
   void read_integer(std::string_view token, ReadNumber& number) const;
   void read_fraction(const TextCursor& cursor, std::string_view token, std::size_t slash,
                      ReadNumber& number) const;
   void read_nearest(const TextCursor& cursor, std::string_view token, ReadNumber& number) const;
   void read_exact_decimal(const TextCursor& cursor, std::string_view token, ReadNumber& number);
 
+  const Context& context_;
   std::uint32_t max_digits_;
+  std::uint32_t max_fraction_digits_;
   std::uint32_t max_exponent_;
   bool exact_decimals_;
-  std::uint64_t expansion_left_;  // Digits.
+  std::uint64_t expansion_left_;     // Digits.
+  std::size_t bytes_unchecked_ = 0;  // Of long numbers, since the limits were checked.
 };
 
 // Reads files of counted records, one a line: what map, OFF, text PLY, .nef2 and .nef share.
@@ -105,15 +120,10 @@ class RecordReader {
  public:
   static constexpr std::uint32_t kMostIds = std::numeric_limits<std::uint32_t>::max() - 1;
 
-  /// `contents` names what the memory is charged for, such as "the map". Numbers have at most as
-  /// many digits as the limits of the context and `least_digits` allow. All arguments must outlive
+  /// `contents` names what the memory is charged for, such as "the map". All arguments must outlive
   /// the reader.
   RecordReader(std::string_view text, const ReadOptions& options, Context& context,
-               std::string_view contents, std::uint32_t least_digits = 0);
-
-  /// For the formats that plumb writes itself: the numbers of results have more digits than those
-  /// of any double, as the planes through three points do.
-  static constexpr std::uint32_t kDigitsOfResults = 16'384;
+               std::string_view contents, ResultNumbers results = ResultNumbers::None);
 
   TextCursor& cursor() { return cursor_; }
   const TextCursor& cursor() const { return cursor_; }
