@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
@@ -297,6 +298,27 @@ TEST(ToMesh, CoordinatesAreRoundedAndKept) {
     EXPECT_TRUE(rounding_of(out.mesh).is_sound());
     EXPECT_EQ(rounding_of(out.mesh).rounded_vertices, 7U);
   }
+}
+
+// Two crossing beams: the four corners where they meet are constructed, and are doubles or are not.
+TEST(ToMesh, ConstructedCornersThatAreDoublesMayBelongToPolygons) {
+  const auto cross = [](double shear) {
+    return solid(box_mesh({0, 0, 0}, {4, 1, 1})) +
+           solid(prism_mesh({{1, -1}, {2, -1}, {2 + shear, 2}, {1 + shear, 2}}, 0, 1));
+  };
+  const auto sizes = [](const PolygonMesh& mesh) {
+    std::map<std::size_t, int> count;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) ++count[mesh.face(f).size()];
+    return count;
+  };
+  const std::map<std::size_t, int> polygons{{4, 12}, {12, 2}};
+  EXPECT_EQ(sizes(mesh_of(cross(0).complex(), {}).mesh), polygons);
+  const Nef3 sheared = cross(1);  // The beams meet at thirds.
+  EXPECT_EQ(sizes(mesh_of(sheared.complex(), {.faces = MeshFaces::Polygons}).mesh), polygons);
+  // Of the walls, the four at the free ends of the beams have no constructed corner.
+  const auto some = sizes(mesh_of(sheared.complex(), {}).mesh);
+  EXPECT_EQ(some.at(4), 4);
+  EXPECT_FALSE(some.contains(12));
 }
 
 // Small and large numbers, both signs: rounding does not need lowest terms.

@@ -272,6 +272,7 @@ class FaceWriter {
         options_(options),
         numbers_(numbers),
         cones_(cones),
+        nearest_(nearest),
         cutter_(complex),
         out_(out) {
     cutter_.use_nearest(nearest);
@@ -312,7 +313,7 @@ class FaceWriter {
     seen_.resize(complex_.vertex_count(), 0);
     ++polygons_;
     for (const auto& [v, number] : corners_) {
-      const bool is_double = complex_.vertex_point[v].is_input();
+      const bool is_double = nearest_[v.value()].is_exact;
       if (!is_double && options_.faces == MeshFaces::PlanarPolygons) return false;
       if (seen_[v] == polygons_) return false;
       seen_[v] = polygons_;
@@ -330,6 +331,7 @@ class FaceWriter {
   const ToMeshOptions& options_;
   const MeshNumbers& numbers_;
   Cones& cones_;
+  std::span<const RoundedPoint3> nearest_;  // For each vertex of the complex that has a number.
   FacetTriangles cutter_;
   MeshOfComplex& out_;
   std::vector<NumberedCorner> corners_;  // The corners of the side, with vertices of the mesh.

@@ -31,6 +31,7 @@
 #include "plumb/predicates/plane/plane_points.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/point_as_line.h"
+#include "plumb/predicates/space/rounded_point3.h"
 #include "plumb/space/planar/facet_triangles.h"
 #include "plumb/space/planar/triangulate.h"
 #include "plumb/space/to_mesh.h"
@@ -818,8 +819,9 @@ class RegionFaces {
   /// Whether the options allow cycle_ as a face.
   bool may_be_polygon() const {
     if (faces_ != MeshFaces::PlanarPolygons) return faces_ == MeshFaces::Polygons;
-    return std::all_of(cycle_.begin(), cycle_.end(),
-                       [&](VertexId v) { return complex_.vertex_point[v].is_input(); });
+    return std::all_of(cycle_.begin(), cycle_.end(), [&](VertexId v) {
+      return rounded(complex_.points(), complex_.vertex_point[v]).is_exact;
+    });
   }
   bool has_repeats() {
     vertices_ = cycle_;
