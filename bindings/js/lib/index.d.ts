@@ -9,6 +9,8 @@ export function init(options?: {
 export function isReady(): boolean;
 /** The version of the library, such as '0.1.0'. */
 export function version(): string;
+/** Whether the arithmetic is what exact predicates need. Warnings say what is wrong. */
+export function selfTest(): {isOk: boolean; notes: Note[]};
 
 // ---- errors and options
 
@@ -114,14 +116,80 @@ export class Fraction {
 export interface TriangleMesh {
   vertices: Float64Array;
   triangles: Uint32Array;
+  attributes?: MeshAttributes;
 }
 /** Face f has the corners from corners[faceBegin[f]] to corners[faceBegin[f + 1] - 1]. */
 export interface PolygonMesh {
   vertices: Float64Array;
   faceBegin: Uint32Array;
   corners: Uint32Array;
+  attributes?: MeshAttributes;
 }
 export type Mesh = TriangleMesh|PolygonMesh;
+
+/** A material that faces refer to. */
+export interface Material {
+  name?: string;
+  /** Red, green, blue and opacity, each from 0 to 1. */
+  color?: readonly[number, number, number, number]|null;
+  /** The name of a texture file; '' for none. */
+  texture?: string;
+}
+/** `width` numbers for each corner of each face, in the order of the corners, or each vertex. */
+export interface Channel {
+  width: number;
+  values: Coordinates;
+}
+/**
+ * What belongs to the faces and corners of a mesh. All members can be left out. Arrays of faces
+ * have an entry for each face; 0xffffffff stands for none.
+ */
+export interface MeshAttributes {
+  materials?: readonly Material[];
+  /** The index of the material of each face. */
+  faceMaterial?: Indices|null;
+  groups?: readonly string[];
+  /** The index of the group of each face. */
+  faceGroup?: Indices|null;
+  /** A number that the caller chose for each face. */
+  faceId?: Indices|null;
+  /**
+   * Numbers of corners. Files use the names 'color' (3 or 4 numbers from 0 to 1), 'normal' (3),
+   * 'texcoord_0', 'texcoord_1' and so on (2).
+   */
+  channels?: Readonly<Record<string, Channel>>;
+  /** Numbers of vertices, which all corners at a vertex get. */
+  vertexChannels?: Readonly<Record<string, Channel>>;
+}
+/** The attributes of a mesh that the package made: null where no face has a value. */
+export interface FoundAttributes {
+  materials: {name: string; color: [number, number, number, number] | null; texture: string}[];
+  faceMaterial: Uint32Array|null;
+  groups: string[];
+  faceGroup: Uint32Array|null;
+  faceId: Uint32Array|null;
+  /** Numbers of corners. */
+  channels: Record < string, {
+    width: number;
+    values: Float64Array
+  }
+  > ;
+}
+/**
+ * Which faces of which sources the faces of a mesh are parts of. Faces are in the order of
+ * `source`; those without a source are last, and have 0xffffffff.
+ */
+export interface FaceSources {
+  /** For each face, the index in Solid.sources() of the mesh that it is a part of. */
+  source: Uint32Array;
+  /** For each face, the face of this mesh. */
+  sourceFace: Uint32Array;
+  /** For each face, 1 if it and the face of the source have opposite sides, else 0. */
+  isFlipped: Uint8Array;
+  /** Materials and groups of all sources follow each other. */
+  attributes: FoundAttributes;
+  report: ToMeshReport;
+}
 /** What a mesh of a solid changes or does not show. */
 export interface ToMeshReport {
   roundedVertices: number;
@@ -187,18 +255,36 @@ export interface MeshReport {
   borders: Uint32Array[];
   holes: Uint32Array[];
 }
-/** Reads OFF, OBJ, STL, PLY, glTF or 3MF as it is; polygons only if the file has any. */
-export function readMesh(data: FileData, options?: ReadOptions&SiblingFiles): Mesh;
-/** Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf'. */
+/**
+ * Reads OFF, OBJ, STL, PLY, glTF or 3MF as it is; polygons only if the file has any. With
+ * `attributes: true`, the mesh has the attributes of the file.
+ */
+export function readMesh(data: FileData, options: ReadOptions&SiblingFiles&{attributes: true}):
+    Mesh&{attributes: FoundAttributes};
+export function readMesh(
+    data: FileData, options?: ReadOptions&SiblingFiles&{attributes?: boolean}): Mesh;
+/**
+ * Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf', with those
+ * attributes of the mesh that the format holds.
+ */
 export function writeMesh(mesh: Mesh, format: MeshFormat): Uint8Array;
+/**
+ * Writes a mesh as files: the extension of `name` or `format` chooses the format. An OBJ file whose
+ * faces have materials has a second one beside it, with the colours (.mtl).
+ */
+export function writeMeshFiles(
+    mesh: Mesh, name: string, options?: {format?: MeshFormat}): Record<string, Uint8Array>;
+/** A sentence that names the attributes of a mesh that a format does not hold; '' for none. */
+export function lostAttributes(mesh: Mesh, format: MeshFormat): string;
 /** What is wrong with a mesh. At most maxListed (1000) crossings are listed. */
 export function checkMesh(mesh: Mesh, options?: Options&{maxListed?: number}): MeshReport;
 /**
- * Mends a mesh. 'automatic' changes as little as possible, and gives null if nothing makes a solid
- * of it.
+ * Mends a mesh, which loses its attributes. 'automatic' changes as little as possible, and gives
+ * null if nothing makes a solid of it. `repair` in the result says what was done; Solid.fromMesh()
+ * takes it, and keeps attributes.
  */
 export function repairMesh(mesh: Mesh, repair?: Repair|'automatic', options?: Options):
-    {mesh: Mesh; report: RepairReport; notes: Note[]}|null;
+    {mesh: Mesh; report: RepairReport; notes: Note[]; repair: Repair}|null;
 /** The Delaunay triangulation of points x, y, x, ...: three indices for each triangle. */
 export function delaunay(points: Coordinates, options?: Options): Uint32Array;
 
@@ -283,7 +369,14 @@ export abstract class PointSet<Self, Vector, Kind extends string> extends Handle
   audit(options?: Options): string|null;
 }
 
+/** Which attributes of a mesh its solid keeps: 'colours' are materials and the channel 'color'. */
+export type KeptAttributes = 'none'|'colours'|'ids'|'all';
 export interface FromMeshOptions extends Options {
+  /**
+   * By default all attributes that are given, and none of a file. A mesh in arrays with 'all'
+   * becomes a source even without attributes, so that faces of results can be traced to its faces.
+   */
+  keep?: KeptAttributes;
   /** By default the positive winding numbers, after components that are inside out were turned. */
   rule?: Rule;
   /** Whether the set is the union of the faces; the mesh may be open. */
@@ -292,6 +385,12 @@ export interface FromMeshOptions extends Options {
   mayBeEmpty?: boolean;
   /** How the mesh is mended first. */
   repair?: Repair;
+}
+export interface FromArraysOptions extends FromMeshOptions {
+  /** What belongs to the faces and corners. */
+  attributes?: MeshAttributes;
+  /** The name of the mesh in Solid.sources(). */
+  sourceName?: string;
 }
 export interface RoundingOptions extends Options {
   /**
@@ -321,10 +420,10 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   static unionOf(solids: readonly Solid[], options?: Options): Solid;
   static intersectionOf(solids: readonly Solid[], options?: Options): Solid;
   /** The solid that triangles bound; the mesh may cross itself. An open mesh throws BAD_SHAPE. */
-  static fromMesh(vertices: Coordinates, triangles: Indices, options?: FromMeshOptions): Solid;
+  static fromMesh(vertices: Coordinates, triangles: Indices, options?: FromArraysOptions): Solid;
   static fromPolygons(
       vertices: Coordinates, faceBegin: Indices, corners: Indices,
-      options?: FromMeshOptions): Solid;
+      options?: FromArraysOptions): Solid;
   /** The points with a x + b y + c z + d <= 0, or < 0. */
   static halfSpace(plane: Vector4, options?: {closed?: boolean}): Solid;
   /** The intersection of half-spaces, of four numbers each. */
@@ -366,7 +465,14 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
     apart?: number
   }): Uint8Array;
 
+  /** Meshes have those attributes of the sources that the format holds. */
   write(format: MeshFormat|'nef', options?: RoundingOptions): Uint8Array;
+  /**
+   * Writes files: the extension of `name` or `format` chooses the format. If sources have
+   * materials, an OBJ file has a second one beside it, with the colours (.mtl).
+   */
+  writeFiles(name: string, options?: RoundingOptions&{format?: MeshFormat | 'nef'}):
+      Record<string, Uint8Array>;
   /** The canonical .nef file: equal sets give equal bytes. */
   toBytes(options?: Options): Uint8Array;
   draw(format: PictureFormat, options?: Options&{title?: string}): Uint8Array;
@@ -381,6 +487,23 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
     facets: Uint32Array;
     report: ToMeshReport
   };
+  /**
+   * The boundary of a bounded solid, valid after rounding, with the attributes of the sources.
+   * `pieces`: parts of a facet with the same attributes are one face; or each face lies in one face
+   * of a source, or in one triangle of it ('apart').
+   */
+  toMeshWithAttributes(options?: Options&{
+    pieces?: 'same attributes'|'apart'|'same face';
+    /** Whether coordinates become floats. */
+    floats?: boolean;
+  }): TriangleMesh&FaceSources;
+  /** Does the same with polygons where parts are planar. */
+  toPolygonsWithAttributes(options?: Options&{pieces?: 'same attributes' | 'apart' | 'same face'}):
+      PolygonMesh&FaceSources;
+  /** The names of the meshes with attributes from which the solid was made. */
+  sources(): string[];
+  /** The same solid with one source, whose faces lie where the boundary of the solid lies. */
+  withSource(mesh: Mesh, name?: string): Solid;
   /** The same set with its cells in the one order that depends on the set alone. */
   canonical(options?: Options): Solid;
   /** Combines the solid with a half-space or a plane. */
@@ -531,6 +654,16 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
     mitreLimit?: number;
     chordError?: number;
     circleSegments?: number;
+  }): PlaneSet;
+  /**
+   * The closure of a bounded set with fewer corners, which are doubles. Corners are removed while
+   * their triangle has at most the area `tolerance`, while more than the part `kept` of them is
+   * left, and while no point of a border moves farther than `within`.
+   */
+  simplified(options?: Options&{
+    tolerance?: number;
+    kept?: number;
+    within?: number
   }): PlaneSet;
   minkowskiSum(other: PlaneSet, options?: Options): PlaneSet;
   decompose(options?: Options&{
