@@ -613,9 +613,13 @@ typedef struct plumb_to_mesh_options {
   /** Whether the mesh is exact: points are the nearest doubles, and plumb_mesh_exact_point() gives
    * the exact ones. Otherwise the mesh is valid after rounding. */
   bool exact;
+  /** Whether points are the nearest doubles, even if faces then cross: 1, or 0. The points are those
+   * of `exact`; the mesh does not have the exact ones, whose computation can triple the time. It is
+   * no bool, which would lie where older callers have padding. */
+  size_t nearest;
 } plumb_to_mesh_options;
 #define PLUMB_TO_MESH_OPTIONS_INIT \
-  { sizeof(plumb_to_mesh_options), false, false, false, false }
+  { sizeof(plumb_to_mesh_options), false, false, false, false, 0 }
 /** What plumb_solid_to_mesh() did, and what the mesh does not represent. */
 typedef struct plumb_to_mesh_report {
   size_t struct_size;             /**< sizeof(plumb_to_mesh_report). */

@@ -50,8 +50,8 @@ const solidLayout = new Struct({
 });
 const repairLayout = new Struct(
     {weld: 'f64', doubled: 'i32', reorient: 'bool', fill_holes: 'u32', fill_holes_below: 'f64'});
-const toMeshLayout =
-    new Struct({polygons: 'bool', split_vertices: 'bool', floats: 'bool', exact: 'bool'});
+const toMeshLayout = new Struct(
+    {polygons: 'bool', split_vertices: 'bool', floats: 'bool', exact: 'bool', nearest: 'u32'});
 const reportLayout = new Struct({
   rounded_vertices: 'u64',
   rounds: 'u32',
@@ -733,7 +733,7 @@ function meshOf(solid, options, isTriangles) {
       polygons: !isTriangles,
       split_vertices: splitVertices,
       floats,
-      exact: isRaw(rounding),
+      nearest: isRaw(rounding) ? 1 : 0,
     });
     const out = frame.block(4), report = frame.struct(reportLayout);
     frame.check('plumb_solid_to_mesh', self(solid), settings, out, report, frame.context());
