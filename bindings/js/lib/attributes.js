@@ -9,6 +9,7 @@ import {
   count,
   engine,
   inFrame,
+  isWanted,
   real,
   shown,
   Struct,
@@ -32,8 +33,6 @@ const faceValues = {
 };
 const [sourceOfFace, faceOfSource, flipped] = [3, 4, 5];
 const [perCorner, perVertex] = [0, 1];
-
-const isGiven = (value) => value !== undefined && value !== null;
 
 function record(value, what) {
   if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value;
@@ -59,7 +58,7 @@ function addMaterial(frame, mesh, material, what) {
   const given = frame.struct(materialLayout, {
     name: frame.text(name, `${what}.name`),
     texture: frame.text(texture, `${what}.texture`),
-    ...(isGiven(color) ? colorOf(color, `${what}.color`) : {}),
+    ...(isWanted(color) ? colorOf(color, `${what}.color`) : {}),
   });
   frame.check('plumb_mesh_add_material', mesh, given, 0);
 }
@@ -80,14 +79,14 @@ function setChannel(frame, mesh, name, channel, place, what) {
 
 /** Gives a mesh of the engine the attributes of a mesh of JavaScript; undefined stands for none. */
 export function setAttributes(frame, mesh, attributes) {
-  if (!isGiven(attributes)) return;
+  if (!isWanted(attributes)) return;
   const given = record(attributes, 'attributes');
   list(given.materials ?? [], 'materials')
       .forEach((material, i) => addMaterial(frame, mesh, material, `materials[${i}]`));
   list(given.groups ?? [], 'groups')
       .forEach((name, i) => addGroup(frame, mesh, name, `groups[${i}]`));
   for (const [name, which] of Object.entries(faceValues)) {
-    if (!isGiven(given[name])) continue;
+    if (!isWanted(given[name])) continue;
     const {address, count: length} = frame.numbers(Uint32Array, given[name], name);
     frame.check('plumb_mesh_set_face_values', mesh, which, address, length);
   }

@@ -10,6 +10,7 @@ import {
   decode,
   engine,
   inFrame,
+  isWanted,
   real,
   shown,
   Struct,
@@ -118,7 +119,7 @@ function solidOptions(frame, {
   mayBeEmpty = false,
   repair,
   attributes,
-  keep = attributes === undefined ? undefined : 'all',
+  keep = isWanted(attributes) ? 'all' : undefined,
   sourceName
 } = {}) {
   return frame.struct(solidLayout, {
@@ -335,7 +336,7 @@ export class Solid extends PointSet {
   });
 
   static fromMesh(vertices, triangles, options) {
-    if (options?.attributes !== undefined) return ofMesh({vertices, triangles}, options);
+    if (isWanted(options?.attributes)) return ofMesh({vertices, triangles}, options);
     return inFrame(options, (frame) => {
       const points = frame.doubles(vertices, 3, 'vertices'),
             faces = frame.records(Uint32Array, triangles, 3, 'triangles');

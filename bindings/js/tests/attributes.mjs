@@ -196,6 +196,7 @@ export const cases = {
     const traced =
         Solid.fromMesh(other.vertices, other.triangles, {attributes: {}, sourceName: 'traced'});
     checkEqual([plain.sources(), traced.sources()], [[], ['traced']]);
+    checkEqual(Solid.fromMesh(vertices, triangles, {attributes: null}).sources(), []);
     checkEqual(Solid.fromMesh(vertices, triangles, {keep: 'all'}).sources(), ['']);
     const both = plain.union(traced),
           {source, sourceFace, attributes} = both.toMeshWithAttributes();
