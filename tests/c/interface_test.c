@@ -937,7 +937,7 @@ static void test_solid_meshes(void) {
   plumb_to_mesh_options options = PLUMB_TO_MESH_OPTIONS_INIT;
   plumb_to_mesh_report report = PLUMB_TO_MESH_REPORT_INIT;
   plumb_solid *a = cube_at(0, 0, 0), *x = NULL, *y = NULL;
-  plumb_mesh* mesh = NULL;
+  plumb_mesh *mesh = NULL, *rounded = NULL;
   plumb_numbers *n = numbers("1/3 0 0 0 0 1 0 0 0 0 1 0"), *point = NULL;
   OK(plumb_solid_to_mesh(a, NULL, &mesh, NULL, NULL, &error));
   CHECK(plumb_mesh_face_count(mesh) == 12 && plumb_mesh_facets(mesh) != NULL);
@@ -966,9 +966,40 @@ static void test_solid_meshes(void) {
     }
     CHECK(thirds == 4);
   }
+  /* The nearest doubles are the same without the exact points, and for callers of the older
+   * struct. */
+  options.exact = false;
+  options.nearest = 1;
+  report.rounded_vertices = 0;
+  OK(plumb_solid_to_mesh(x, &options, &rounded, &report, NULL, &error));
+  CHECK(report.rounded_vertices == 4 && report.rounds == 0);
+  CHECK(plumb_mesh_point_count(rounded) == plumb_mesh_point_count(mesh));
+  CHECK(!memcmp(plumb_mesh_points(rounded), plumb_mesh_points(mesh),
+                3 * plumb_mesh_point_count(mesh) * sizeof(double)));
+  CHECK(plumb_mesh_corner_count(rounded) == plumb_mesh_corner_count(mesh));
+  CHECK(!memcmp(plumb_mesh_corners(rounded), plumb_mesh_corners(mesh),
+                plumb_mesh_corner_count(mesh) * sizeof(uint32_t)));
+  {
+    size_t i, thirds = 0;
+    for (i = 0; i < plumb_mesh_point_count(rounded); ++i) {
+      OK(plumb_mesh_exact_point(rounded, i, &point, &error));
+      if (!strcmp(plumb_numbers_exact(point, 0), "1/3")) ++thirds;
+      plumb_numbers_free(point);
+    }
+    CHECK(thirds == 0);
+  }
+  plumb_mesh_free(rounded);
   plumb_mesh_free(mesh);
   plumb_solid_free(y);
+  options.struct_size = offsetof(plumb_to_mesh_options, nearest);
+  OK(plumb_solid_to_mesh(x, &options, &mesh, &report, NULL, &error));
+  CHECK(report.largest_move > 0);
+  plumb_mesh_free(mesh);
+  options.struct_size = sizeof options;
   options.floats = true;
+  FAILS(plumb_solid_to_mesh(x, &options, &mesh, &report, NULL, &error), PLUMB_USAGE);
+  options.nearest = 0;
+  options.exact = true;
   FAILS(plumb_solid_to_mesh(x, &options, &mesh, &report, NULL, &error), PLUMB_USAGE);
   options.exact = false;
   OK(plumb_solid_to_mesh(x, &options, &mesh, &report, NULL, &error));

@@ -656,9 +656,13 @@ typedef struct plumb_to_mesh_options {
   /** Whether points are rounded to the nearest doubles, and plumb_mesh_exact_point() returns the
    * exact points. Otherwise points are rounded so that the rounded mesh is valid. */
   bool exact;
+  /** Whether points are the nearest doubles, even if faces then cross: 1, or 0. The points are those
+   * of `exact`; the mesh does not have the exact ones, whose computation can triple the time. It is
+   * no bool, which would lie where older callers have padding. */
+  size_t nearest;
 } plumb_to_mesh_options;
 #define PLUMB_TO_MESH_OPTIONS_INIT \
-  { sizeof(plumb_to_mesh_options), false, false, false, false }
+  { sizeof(plumb_to_mesh_options), false, false, false, false, 0 }
 /** A report on the rounding of a mesh, and on the cells of the solid that the mesh does not
  * represent. */
 typedef struct plumb_to_mesh_report {

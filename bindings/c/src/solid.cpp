@@ -140,16 +140,16 @@ plumb_to_mesh_report report_of(const ToMeshReport& made) {
   return report;
 }
 
-/// The mesh with the nearest doubles, and the exact points.
-MeshOfComplex exact_mesh(const Nef3& set, const plumb_to_mesh_options& asked,
-                         const ToMeshOptions& options, plumb_to_mesh_report& report,
-                         Context& context) {
-  if (asked.floats) throw Error(ErrorCode::Usage, "floats and exact exclude each other");
-  ToMeshOptions exact = options;
-  exact.keeps_exact = true;
-  MeshOfComplex made = set.to_polygons(exact, context);
+/// The mesh with the nearest doubles, and the exact points if they are asked for.
+MeshOfComplex nearest_mesh(const Nef3& set, const plumb_to_mesh_options& asked,
+                           const ToMeshOptions& options, plumb_to_mesh_report& report,
+                           Context& context) {
+  if (asked.floats) throw Error(ErrorCode::Usage, "floats exclude exact and nearest");
+  ToMeshOptions making = options;
+  making.keeps_exact = asked.exact;
+  MeshOfComplex made = mesh_of_complex(set.complex(), making, context);
   report = report_of(made.report);
-  report.rounded_vertices = made.mesh.exact.size();
+  report.rounded_vertices = made.rounded.size();
   return made;
 }
 
@@ -444,8 +444,9 @@ plumb_status plumb_solid_to_mesh(const plumb_solid* solid, const plumb_to_mesh_o
     making.faces = asked.polygons ? MeshFaces::PlanarPolygons : MeshFaces::Triangles;
     making.split_vertices = asked.split_vertices;
     plumb_to_mesh_report told = PLUMB_TO_MESH_REPORT_INIT;
-    plumb_mesh mesh = mesh_of(asked.exact ? exact_mesh(set, asked, making, told, call)
-                                          : rounded_mesh(set, asked, making, told, call));
+    const bool is_nearest = asked.exact || asked.nearest != 0;
+    plumb_mesh mesh = mesh_of(is_nearest ? nearest_mesh(set, asked, making, told, call)
+                                         : rounded_mesh(set, asked, making, told, call));
     if (report != nullptr) fill(report, told, "report");
     return mesh;
   });

@@ -11,12 +11,12 @@ import {Solid} from './solid.js';
  */
 export function readCsg(data, {name = 'model.csg', files = {}, ...options} = {}) {
   return inFrame(
-      options, (frame) => withFiles({...files, [name]: data}, (folder) => {
+      options, (frame) => withFiles({...files, [name]: data}, () => {
                  const solid = frame.block(4), set = frame.block(4), notes = frame.block(4);
                  const below = 0;
                  frame.check(
-                     'plumb_csg_read_file', frame.text(`${folder}/${name}`, 'name'),
-                     readOptions(frame, options), below, solid, set, notes, frame.context());
+                     'plumb_csg_read_file', frame.text(name, 'name'), readOptions(frame, options),
+                     below, solid, set, notes, frame.context());
                  frame.tell(frame.notes(notes));
                  if (frame.u32(solid) !== 0) return wrap(Solid, frame.u32(solid));
                  return frame.u32(set) !== 0 ? wrap(PlaneSet, frame.u32(set)) : null;

@@ -12,15 +12,4 @@ export class PlumbError extends Error {
     this.line = line;
     this.column = column;
   }
-
-  /** The same error with a text left out of all its texts. */
-  without(text) {
-    const short = (from) => from.replaceAll(text, '');
-    return new PlumbError(this.code, short(this.reason), {
-      text: short(this.message),
-      file: short(this.file),
-      line: this.line,
-      column: this.column,
-    });
-  }
 }

@@ -15,6 +15,8 @@ export function init(options?: {
 export function isReady(): boolean;
 /** The version of the library, such as '0.1.0'. */
 export function version(): string;
+/** Whether the arithmetic is what exact predicates need. Warnings say what is wrong. */
+export function selfTest(): {isOk: boolean; notes: Note[]};
 
 // ---- errors and options
 
@@ -139,6 +141,7 @@ export class Fraction {
 export interface TriangleMesh {
   vertices: Float64Array;
   triangles: Uint32Array;
+  attributes?: MeshAttributes;
 }
 /**
  * A mesh of polygons. Face f has the corners from corners[faceBegin[f]] to corners[faceBegin[f +
@@ -148,8 +151,73 @@ export interface PolygonMesh {
   vertices: Float64Array;
   faceBegin: Uint32Array;
   corners: Uint32Array;
+  attributes?: MeshAttributes;
 }
 export type Mesh = TriangleMesh|PolygonMesh;
+
+/** A material that faces refer to. */
+export interface Material {
+  name?: string;
+  /** Red, green, blue and opacity, each from 0 to 1. */
+  color?: readonly[number, number, number, number]|null;
+  /** The name of a texture file; '' for none. */
+  texture?: string;
+}
+/** `width` numbers for each corner of each face, in the order of the corners, or each vertex. */
+export interface Channel {
+  width: number;
+  values: Coordinates;
+}
+/**
+ * What belongs to the faces and corners of a mesh. All members can be left out. Arrays of faces
+ * have an entry for each face; 0xffffffff stands for none.
+ */
+export interface MeshAttributes {
+  materials?: readonly Material[];
+  /** The index of the material of each face. */
+  faceMaterial?: Indices|null;
+  groups?: readonly string[];
+  /** The index of the group of each face. */
+  faceGroup?: Indices|null;
+  /** A number that the caller chose for each face. */
+  faceId?: Indices|null;
+  /**
+   * Numbers of corners. Files use the names 'color' (3 or 4 numbers from 0 to 1), 'normal' (3),
+   * 'texcoord_0', 'texcoord_1' and so on (2).
+   */
+  channels?: Readonly<Record<string, Channel>>;
+  /** Numbers of vertices, which all corners at a vertex get. */
+  vertexChannels?: Readonly<Record<string, Channel>>;
+}
+/** The attributes of a mesh that the package made: null where no face has a value. */
+export interface FoundAttributes {
+  materials: {name: string; color: [number, number, number, number] | null; texture: string}[];
+  faceMaterial: Uint32Array|null;
+  groups: string[];
+  faceGroup: Uint32Array|null;
+  faceId: Uint32Array|null;
+  /** Numbers of corners. */
+  channels: Record < string, {
+    width: number;
+    values: Float64Array
+  }
+  > ;
+}
+/**
+ * Which faces of which sources the faces of a mesh are parts of. Faces are in the order of
+ * `source`; those without a source are last, and have 0xffffffff.
+ */
+export interface FaceSources {
+  /** For each face, the index in Solid.sources() of the mesh that it is a part of. */
+  source: Uint32Array;
+  /** For each face, the face of this mesh. */
+  sourceFace: Uint32Array;
+  /** For each face, 1 if it and the face of the source have opposite sides, else 0. */
+  isFlipped: Uint8Array;
+  /** Materials and groups of all sources follow each other. */
+  attributes: FoundAttributes;
+  report: ToMeshReport;
+}
 /**
  * A report on the rounding of a mesh, and on the cells of the solid that the mesh does not
  * represent.
@@ -222,19 +290,38 @@ export interface MeshReport {
 }
 /**
  * Reads a mesh from OFF, OBJ, STL, PLY, glTF or 3MF, without changes. The result is a PolygonMesh
- * only if the file has faces that are not triangles.
+ * only if the file has faces that are not triangles. With `attributes: true`, the mesh has the
+ * attributes of the file.
  */
-export function readMesh(data: FileData, options?: ReadOptions&SiblingFiles): Mesh;
-/** Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf'. */
+export function readMesh(data: FileData, options: ReadOptions&SiblingFiles&{attributes: true}):
+    Mesh&{attributes: FoundAttributes};
+export function readMesh(
+    data: FileData, options?: ReadOptions&SiblingFiles&{attributes?: boolean}): Mesh;
+/**
+ * Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf', with those
+ * attributes of the mesh that the format holds.
+ */
 export function writeMesh(mesh: Mesh, format: MeshFormat): Uint8Array;
+/**
+ * Writes a mesh as files: the extension of `name` or `format` chooses the format. An OBJ file whose
+ * faces have materials has a second one beside it, with the colours (.mtl).
+ */
+export function writeMeshFiles(
+    mesh: Mesh, name: string, options?: {format?: MeshFormat}): Record<string, Uint8Array>;
+/**
+ * Returns a sentence that names the attributes of a mesh that a format cannot represent, or '' if
+ * there are none.
+ */
+export function lostAttributes(mesh: Mesh, format: MeshFormat): string;
 /** Finds the defects of a mesh. At most maxListed crossings are listed, by default 1000. */
 export function checkMesh(mesh: Mesh, options?: Options&{maxListed?: number}): MeshReport;
 /**
  * Repairs a mesh. 'automatic' chooses the repair that changes least so that the mesh bounds a
- * solid, and returns null if there is no such repair.
+ * solid, and returns null if there is no such repair. The repaired mesh has no attributes. To keep
+ * them, pass `repair` of the result to Solid.fromMesh() with the original mesh.
  */
 export function repairMesh(mesh: Mesh, repair?: Repair|'automatic', options?: Options):
-    {mesh: Mesh; report: RepairReport; notes: Note[]}|null;
+    {mesh: Mesh; report: RepairReport; notes: Note[]; repair: Repair}|null;
 /**
  * Returns the Delaunay triangulation of points, with three indices of points for each triangle.
  * `points` contains the coordinates x, y, x, ...
@@ -327,7 +414,15 @@ export abstract class PointSet<Self, Vector, Kind extends string> extends Handle
   audit(options?: Options): string|null;
 }
 
+/** Which attributes of a mesh its solid keeps: 'colours' are materials and the channel 'color'. */
+export type KeptAttributes = 'none'|'colours'|'ids'|'all';
 export interface FromMeshOptions extends Options {
+  /**
+   * The attributes that the solid keeps. By default, these are all attributes of a mesh in arrays,
+   * and none of a file. With 'all', a mesh in arrays becomes a source even if it has no attributes,
+   * so that faces of results can be traced to its faces.
+   */
+  keep?: KeptAttributes;
   /**
    * The winding numbers that count as inside. By default, these are the positive numbers, after
    * components that are inside out were flipped.
@@ -341,6 +436,12 @@ export interface FromMeshOptions extends Options {
   mayBeEmpty?: boolean;
   /** How the mesh is repaired first. */
   repair?: Repair;
+}
+export interface FromArraysOptions extends FromMeshOptions {
+  /** What belongs to the faces and corners. */
+  attributes?: MeshAttributes;
+  /** The name of the mesh in Solid.sources(). */
+  sourceName?: string;
 }
 export interface RoundingOptions extends Options {
   /**
@@ -373,10 +474,10 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
    * Returns the solid that triangles bound. The mesh may cross itself. An open mesh causes the
    * error BAD_SHAPE.
    */
-  static fromMesh(vertices: Coordinates, triangles: Indices, options?: FromMeshOptions): Solid;
+  static fromMesh(vertices: Coordinates, triangles: Indices, options?: FromArraysOptions): Solid;
   static fromPolygons(
       vertices: Coordinates, faceBegin: Indices, corners: Indices,
-      options?: FromMeshOptions): Solid;
+      options?: FromArraysOptions): Solid;
   /** Returns the set of points with a x + b y + c z + d <= 0, or < 0 if `closed` is false. */
   static halfSpace(plane: Vector4, options?: {closed?: boolean}): Solid;
   /**
@@ -426,7 +527,14 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
     apart?: number
   }): Uint8Array;
 
+  /** Meshes have those attributes of the sources that the format holds. */
   write(format: MeshFormat|'nef', options?: RoundingOptions): Uint8Array;
+  /**
+   * Writes the solid as files. The extension of `name` or `format` selects the format. If sources have
+   * materials, an OBJ file has a second one beside it, with the colours (.mtl).
+   */
+  writeFiles(name: string, options?: RoundingOptions&{format?: MeshFormat | 'nef'}):
+      Record<string, Uint8Array>;
   /** Returns the canonical .nef file of the solid. Equal sets give equal bytes. */
   toBytes(options?: Options): Uint8Array;
   draw(format: PictureFormat, options?: Options&{title?: string}): Uint8Array;
@@ -443,6 +551,23 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
     facets: Uint32Array;
     report: ToMeshReport
   };
+  /**
+   * The boundary of a bounded solid, valid after rounding, with the attributes of the sources.
+   * `pieces`: parts of a facet with the same attributes are one face; or each face lies in one face
+   * of a source, or in one triangle of it ('apart').
+   */
+  toMeshWithAttributes(options?: Options&{
+    pieces?: 'same attributes'|'apart'|'same face';
+    /** Whether coordinates become floats. */
+    floats?: boolean;
+  }): TriangleMesh&FaceSources;
+  /** Does the same with polygons where parts are planar. */
+  toPolygonsWithAttributes(options?: Options&{pieces?: 'same attributes' | 'apart' | 'same face'}):
+      PolygonMesh&FaceSources;
+  /** The names of the meshes with attributes from which the solid was made. */
+  sources(): string[];
+  /** The same solid with one source, whose faces lie where the boundary of the solid lies. */
+  withSource(mesh: Mesh, name?: string): Solid;
   /** Returns the same set with its cells in an order that depends only on the set. */
   canonical(options?: Options): Solid;
   /** Combines the solid with a half-space or a plane. */
@@ -620,6 +745,16 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
     mitreLimit?: number;
     chordError?: number;
     circleSegments?: number;
+  }): PlaneSet;
+  /**
+   * The closure of a bounded set with fewer corners, which are doubles. Corners are removed while
+   * their triangle has at most the area `tolerance`, while more than the part `kept` of them is
+   * left, and while no point of a border moves farther than `within`.
+   */
+  simplified(options?: Options&{
+    tolerance?: number;
+    kept?: number;
+    within?: number
   }): PlaneSet;
   minkowskiSum(other: PlaneSet, options?: Options): PlaneSet;
   decompose(options?: Options&{

@@ -1,7 +1,7 @@
 // The package: loads the engine, and names what there is.
 import createEngine from './engine.js';
 import {PlumbError} from './error.js';
-import {engine, isReady, onProgress, setModule, textAt} from './memory.js';
+import {engine, inFrame, isReady, onProgress, setModule, textAt} from './memory.js';
 
 export {readCsg} from './csg.js';
 export {PlumbError} from './error.js';
@@ -11,7 +11,16 @@ export {Layer} from './layer.js';
 export {Map, MapOverlay, MapReport, overlay} from './map.js';
 export {PlaneSet} from './plane_set.js';
 export {PointSet} from './sets.js';
-export {checkMesh, delaunay, readMesh, repairMesh, Solid, writeMesh} from './solid.js';
+export {
+  checkMesh,
+  delaunay,
+  lostAttributes,
+  readMesh,
+  repairMesh,
+  Solid,
+  writeMesh,
+  writeMeshFiles
+} from './solid.js';
 export {SphereSet} from './sphere_set.js';
 export {Scene, SurfaceDivision, SurfaceRegion} from './surface.js';
 
@@ -62,5 +71,14 @@ async function bytesAt(address) {
 
 /** The version of the library, such as '0.1.0'. */
 export function version() { return textAt(engine()._plumb_version()); }
+
+/** Whether the arithmetic is what exact predicates need, and what is wrong or unusual. */
+export function selfTest() {
+  return inFrame(undefined, (frame) => {
+    const isOk = frame.block(1), notes = frame.block(4);
+    frame.check('plumb_self_test', isOk, notes);
+    return {isOk: frame.flag(isOk), notes: frame.notes(notes)};
+  });
+}
 
 export {isReady};

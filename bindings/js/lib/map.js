@@ -80,11 +80,11 @@ export class Map extends Handle {
   static read(data, options = {}) {
     const name = options.name ?? 'data.map';
     return inFrame(
-        options, (frame) => withFiles({[name]: data}, (folder) => {
+        options, (frame) => withFiles({[name]: data}, () => {
                    const out = frame.block(4), isPolygons = frame.block(1), notes = frame.block(4);
                    frame.check(
-                       'plumb_map_read_file', frame.text(`${folder}/${name}`, 'name'),
-                       readOptions(frame, options), out, isPolygons, notes, frame.context());
+                       'plumb_map_read_file', frame.text(name, 'name'), readOptions(frame, options),
+                       out, isPolygons, notes, frame.context());
                    frame.tell(frame.notes(notes));
                    return wrap(Map, frame.u32(out));
                  }));

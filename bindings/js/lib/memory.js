@@ -139,7 +139,7 @@ export class Struct {
 
 // ---- calls
 
-const isWanted = (value) => value !== undefined && value !== null;
+export const isWanted = (value) => value !== undefined && value !== null;
 let running = null;  // The frame whose operation reports its progress.
 
 /** What the module calls about 20 times a second during an operation with a context. */

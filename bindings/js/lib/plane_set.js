@@ -251,6 +251,15 @@ export class PlaneSet extends PointSet {
           frame.make('plumb_plane_set_offset', self(this), real(distance, 'distance'), how));
     });
   }
+  simplified({tolerance = Infinity, kept = 0, within = Infinity, ...options} = {}) {
+    return inFrame(options, (frame) => {
+      const out = frame.block(4), moved = 0;
+      frame.check(
+          'plumb_plane_set_simplify', self(this), real(tolerance, 'tolerance'), real(kept, 'kept'),
+          real(within, 'within'), out, moved, frame.context());
+      return wrap(PlaneSet, frame.u32(out));
+    });
+  }
   minkowskiSum(other, options) {
     return inFrame(
         options,

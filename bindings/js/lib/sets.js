@@ -4,7 +4,6 @@
 // A class states the prefix of its functions in C (`prefix`), how many numbers a point has
 // (`width`), and what its cells are called
 // (`cells`). Every operation takes options last: {timeout, memoryLimit, onProgress, signal}.
-import {PlumbError} from './error.js';
 import {takeNumbers, vector, vectors, withNumbers} from './fraction.js';
 import {addressesOf, addressOf, Handle, wrap} from './handle.js';
 import {badArgument, copyOf, decode, engine, inFrame, shown, Struct, takeBytes} from './memory.js';
@@ -255,11 +254,15 @@ function shot(set, origin, direction, toBoundary, options) {
 
 // ---- files
 
-const readLayout = new Struct({name: 'pointer', exact_decimals: 'bool'});
+const readLayout = new Struct({name: 'pointer', exact_decimals: 'bool', attributes: 'u32'});
 const writeLayout = new Struct({raw: 'bool', grid: 'pointer'});
 
-export function readOptions(frame, {name, exactDecimals} = {}) {
-  return frame.struct(readLayout, {name: frame.text(name, 'name'), exact_decimals: exactDecimals});
+export function readOptions(frame, {name, exactDecimals, attributes} = {}) {
+  return frame.struct(readLayout, {
+    name: frame.text(name, 'name'),
+    exact_decimals: exactDecimals,
+    attributes: attributes === true ? 1 : 0
+  });
 }
 
 export function writeOptions(frame, raw, grid = 0) {
@@ -283,28 +286,42 @@ export function written(frame, name, ...inputs) {
 let folders = 0;
 
 /**
- * Runs a body with files in the module's memory, {name: bytes}, whose folder is gone afterwards.
+ * Runs a body with files in the module's memory, {name: bytes}, in a folder that is gone
+ * afterwards. While the body runs, it is the current folder, so that names of files are all that
+ * messages and sources have.
  */
 export function withFiles(files, body) {
   const {FS} = engine();
-  const folder = `/files${++folders}`;
+  const folder = `/files${++folders}`, before = FS.cwd();
   FS.mkdir(folder);
+  FS.chdir(folder);
   try {
-    for (const [name, data] of Object.entries(files)) {
-      if (name.includes('/') || name === '' || name === '.' || name === '..') {
-        throw badArgument(`${shown(name)} is no name of a file: names have no folders`);
-      }
-      FS.writeFile(`${folder}/${name}`, bytesOf(data, name));
-    }
-    return body(folder);
-  } catch (error) {
-    throw error instanceof PlumbError ? error.without(`${folder}/`) : error;
+    for (const [name, data] of Object.entries(files))
+      FS.writeFile(fileName(name), bytesOf(data, name));
+    return body();
   } finally {
-    for (const name of FS.readdir(folder)) {
-      if (name !== '.' && name !== '..') FS.unlink(`${folder}/${name}`);
-    }
+    FS.chdir(before);
+    for (const name of namesIn(folder)) FS.unlink(`${folder}/${name}`);
     FS.rmdir(folder);
   }
+}
+
+const namesIn = (folder) =>
+    engine().FS.readdir(folder).filter((name) => name !== '.' && name !== '..');
+
+/** A name, unless it leads out of its folder or stands for something else than a file. */
+function fileName(name) {
+  if (typeof name !== 'string' || name.includes('/') || ['', '.', '..', '-'].includes(name))
+    throw badArgument(`${shown(name)} is no name of a file: names have no folders`);
+  return name;
+}
+
+/** The files that a body writes, {name: bytes}. It gets the address of the name of the first. */
+export function filesBy(frame, name, body) {
+  return withFiles({}, () => {
+    body(frame.text(fileName(name), 'name'));
+    return Object.fromEntries(namesIn('.').map((file) => [file, engine().FS.readFile(file)]));
+  });
 }
 
 function bytesOf(data, name) {

@@ -1,4 +1,5 @@
 // Sets of space.
+import {attributesOf, setAttributes, sourcesOf} from './attributes.js';
 import {takeNumbers, vector, vectors, withNumbers} from './fraction.js';
 import {addressesOf, addressOf, wrap} from './handle.js';
 import {
@@ -6,14 +7,17 @@ import {
   constant,
   copyOf,
   count,
+  decode,
   engine,
   inFrame,
+  isWanted,
   real,
   shown,
   Struct,
   takeBytes,
   takeIndices,
   taken,
+  textAt,
 } from './memory.js';
 import {PlaneSet} from './plane_set.js';
 import {
@@ -21,6 +25,7 @@ import {
   derived,
   describe,
   distanceBetween,
+  filesBy,
   isRaw,
   measure,
   operations,
@@ -36,12 +41,18 @@ import {
   written,
 } from './sets.js';
 
-const solidLayout =
-    new Struct({rule: 'i32', surface: 'bool', may_be_empty: 'bool', repair: 'pointer'});
+const solidLayout = new Struct({
+  rule: 'i32',
+  surface: 'bool',
+  may_be_empty: 'bool',
+  repair: 'pointer',
+  keep: 'i32',
+  source_name: 'pointer'
+});
 const repairLayout = new Struct(
     {weld: 'f64', doubled: 'i32', reorient: 'bool', fill_holes: 'u32', fill_holes_below: 'f64'});
-const toMeshLayout =
-    new Struct({polygons: 'bool', split_vertices: 'bool', floats: 'bool', exact: 'bool'});
+const toMeshLayout = new Struct(
+    {polygons: 'bool', split_vertices: 'bool', floats: 'bool', exact: 'bool', nearest: 'u32'});
 const reportLayout = new Struct({
   rounded_vertices: 'u64',
   rounds: 'u32',
@@ -70,6 +81,8 @@ const repairReportLayout = new Struct({
   holes: 'u64',
   is_closed: 'bool',
 });
+const attributeLayout = new Struct({pieces: 'i32', polygons: 'bool', floats: 'bool'});
+const keptAttributes = ['none', 'colours', 'ids', 'all'];
 const doubledFaces = ['keep', 'if better', 'drop'];
 const meshLists = [
   'degenerate', 'trimmed', 'notPlanar', 'notSimple', 'doubled', 'crossings', 'flipped', 'oneSided',
@@ -92,12 +105,30 @@ function repairOptions(frame, repair) {
   });
 }
 
-function solidOptions(frame, {rule, surface = false, mayBeEmpty = false, repair} = {}) {
+/** What stands in repair options. */
+function repairOf(address) {
+  if (address === 0) return {};
+  const {doubled, ...rest} = camel(repairLayout.read(address));
+  return {...rest, doubled: doubledFaces[doubled]};
+}
+
+/** Attributes that are given are kept, even if there is nothing in them. */
+function solidOptions(frame, {
+  rule,
+  surface = false,
+  mayBeEmpty = false,
+  repair,
+  attributes,
+  keep = isWanted(attributes) ? 'all' : undefined,
+  sourceName
+} = {}) {
   return frame.struct(solidLayout, {
     rule: ruleOf(rule),
     surface,
     may_be_empty: mayBeEmpty,
-    repair: repairOptions(frame, repair)
+    repair: repairOptions(frame, repair),
+    keep: keep === undefined ? 0 : constant(keptAttributes, keep, 'keep') + 1,
+    source_name: frame.text(sourceName, 'sourceName'),
   });
 }
 
@@ -138,18 +169,23 @@ export function withMesh(frame, mesh, body) {
         'plumb_mesh_from_polygons', address, points, begin.address, Math.max(begin.count, 1) - 1,
         corners.address, corners.count);
   }
-  try {
-    return body(made);
-  } finally {
-    engine()._plumb_mesh_free(made);
-  }
+  return taken(made, 'plumb_mesh_free', body);
 }
 
-/** The arrays of a mesh of the engine, which is released; polygons only if the mesh has any. */
-export function takeMesh(mesh) {
+/** Does the same with a mesh that has its attributes. */
+const withAttributes = (frame, mesh, body) => withMesh(frame, mesh, (made) => {
+  setAttributes(frame, made, mesh.attributes);
+  return body(made);
+});
+
+/**
+ * The arrays of a mesh of the engine, which is released; polygons only if the mesh has any.
+ * `others` gives further members.
+ */
+export function takeMesh(mesh, others = () => ({})) {
   const isTriangles = (engine()._plumb_mesh_corner_count(mesh) >>> 0) ===
       3 * (engine()._plumb_mesh_face_count(mesh) >>> 0);
-  return taken(mesh, 'plumb_mesh_free', () => arraysOf(mesh, isTriangles));
+  return taken(mesh, 'plumb_mesh_free', () => ({...arraysOf(mesh, isTriangles), ...others(mesh)}));
 }
 
 /** Reads a mesh as it stands in a file. */
@@ -160,15 +196,17 @@ export function readMesh(data, options = {}) {
       if (options.files !== undefined) {
         return withFiles(
             {...options.files, [options.name]: data},
-            (folder) => frame.makeWithNotes(
-                'plumb_mesh_read_file', frame.text(`${folder}/${options.name}`, 'name'), reading));
+            () => frame.makeWithNotes(
+                'plumb_mesh_read_file', frame.text(options.name, 'name'), reading));
       }
       const bytes = frame.bytes(data, 'the file');
       return frame.makeWithNotes('plumb_mesh_read', bytes.address, bytes.count, reading);
     };
     const {address, notes} = read();
     frame.tell(notes);
-    return takeMesh(address);
+    return takeMesh(
+        address,
+        options.attributes === true ? (mesh) => ({attributes: attributesOf(mesh)}) : undefined);
   });
 }
 
@@ -176,10 +214,32 @@ export function readMesh(data, options = {}) {
 export function writeMesh(mesh, format) {
   return inFrame(
       undefined,
-      (frame) => withMesh(
+      (frame) => withAttributes(
           frame, mesh,
           (made) => takeBytes(
               frame.makeBriefly('plumb_mesh_write', made, frame.text(format, 'format')))));
+}
+
+/** Writes a mesh as files: an OBJ file has its colours in a second one. */
+export function writeMeshFiles(mesh, name, {format} = {}) {
+  return inFrame(
+      undefined,
+      (frame) => withAttributes(
+          frame, mesh,
+          (made) => filesBy(
+              frame, name,
+              (path) =>
+                  frame.check('plumb_mesh_write_file', made, path, frame.text(format, 'format')))));
+}
+
+/** A sentence that names the attributes of a mesh that a format does not hold; '' for none. */
+export function lostAttributes(mesh, format) {
+  return inFrame(
+      undefined,
+      (frame) => withAttributes(
+          frame, mesh,
+          (made) => decode(takeBytes(frame.makeBriefly(
+              'plumb_mesh_lost_attributes', made, frame.text(format, 'format'))))));
 }
 
 /** What is wrong with a mesh: open borders, faces that cross, degenerate faces and the like. */
@@ -234,7 +294,8 @@ export function repairMesh(mesh, repair = 'automatic', options = {}) {
                  return {
                    mesh: takeMesh(frame.u32(out)),
                    report: camel(repairReportLayout.read(report)),
-                   notes: frame.notes(notes)
+                   notes: frame.notes(notes),
+                   repair: repairOf(how)
                  };
                }));
 }
@@ -275,6 +336,7 @@ export class Solid extends PointSet {
   });
 
   static fromMesh(vertices, triangles, options) {
+    if (isWanted(options?.attributes)) return ofMesh({vertices, triangles}, options);
     return inFrame(options, (frame) => {
       const points = frame.doubles(vertices, 3, 'vertices'),
             faces = frame.records(Uint32Array, triangles, 3, 'triangles');
@@ -286,12 +348,7 @@ export class Solid extends PointSet {
     });
   }
   static fromPolygons(vertices, faceBegin, corners, options) {
-    return inFrame(
-        options,
-        (frame) => withMesh(
-            frame, {vertices, faceBegin, corners},
-            (mesh) => wrap(
-                Solid, frame.make('plumb_solid_from_mesh', mesh, solidOptions(frame, options)))));
+    return ofMesh({vertices, faceBegin, corners}, options);
   }
   static halfSpace(plane, {closed = true} = {}) {
     return inFrame(
@@ -403,9 +460,8 @@ export class Solid extends PointSet {
         if (options.files !== undefined) {
           return withFiles(
               {...options.files, [options.name]: data},
-              (folder) => frame.makeWithNotes(
-                  'plumb_solid_read_file', frame.text(`${folder}/${options.name}`, 'name'), reading,
-                  making));
+              () => frame.makeWithNotes(
+                  'plumb_solid_read_file', frame.text(options.name, 'name'), reading, making));
         }
         const bytes = frame.bytes(data, 'the file');
         return frame.makeWithNotes('plumb_solid_read', bytes.address, bytes.count, reading, making);
@@ -422,10 +478,10 @@ export class Solid extends PointSet {
         options,
         (frame) => withFiles(
             {[name]: data},
-            (folder) => wrap(
+            () => wrap(
                 Solid,
                 frame.make(
-                    'plumb_solid_read_half_spaces_file', frame.text(`${folder}/${name}`, 'name'),
+                    'plumb_solid_read_half_spaces_file', frame.text(name, 'name'),
                     readOptions(frame, options)))));
   }
 
@@ -435,6 +491,18 @@ export class Solid extends PointSet {
         (frame) => written(
             frame, 'plumb_solid_write', self(this), frame.text(format, 'format'),
             writeOptions(frame, isRaw(options.rounding))));
+  }
+  /** Writes a set as files: an OBJ file has the colours of the sources in a second one. */
+  writeFiles(name, options = {}) {
+    return inFrame(options, (frame) => filesBy(frame, name, (path) => {
+                              const notes = frame.block(4);
+                              frame.check(
+                                  'plumb_solid_write_file', self(this), path,
+                                  frame.text(options.format, 'format'),
+                                  writeOptions(frame, isRaw(options.rounding)), notes,
+                                  frame.context());
+                              frame.tell(frame.notes(notes));
+                            }));
   }
   toBytes(options) {
     const canonical = this.canonical(options);
@@ -463,6 +531,23 @@ export class Solid extends PointSet {
 
   toMesh(options = {}) { return meshOf(this, options, true); }
   toPolygons(options = {}) { return meshOf(this, options, false); }
+  toMeshWithAttributes(options = {}) { return tracedMeshOf(this, options, true); }
+  toPolygonsWithAttributes(options = {}) { return tracedMeshOf(this, options, false); }
+
+  sources() {
+    const length = engine()._plumb_solid_source_count(self(this)) >>> 0;
+    return Array.from({length}, (_, i) => textAt(engine()._plumb_solid_source_name(self(this), i)));
+  }
+  withSource(mesh, name = '') {
+    return inFrame(
+        undefined,
+        (frame) => withAttributes(
+            frame, mesh,
+            (made) => wrap(
+                Solid,
+                frame.makeBriefly(
+                    'plumb_solid_with_source', self(this), made, frame.text(name, 'name')))));
+  }
 
   canonical(options) { return derived(this, 'canonical', options); }
   section(plane, {kind = 'closed below', operation = 'intersection', ...options} = {}) {
@@ -606,6 +691,15 @@ export class Solid extends PointSet {
   }
 }
 
+function ofMesh(mesh, options) {
+  return inFrame(
+      options,
+      (frame) => withAttributes(
+          frame, {...mesh, attributes: options?.attributes},
+          (made) => wrap(
+              Solid, frame.make('plumb_solid_from_mesh', made, solidOptions(frame, options)))));
+}
+
 function ofPoints(name, points, options) {
   return inFrame(
       options,
@@ -640,11 +734,34 @@ function meshOf(solid, options, isTriangles) {
       polygons: !isTriangles,
       split_vertices: splitVertices,
       floats,
-      exact: isRaw(rounding),
+      nearest: isRaw(rounding) ? 1 : 0,
     });
     const out = frame.block(4), report = frame.struct(reportLayout);
     frame.check('plumb_solid_to_mesh', self(solid), settings, out, report, frame.context());
     const arrays = taken(frame.u32(out), 'plumb_mesh_free', (mesh) => arraysOf(mesh, isTriangles));
     return {...arrays, report: camel(reportLayout.read(report))};
+  });
+}
+
+function tracedMeshOf(
+    solid, {pieces = 'same attributes', floats = false, ...options}, isTriangles) {
+  return inFrame(options, (frame) => {
+    const settings = frame.struct(attributeLayout, {
+      pieces: constant(['same attributes', 'apart', 'same face'], pieces, 'pieces'),
+      polygons: !isTriangles,
+      floats,
+    });
+    const out = frame.block(4), report = frame.struct(reportLayout);
+    frame.check(
+        'plumb_solid_to_mesh_with_attributes', self(solid), settings, out, report, frame.context());
+    return taken(frame.u32(out), 'plumb_mesh_free', (mesh) => {
+      const {facets, ...arrays} = arraysOf(mesh, isTriangles);
+      return {
+        ...arrays,
+        ...sourcesOf(mesh),
+        attributes: attributesOf(mesh),
+        report: camel(reportLayout.read(report))
+      };
+    });
   });
 }

@@ -45,9 +45,9 @@ export class Scene extends Handle {
   }
   /** `files` has the files that the scene names. */
   static read(data, {name = 'scene.json', files = {}, ...options} = {}) {
-    return inFrame(options, (frame) => withFiles({...files, [name]: data}, (folder) => {
+    return inFrame(options, (frame) => withFiles({...files, [name]: data}, () => {
                               const {address, notes} = frame.makeWithNotes(
-                                  'plumb_scene_read_file', frame.text(`${folder}/${name}`, 'name'),
+                                  'plumb_scene_read_file', frame.text(name, 'name'),
                                   readOptions(frame, options));
                               frame.tell(notes);
                               return wrap(Scene, address);

@@ -31,12 +31,15 @@ export interface RemotePlumb {
   Scene: RemoteClass<typeof plumb.Scene>;
   checkMesh: Call<typeof plumb.checkMesh>;
   delaunay: Call<typeof plumb.delaunay>;
+  lostAttributes: Call<typeof plumb.lostAttributes>;
   overlay: Call<typeof plumb.overlay>;
   readCsg: Call<typeof plumb.readCsg>;
   readMesh: Call<typeof plumb.readMesh>;
   repairMesh: Call<typeof plumb.repairMesh>;
+  selfTest: Call<typeof plumb.selfTest>;
   version: Call<typeof plumb.version>;
   writeMesh: Call<typeof plumb.writeMesh>;
+  writeMeshFiles: Call<typeof plumb.writeMeshFiles>;
   /** Ends the worker at once. The promises of running calls are rejected. */
   terminate(): void;
   [Symbol.dispose](): void;

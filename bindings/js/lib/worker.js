@@ -11,7 +11,8 @@ import {buffersOf, decodeMessage, encode} from './messages.js';
 
 const classes = ['Solid', 'PlaneSet', 'SphereSet', 'Map', 'Layer', 'Scene'];
 const functions = [
-  'checkMesh', 'delaunay', 'overlay', 'readCsg', 'readMesh', 'repairMesh', 'version', 'writeMesh'
+  'checkMesh', 'delaunay', 'lostAttributes', 'overlay', 'readCsg', 'readMesh', 'repairMesh',
+  'selfTest', 'version', 'writeMesh', 'writeMeshFiles'
 ];
 const numbers = new WeakMap();  // The number of each proxy, and the connection that it belongs to.
 

@@ -1,8 +1,9 @@
 // The page: two meshes and an operation, or a layer and its repair.
 //
 // Everything is computed in a worker. `inputs` has what was dropped: solids as {name, solid,
-// defects}, or one layer. The result is shown in a frame without access to this page: a solid by
-// the page that it writes of itself, a layer as a picture of its polygons.
+// remarks}, or one layer. Solids keep the attributes of their files, so that pictures and written
+// files have the colours of both. The result is shown in a frame without access to this page: a
+// solid by the page that it writes of itself, a layer as a picture of its polygons.
 import {connect} from '../worker.js';
 
 const element = (id) => document.getElementById(id);
@@ -42,39 +43,50 @@ function show() {
   element('download-controls').hidden = result === null;
 }
 
+/** The format that was chosen stays chosen. */
 function offer(formats) {
-  element('format').replaceChildren(...formats.map((format) => new Option(format, format)));
+  const chosen = element('format').value;
+  element('format').replaceChildren(
+      ...formats.map((format) => new Option(format, format, false, format === chosen)));
 }
 
 function picture(html) { element('picture').srcdoc = html; }
 
 // ---- reading
 
-const isLayerFile = (name) => /\.(geojson|json|topojson|wkt)$/i.test(name);
+const isLayerFile = ({name}) => /\.(geojson|json|topojson|wkt)$/i.test(name);
+/** Whether a file belongs to another one: colours of OBJ, arrays of glTF, textures. */
+const isPart = ({name}) => /\.(mtl|bin|png|jpe?g)$/i.test(name);
 
 /**
- * A solid of a file; a mesh that bounds none is mended if that is possible, and its defects are
- * told.
+ * A solid of a file; a mesh that bounds none is mended if that is possible. Its defects, and what
+ * the solid does not have of the file, are told.
  */
-async function readSolid(name, bytes) {
+async function readSolid({name, bytes}, parts) {
+  const notes = new Set();
+  const options = {name, ...parts, onNote: ({text}) => notes.add(`${name}: ${text}`)};
   if (/\.nef$/i.test(name))
-    return {name, solid: await plumb.Solid.read(bytes, {name}), defects: []};
-  const mesh = await plumb.readMesh(bytes, {name}),
-        report = await plumb.checkMesh(mesh, {maxListed: 100});
-  const defects = defectsOf(name, report);
+    return {name, solid: await plumb.Solid.read(bytes, options), remarks: [...notes]};
+  const mesh = await plumb.readMesh(bytes, {...options, attributes: true});
+  const defects = defectsOf(name, await plumb.checkMesh(mesh, {maxListed: 100}));
+  const remarks = () => [...defects, ...notes];
   try {
-    return {name, solid: await plumb.Solid.read(bytes, {name}), defects};
+    const solid = await plumb.Solid.read(bytes, {...options, keep: 'all'});
+    return {name, solid, remarks: remarks()};
   } catch (error) {
     const mended = error.code === 'BAD_SHAPE' ? await plumb.repairMesh(mesh) : null;
     if (mended === null) throw error;
-    const {vertices, triangles, faceBegin, corners} = mended.mesh;
-    const solid = triangles ? await plumb.Solid.fromMesh(vertices, triangles) :
-                              await plumb.Solid.fromPolygons(vertices, faceBegin, corners);
     const {welded, flipped, turned, filled} = mended.report;
     defects.push(`${name}: mended (welded points ${welded}, turned faces ${
         flipped + turned}, filled holes ${filled})`);
-    return {name, solid, defects};
+    return {name, solid: await solidOf(mesh, name, mended.repair), remarks: remarks()};
   }
+}
+
+function solidOf({vertices, triangles, faceBegin, corners, attributes}, name, repair) {
+  const options = {attributes, sourceName: name, repair};
+  return triangles ? plumb.Solid.fromMesh(vertices, triangles, options) :
+                     plumb.Solid.fromPolygons(vertices, faceBegin, corners, options);
 }
 
 function defectsOf(name, report) {
@@ -92,17 +104,20 @@ function defectsOf(name, report) {
 }
 
 async function take(files) {
-  if (files.some(({name}) => isLayerFile(name))) {
-    const {name, bytes} = files.find((file) => isLayerFile(file.name));
+  const layerFile = files.find(isLayerFile), whole = files.filter((file) => !isPart(file));
+  if (whole.length === 0) throw new Error('Drop a mesh together with the files that it names.');
+  if (layerFile) {
+    const {name, bytes} = layerFile;
     [inputs, result] = [[], null];
     layer = {name, layer: await plumb.Layer.read(bytes, {name})};
   } else {
-    const read = [];
-    for (const {name, bytes} of files.slice(0, 2)) read.push(await readSolid(name, bytes));
+    const read = [], parts = files.filter(isPart).map(({name, bytes}) => [name, bytes]);
+    const beside = parts.length > 0 ? {files: Object.fromEntries(parts)} : {};
+    for (const file of whole.slice(0, 2)) read.push(await readSolid(file, beside));
     [inputs, layer, result] =
         [[...(inputs.length === 1 && read.length === 1 ? inputs : []), ...read], null, null];
   }
-  list('defects', inputs.flatMap(({defects}) => defects));
+  list('defects', inputs.flatMap(({remarks}) => remarks));
   tell([]);
   show();
   await compute();
@@ -132,14 +147,18 @@ async function compute() {
   }
 }
 
+const fileName = (name, format) => `${name}.${format.split('-')[0]}`;
+
 async function combine(options) {
   const [a, b] = inputs.map(({solid}) => solid), operation = element('operation').value;
   let solid = a;
   if (b !== undefined)
     solid = operation === 'hull' ? await plumb.Solid.hullOf([a, b], options) :
                                    await a[operation](b, options);
-  result = {write: (format) => solid.write(format), name: 'result'};
-  offer(['stl-binary', 'off', 'obj', 'ply', 'glb', '3mf', 'nef']);
+  result = {
+    files: (format, onNote) => solid.writeFiles(fileName('result', format), {format, onNote})
+  };
+  offer(['3mf', 'glb', 'obj', 'ply', 'off', 'stl-binary', 'nef']);
   const [volume, {vertices, edges, facets}, isConvex] =
       await Promise.all([solid.volume(), solid.counts(), solid.isConvex()]);
   const exact = volume === null ? 'infinite' : `${volume}`;
@@ -157,7 +176,7 @@ async function combine(options) {
 async function repair(options) {
   const {layer: repaired, report} =
       await layer.layer.repaired({...options, owner: element('owner').value});
-  result = {write: (format) => repaired.write(format), name: 'layer'};
+  result = {files: async (format) => ({[fileName('layer', format)]: await repaired.write(format)})};
   offer(['geojson', 'topojson', 'wkt']);
   const shown = report.regions.filter(({kind}) => kind !== 'hole');
   list(
@@ -251,24 +270,44 @@ element('swap').addEventListener('click', doing(async () => {
                                  }));
 element('operation').addEventListener('change', doing(compute));
 element('owner').addEventListener('change', doing(compute));
-element('download').addEventListener('click', doing(async () => {
-                                       const format = element('format').value,
-                                             bytes = await result.write(format);
-                                       const link = document.createElement('a');
-                                       link.href = URL.createObjectURL(new Blob([bytes]));
-                                       link.download = `${result.name}.${format.split('-')[0]}`;
-                                       link.click();
-                                       setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-                                     }));
-element('example-solids').addEventListener('click', doing(async () => {
-                                             const ring = await plumb.Solid.torus(3, 1),
-                                                   ball = await (await plumb.Solid.sphere(2, 24))
-                                                              .translated([3, 0, 0]);
-                                             await take([
-                                               {name: 'ring.off', bytes: await ring.write('off')},
-                                               {name: 'ball.off', bytes: await ball.write('off')}
-                                             ]);
-                                           }));
+/**
+ * Saves the files of the result, and says what they lack: an OBJ file has its colours beside it.
+ */
+async function download() {
+  const notes = [];
+  const files = await result.files(element('format').value, ({text}) => notes.push(text));
+  for (const [name, bytes] of Object.entries(files)) {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([bytes]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+  say([`Saved ${Object.keys(files).join(' and ')}.`, ...notes].join(' '));
+}
+element('download').addEventListener('click', doing(download));
+
+/** A solid as a 3MF file in one colour. */
+async function colouredFile(name, solid, color) {
+  const {vertices, triangles} = await solid.toMesh();
+  const attributes = {
+    materials: [{name, color}],
+    faceMaterial: new Uint32Array(triangles.length / 3),
+  };
+  const bytes = await plumb.writeMesh({vertices, triangles, attributes}, '3mf');
+  return {name: `${name}.3mf`, bytes};
+}
+
+async function showExample() {
+  const ring = await plumb.Solid.torus(3, 1);
+  const ball = await (await plumb.Solid.sphere(2, 24)).translated([3, 0, 0]);
+  element('operation').value = 'difference';
+  await take([
+    await colouredFile('ring', ring, [0.2, 0.6, 1, 1]),
+    await colouredFile('ball', ball, [1, 0.6, 0.2, 1]),
+  ]);
+}
+element('example-solids').addEventListener('click', doing(showExample));
 element('example-layer')
     .addEventListener(
         'click', doing(async () => {

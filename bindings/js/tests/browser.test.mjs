@@ -5,6 +5,7 @@ import {existsSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
+import {cases as ofAttributes} from './attributes.mjs';
 import {dist, hasChromium, shownBy} from './chromium.mjs';
 import {cases} from './core.mjs';
 
@@ -33,9 +34,10 @@ const engine = `<script type="module">
 import * as plumb from './index.js';
 import {connect} from './worker.js';
 import {cases} from './core.mjs';
+import {cases as ofAttributes} from './attributes.mjs';
 await plumb.init();
 const lines = [];
-for (const [name, body] of Object.entries(cases)) {
+for (const [name, body] of Object.entries({...cases, ...ofAttributes})) {
   try {
     body(plumb);
   } catch (error) {
@@ -49,8 +51,8 @@ await fetch('/shown', {method: 'POST', body: lines.join('; ')});
 </script>`;
 
 test(
-    'chromium: the cases of core.mjs, and the worker',
+    'chromium: the cases of core.mjs and attributes.mjs, and the worker',
     {skip: !hasChromium || !existsSync(join(dist, 'engine.wasm')), timeout: 300000}, async () => {
-      assert.ok(Object.keys(cases).length > 15);
+      assert.ok(Object.keys(cases).length > 15 && Object.keys(ofAttributes).length > 8);
       assert.equal(await shownBy(engine), 'worker 1/3');
     });

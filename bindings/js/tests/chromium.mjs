@@ -19,9 +19,10 @@ const types = {
 };
 
 /**
- * Serves the package, the scripts of the tests and a page, and hands what is posted to `receive`.
+ * Serves folders, by default the package and the scripts of the tests, and a page, and hands what
+ * is posted to `receive`.
  */
-export async function serve(page, receive = () => {}) {
+export async function serve(page, receive = () => {}, folders = [dist, tests]) {
   const server = createServer((request, response) => {
     if (request.method === 'POST') {
       let text = '';
@@ -30,10 +31,8 @@ export async function serve(page, receive = () => {}) {
     }
     const {pathname} =
         new URL(request.url, 'http://host');  // Dots that lead upwards are resolved here.
-    const file =
-        [dist, tests].map((folder) => join(folder, pathname)).find((path) => statSync(path, {
-                                                                               throwIfNoEntry: false
-                                                                             })?.isFile());
+    const file = folders.map((folder) => join(folder, pathname))
+                     .find((path) => statSync(path, {throwIfNoEntry: false})?.isFile());
     response.setHeader('content-type', types[pathname.split('.').at(-1)] ?? 'text/html');
     response.end(file === undefined ? page : readFileSync(file));
   });
@@ -45,7 +44,7 @@ export async function serve(page, receive = () => {}) {
  * The first text that a page posts: `await fetch('/shown', {method: 'POST', body: text})`. An
  * error that nobody catches is one.
  */
-export async function shownBy(page) {
+export async function shownBy(page, folders) {
   const watch = `<script>
     for (const name of ['error', 'unhandledrejection']) {
       addEventListener(name, (event) => {
@@ -54,7 +53,8 @@ export async function shownBy(page) {
     }</script>`;
   let receive;
   const shown = new Promise((resolve) => (receive = resolve));
-  const server = await serve(`<!doctype html><meta charset="utf-8">${watch}${page}`, receive);
+  const server =
+      await serve(`<!doctype html><meta charset="utf-8">${watch}${page}`, receive, folders);
   const profile = mkdtempSync(join(tmpdir(), 'plumb-js-'));
   const browser = spawn(
       'chromium',

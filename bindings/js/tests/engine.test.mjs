@@ -1,6 +1,6 @@
-// The package in Node: the cases of core.mjs, and what a browser cannot tell: memory, the worker,
-// the types. node --test bindings/js/tests; PLUMB_JS_DIST names the package. Skipped where the
-// package has the predicates only.
+// The package in Node: the cases of core.mjs and attributes.mjs, and what a browser cannot tell:
+// memory, the worker, the types. node --test bindings/js/tests; PLUMB_JS_DIST names the package.
+// Skipped where the package has the predicates only.
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import {existsSync, readFileSync} from 'node:fs';
@@ -8,6 +8,7 @@ import {dirname, join} from 'node:path';
 import {test} from 'node:test';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
+import {cases as ofAttributes} from './attributes.mjs';
 import {cases, failure} from './core.mjs';
 
 const dist = process.env.PLUMB_JS_DIST ?? join(dirname(fileURLToPath(import.meta.url)), '../dist');
@@ -27,7 +28,8 @@ test('init() can fail and then succeed', {skip}, async () => {
   assert.match(plumb.version(), /^\d+\.\d+\.\d+$/);
 });
 
-for (const [name, body] of Object.entries(cases)) test(name, {skip}, () => body(plumb));
+for (const [name, body] of Object.entries({...cases, ...ofAttributes}))
+  test(name, {skip}, () => body(plumb));
 
 test('objects that are disposed of leave no memory behind', {skip}, () => {
   const {Solid} = plumb;
@@ -156,8 +158,8 @@ const noting = {
   },
   'Layer.read': {
     makers: {plumb_layer_read: {4: 'plumb_layer_free', 3: notesFree}},
-    call: ({Layer}, options) => Layer.read(
-        'GEOMETRYCOLLECTION(POLYGON((0 0,1 0,0 1,0 0)),POINT(3 3))', options),
+    call: ({Layer}, options) =>
+        Layer.read('GEOMETRYCOLLECTION(POLYGON((0 0,1 0,0 1,0 0)),POINT(3 3))', options),
   },
 };
 
@@ -177,7 +179,8 @@ for (const [name, {makers, call}] of Object.entries(noting)) {
 test('a report that cannot be written leaves nothing behind', {skip}, async () => {
   const cannotWrite = 101;  // PLUMB_CANNOT_WRITE of plumb.h.
   const {Layer} = plumb;
-  const layer = Layer.read('GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0)),' +
+  const layer = Layer.read(
+      'GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0)),' +
       'POLYGON((3 0,7 0,7 4,3 4,3 0)))');
   const makers = {
     plumb_layer_repair: {4: 'plumb_layer_free', 3: 'plumb_layer_report_free'},
@@ -197,6 +200,35 @@ test('a report that cannot be written leaves nothing behind', {skip}, async () =
   } finally {
     engine()._plumb_layer_report_write = original;
   }
+});
+
+test('attributes leave nothing behind, and neither do refused ones', {skip}, async () => {
+  const {Solid, lostAttributes, writeMesh} = plumb, meshFree = 'plumb_mesh_free';
+  const {vertices, triangles} = Solid.box([0, 0, 0], [1, 1, 1]).toMesh();
+  const attributes = {
+    materials: [{name: 'red', color: [1, 0, 0, 1]}],
+    faceMaterial: new Uint32Array(12),
+    vertexChannels: {place: {width: 3, values: vertices}}
+  };
+  const late = {...attributes, vertexChannels: {place: {width: 2, values: vertices}}};
+  const makers = {
+    plumb_mesh_from_triangles: {2: meshFree},
+    plumb_solid_from_mesh: {3: solidFree},
+    plumb_solid_with_source: {2: solidFree},
+    plumb_solid_write_file: {3: notesFree},
+    plumb_solid_to_mesh_with_attributes: {4: meshFree},
+  };
+  const {made, left} = await liveObjects(makers, () => {
+    const solid = Solid.fromMesh(vertices, triangles, {attributes});
+    const mesh = solid.toMeshWithAttributes(), again = solid.withSource(mesh);
+    assert.ok(writeMesh(mesh, 'ply').length > 0 && lostAttributes(mesh, 'off').length > 0);
+    assert.deepEqual(Object.keys(solid.writeFiles('a.obj')).sort(), ['a.mtl', 'a.obj']);
+    for (const each of [solid, again]) each.dispose();
+    failure(plumb, 'BAD_ARGUMENT', () => Solid.fromMesh(vertices, triangles, {attributes: late}));
+    failure(plumb, 'UNKNOWN_FORMAT', () => writeMesh(mesh, 'xyz'));
+  });
+  assert.ok(made > 20, 'nothing was made');
+  assert.deepEqual(left, []);
 });
 
 test('objects that nobody disposed of are released by the garbage collector', {skip}, async () => {
@@ -247,6 +279,15 @@ test(
       assert.equal(await (await map.check()).isValid(), true);
       assert.deepEqual(
           await remote.checkMesh({vertices, triangles}).then(({isClosed}) => isClosed), true);
+      const attributes = {
+        materials: [{name: 'red', color: [1, 0, 0, 1]}],
+        faceMaterial: new Uint32Array(triangles.length / 3)
+      };
+      const red = await remote.Solid.fromMesh(vertices, triangles, {attributes, sourceName: 'a'});
+      const traced = await red.toMeshWithAttributes();
+      assert.deepEqual(await red.sources(), ['a']);
+      assert.ok(traced.attributes.faceMaterial.every((i) => i === 0) && traced.source.length > 0);
+      assert.equal(Object.keys(await remote.writeMeshFiles(traced, 'a.obj')).length, 2);
     }));
 
 test(

@@ -4,11 +4,14 @@ import {
   Fraction,
   init,
   Layer,
+  lostAttributes,
   Map,
+  type MeshAttributes,
   overlay,
   PlaneSet,
   PlumbError,
   readCsg,
+  readMesh,
   Scene,
   Solid,
   SphereSet,
@@ -35,6 +38,20 @@ const owner: number|null =
     Layer.read({type: 'FeatureCollection'}).repaired({owner: 'first'}).report.regions[0].owner;
 const model: Solid|PlaneSet|null =
     readCsg('cube();', {name: 'a.csg', files: {'b.stl': new Uint8Array(2)}});
+const paint: MeshAttributes = {
+  materials: [{name: 'red', color: [1, 0, 0, 1]}, {name: 'plain'}],
+  faceMaterial: [0, 1],
+  channels: {texcoord_0: {width: 2, values: new Float64Array(12)}},
+};
+const traced =
+    Solid.fromMesh(vertices, triangles, {attributes: paint, sourceName: 'a', keep: 'ids'})
+        .toMeshWithAttributes({pieces: 'same face', floats: true, timeout: 1});
+const colour: readonly[number, number, number, number]|null = traced.attributes.materials[0].color;
+const sourceFaces: Uint32Array = traced.sourceFace;
+const lost: string = lostAttributes(traced, 'stl');
+const ids: Uint32Array|null = readMesh('', {attributes: true}).attributes.faceId;
+const files: Record<string, Uint8Array> = box.writeFiles('a.obj', {rounding: 'nearest'});
+const fewer: PlaneSet = outline.simplified({within: 0.1});
 const scene: number = Scene.fromMesh(vertices, triangles).addPoint(0, ['1/3', 0.5]);
 const sphere: boolean = SphereSet.halfSphere([0, 0, 1]).isSubsetOf(SphereSet.whole());
 if (box instanceof PlumbError) throw new Error('never');
@@ -48,12 +65,16 @@ const exact: Fraction|null = await sum.volume();
 const pieces: Remote<Solid>[] = await sum.decompose({closed: true});
 const valid: boolean = await (await (await remote.Map.read('')).check()).isValid();
 const points: Float64Array = (await sum.toMesh()).vertices;
+const channel: Float64Array|undefined =
+    (await sum.toMeshWithAttributes()).attributes.channels['place']?.values;
 remote.terminate();
 
 // @ts-expect-error: sets of different spaces
 box.union(outline);
 // @ts-expect-error: sets of different spaces
 box.distance(outline);
+// @ts-expect-error: no such attributes
+Solid.read('', {keep: 'colors'});
 // @ts-expect-error: no such rule
 Solid.fromMesh(vertices, triangles, {rule: 'odd'});
 // @ts-expect-error: objects are made by static functions
@@ -66,11 +87,17 @@ const direct: boolean = a.isEmpty();
 export {
   again,
   areas,
+  channel,
+  colour,
   direct,
   disposed,
   exact,
+  fewer,
+  files,
   flat,
+  ids,
   kind,
+  lost,
   model,
   moved,
   near,
@@ -79,6 +106,7 @@ export {
   pieces,
   points,
   scene,
+  sourceFaces,
   sphere,
   valid,
   volume
