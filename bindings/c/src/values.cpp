@@ -169,14 +169,14 @@ void deliver(const ConvexityEvidence& found, bool* is_convex, std::uint64_t* ref
 
 namespace {
 
-Rational number_of(const char* given, const std::string& name, const Limits& limits) {
+Rational number_of(const char* given, const std::string& name, const Context& context) {
   const RoundToNearest rounding;
   const std::string number = text(given, "an element of texts");
   TextCursor cursor(number, name);
   if (!cursor.next_line()) cursor.fail(ErrorCode::Syntax, "expected a number, found nothing");
   const std::string_view token = cursor.token();
   if (token.size() != number.size()) cursor.fail_token(number, "a number");
-  NumberReader numbers(limits, true, number.size());
+  NumberReader numbers(context, true, number.size());
   ReadNumber read;
   numbers.read(cursor, token, read);
   return read.exact();
@@ -232,10 +232,10 @@ plumb_status plumb_numbers_from_texts(const char* const* texts, std::size_t coun
                                       plumb_numbers** out, const plumb_context* context,
                                       plumb_error** error) {
   return make(out, error, [&] {
-    const Limits limits = context != nullptr ? context->limits : Limits();
+    Call call(context);
     std::vector<Rational> numbers;
     for (const char* const given : array(texts, count, "texts")) {
-      numbers.push_back(number_of(given, "number " + std::to_string(numbers.size()), limits));
+      numbers.push_back(number_of(given, "number " + std::to_string(numbers.size()), call));
     }
     return numbers_of(std::move(numbers));
   });
