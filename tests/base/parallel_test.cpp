@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "plumb/base/internal/restarted_jobs.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::parallel_test {
@@ -97,6 +98,44 @@ TEST(Parallel, MemoryIsChargedTogether) {
                         }),
                Error);
   EXPECT_NO_THROW(context.charge_memory(1000, "all of it was given back"));
+}
+
+/// Jobs that each need nearly all of the memory, and that all hold some at the same time.
+TEST(RestartedJobs, NeedNoMoreMemoryThanALoop) {
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    Context context = with_threads(threads, {.max_memory_bytes = 100});
+    std::atomic<unsigned> begun = 0;
+    std::vector<int> done(4, 0);
+    run_restarted_jobs(context, 4, [&](std::size_t i, Context& own) {
+      MemoryCharge memory(own);
+      memory.add(20, "some");
+      for (++begun; begun < threads;) std::this_thread::yield();
+      memory.add(75, "the rest");
+      ++done[i];
+    });
+    EXPECT_EQ(std::vector<int>(4, 1), done) << threads;
+    context.charge_memory(100, "all is released");
+  }
+}
+
+TEST(RestartedJobs, FailAsALoopFails) {
+  for (const unsigned threads : {1U, 2U, 4U}) {
+    Context context = with_threads(threads, {.max_memory_bytes = 100});
+    std::vector<int> done(8, 0);
+    try {
+      run_restarted_jobs(context, 8, [&](std::size_t i, Context& own) {
+        if (i == 3) own.charge_memory(101, "job 3");
+        if (i == 4) throw Error(ErrorCode::BadArgument, "job 4");
+        done[i] = 1;
+      });
+      ADD_FAILURE() << "no error, " << threads << " threads";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+      EXPECT_NE(std::string_view(error.what()).find("job 3"), std::string_view::npos);
+    }
+    for (const std::size_t i : {0U, 1U, 2U}) EXPECT_EQ(done[i], 1);
+    EXPECT_EQ(done[3] + done[4], 0);
+  }
 }
 
 TEST(Parallel, AStopOfTheOperationStopsItsJobs) {

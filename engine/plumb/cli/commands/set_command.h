@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/restarted_jobs.h"
 #include "plumb/base/marks.h"
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
@@ -79,11 +80,14 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
                const Visit& visit) {
   using Read = decltype(input.load(files[0], session.options(), session.context()));
   std::vector<Read> reads(files.size());
-  run_jobs(session.context(), files.size(), [&](std::size_t i, Context& own) {
+  const auto read = [&](std::size_t i, Context& own) {
     const bool is_alone = &own == &session.context();
     if (is_alone || i == 0) session.begin("read");  // All files read in parallel are one stage.
     reads[i] = input.load(files[i], session.options(), own);
-  });
+  };
+  // Standard input can be read only once.
+  const bool has_stdin = std::find(files.begin(), files.end(), "-") != files.end();
+  (has_stdin ? run_jobs : run_restarted_jobs)(session.context(), files.size(), read);
   std::vector<decltype(Read::set)> sets;
   for (std::size_t i = 0; i < files.size(); ++i) {
     print_notes(files[i], reads[i], session);

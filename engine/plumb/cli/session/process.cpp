@@ -189,6 +189,14 @@ std::uint64_t free_memory_of_heap(std::uint64_t most) {
 #endif
 }
 
+/// Lets all threads that start later take memory from the heap. What a thread frees in an arena of
+/// its own counts, but is of no use to other threads.
+void share_heap() {
+#if defined(__GLIBC__)
+  ::mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
 /// Returns the greatest size of the stack of a thread.
 std::uint64_t bytes_of_stack() {
   constexpr rlim_t kUsual = rlim_t{8} << 20;
@@ -201,6 +209,7 @@ std::uint64_t bytes_of_stack() {
 
 void limit_growth(std::uint64_t bytes, unsigned threads) {
   if (kIsSanitized) return;
+  if (threads > 0) share_heap();
   const std::uint64_t free = free_memory_of_heap(bytes);
   const std::uint64_t mapped = private_memory();
   rlimit limit{};

@@ -19,7 +19,7 @@
 #include <numeric>
 #include <utility>
 
-#include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/restarted_jobs.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/boolean/assemble.h"
 #include "plumb/space/boolean/boolean_op.h"
@@ -220,8 +220,9 @@ std::vector<Nef3> Nef3::from_meshes(std::span<const PolygonMesh> meshes,
     throw Error(ErrorCode::BadArgument, "one report cannot serve several meshes");
   }
   std::vector<Nef3> sets(meshes.size());
-  run_jobs(context, meshes.size(),
-           [&](std::size_t i, Context& own) { sets[i] = from_mesh(meshes[i], options, own); });
+  run_restarted_jobs(context, meshes.size(), [&](std::size_t i, Context& own) {
+    sets[i] = from_mesh(meshes[i], options, own);
+  });
   return sets;
 }
 
