@@ -4,14 +4,17 @@
 //  1. parse    reads nodes, modifiers and parameters into a CsgTree (csg_tree.h). Nothing recurses,
 //              so groups may be nested to any depth
 //  2. root     keeps only the subtree of a node with the modifier `!`, if there is one
-//  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h) and
-//              of sets of the plane (plane_io.h)
+//  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h), of
+//              sets of the plane (plane_io.h), and of fields of heights, which surface() names
 //
-// Nodes: all that OpenSCAD 2021.01 writes except text() and surface(), which are refused.
+// Nodes: all that OpenSCAD 2021.01 writes except text(), which is refused.
 // Modifiers: `*` and `%` leave a node out, `#` changes nothing, and `!` makes its node the model.
 // Parameters that do not change the shape, such as convexity, are skipped; parameters with unknown
 // names are skipped with a note. A number is read as the nearest double. A colour is a vector, a
 // name of CSS, or #rgb, #rgba, #rrggbb or #rrggbbaa; an unknown name gives a note.
+//
+// Drawings in DXF are read as OpenSCAD reads them: $fn, $fa and $fs divide arcs, a straight line
+// closes an open chain, and hatches are left out.
 //
 // Imports: a model names files. Unless the options allow more, a file must lie in the folder of the
 // model or below it, after symbolic links are resolved. The contents of a file that is refused for
@@ -21,7 +24,8 @@
 // FILE:LINE:COLUMN: message. They are:
 //   - Syntax, NotText and NumberOutOfRange for the text
 //   - BadArgument and BadIndex for parameters
-//   - UnknownFormat for nodes that are not supported, and for imports in other formats
+//   - UnknownFormat for nodes that are not supported, and for imports in other formats, and for
+//     images of surface() if plumb was built without libpng
 //   - CannotOpen for imports that cannot be read or are refused, and the errors of their readers
 //   - ResourceLimit and Cancelled
 // Source: the OpenSCAD User Manual, and the files that OpenSCAD writes.
