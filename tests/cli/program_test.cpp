@@ -710,12 +710,26 @@ TEST(Demo, leaves_a_page_with_pictures) {
   const std::string page = read_file(scratch / "demo/index.html");
   EXPECT_TRUE(contains(page, "src=\"data:image/svg+xml,%3Csvg"));
   EXPECT_FALSE(contains(page, "src=\"http"));
-  for (const char* name :
-       {"us-counties.svg", "star-or-quadrant.svg", "star-without-quadrant.svg",
-        "states-over-counties.svg", "states-over-counties.geojson", "bunny-or-ball.svg",
-        "bunny-and-ball.svg", "bunny-without-ball.svg", "mould.svg", "bunny-without-ball.nef",
-        "bunny-without-ball.off", "torus-polygons.svg", "torus-result.svg", "bunny-labels.svg",
-        "bunny-labels.html", "test_four-pieces.svg", "comb-pieces.svg", "comb-pieces.html"}) {
+  for (const char* name : {"us-counties.svg",
+                           "star-or-quadrant.svg",
+                           "star-without-quadrant.svg",
+                           "states-over-counties.svg",
+                           "states-over-counties.geojson",
+                           "bunny-or-ball.svg",
+                           "bunny-and-ball.svg",
+                           "bunny-without-ball.svg",
+                           "mould.svg",
+                           "bunny-without-ball.nef",
+                           "bunny-without-ball.off",
+                           "bracket.svg",
+                           "bracket.off",
+                           "torus-polygons.svg",
+                           "torus-result.svg",
+                           "bunny-labels.svg",
+                           "bunny-labels.html",
+                           "test_four-pieces.svg",
+                           "comb-pieces.svg",
+                           "comb-pieces.html"}) {
     EXPECT_TRUE(fs::exists(scratch / (std::string("demo/") + name))) << name;
     EXPECT_TRUE(contains(page, name) || !std::string_view(name).ends_with(".svg")) << name;
   }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "plumb/convex/minkowski.h"
 #include "plumb/model/hull.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/canonical.h"
@@ -232,6 +233,50 @@ TEST(CsgEvaluate, SumsHavePlaneAndSpace) {
   const CsgResult result = evaluate(shape.take());
   EXPECT_EQ(result.dimension, CsgDimension::Plane);
   EXPECT_EQ(result.shape.area(), Rational(3 * 5));
+}
+
+TEST(CsgEvaluate, SumsOfManySetsDoNotDependOnTheirOrder) {
+  // An L, a cube, and a tetrahedron.
+  const auto sum_of = [](const std::vector<int>& order) {
+    TreeBuilder builder;
+    builder.open(CsgKind::Minkowski);
+    for (const int part : order) {
+      if (part == 0) {
+        builder.open(CsgKind::Difference);
+        builder.cube(3, 3, 1);
+        builder.cube(2, 2, 1);
+        builder.close();
+      } else if (part == 1) {
+        builder.cube(1, 1, 0.5);
+      } else {
+        builder.leaf(CsgKind::Polyhedron, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
+                     {4, 3, 3, 3, 3, 0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0});
+      }
+    }
+    builder.close();
+    return evaluate(builder.take()).solid;
+  };
+  const Nef3 expected = sum_of({0, 1, 2});
+  EXPECT_FALSE(expected.is_convex());
+  for (const std::vector<int>& order :
+       {std::vector{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
+    EXPECT_EQ(sum_of(order), expected);
+  }
+  EXPECT_EQ(sum_of({1, 2}), minkowski_sum(sum_of({1}), sum_of({2})));
+}
+
+TEST(CsgEvaluate, AHullOfHullsIsOneHull) {
+  TreeBuilder builder;
+  constexpr int kDepth = 100'000;
+  for (int i = 0; i < kDepth; ++i) builder.open(CsgKind::Hull);
+  builder.cube(1, 1, 1);
+  builder.shift(0, 0, 4);
+  builder.cube(1, 1, 1);
+  for (int i = 0; i <= kDepth; ++i) builder.close();
+  const CsgResult result = evaluate(builder.take());
+  EXPECT_EQ(result.solid.volume(), Rational(5));
+  EXPECT_EQ(result.nodes[1].work, CsgWork::Computed);
+  EXPECT_EQ(result.nodes[2].work, CsgWork::Rewritten);
 }
 
 TEST(CsgEvaluate, ResizeKeepsAxesOfSizeZero) {

@@ -157,8 +157,8 @@ TEST(CsgReader, UnknownParametersAreNamedOnce) {
 TEST(CsgReader, RefusesAtThePlace) {
   expect_refusal("cube();\n  text(text = \"a\");", ErrorCode::UnknownFormat,
                  "m.csg:2:3: text() is not supported");
-  expect_refusal("surface(file = \"a\");", ErrorCode::UnknownFormat,
-                 "m.csg:1:1: surface() is not supported");
+  expect_refusal("surface(center = true);", ErrorCode::BadArgument,
+                 "m.csg:1:1: surface needs the name of a file");
   expect_refusal("roof() { square(); }", ErrorCode::UnknownFormat, "m.csg:1:1: 'roof' is no node");
   expect_refusal("cube(", ErrorCode::Syntax,
                  "m.csg:1:6: expected a parameter or ')', found the end");
@@ -309,7 +309,7 @@ TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
   EXPECT_EQ(shape("layer = \"a\"").area(), Rational(4));
   EXPECT_EQ(shape("layer = \"b\"").area(), Rational(1));
   EXPECT_TRUE(shape("layer = \"none\"").is_empty());
-  EXPECT_THROW(static_cast<void>(shape("layer = \"\"")), Error);  // Of all layers, one is open.
+  EXPECT_EQ(shape("layer = \"\"").area(), Rational(5));  // The line of layer "open" is no area.
   const Nef2 moved = shape("layer = \"a\", origin = [4, 5], scale = 3");
   EXPECT_EQ(moved.area(), Rational(36));
   EXPECT_TRUE(moved.contains(RationalPoint2{0, 3}) && moved.contains(RationalPoint2{6, 9}));
@@ -320,6 +320,61 @@ TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
   const std::string model = (top_ / "model" / "m.csg").string();
   EXPECT_EQ(evaluate(read_csg(model, both, {CsgImports::BelowModel, false}).tree).shape.area(),
             Rational(5));
+}
+
+// OpenSCAD 2021.01 gives the same areas.
+TEST_F(CsgImportsTest, DrawingsAreReadAsOpenScadReadsThem) {
+  const auto area = [this](const std::string& entities, const std::string& parameters) {
+    std::ofstream(top_ / "model" / "plan.dxf") << "0\nSECTION\n2\nENTITIES\n"
+                                               << entities << "0\nENDSEC\n0\nEOF\n";
+    const std::string model = (top_ / "model" / "m.csg").string();
+    const std::string text = "import(file = \"plan.dxf\", layer = \"\", " + parameters + ");";
+    const CsgRead read = read_csg(model, text, {CsgImports::BelowModel, false});
+    return nearest_double(evaluate(read.tree).shape.area().value());
+  };
+  // Two sides of a triangle: a straight line closes them.
+  const std::string sides =
+      "0\nLINE\n10\n0\n20\n0\n11\n4\n21\n0\n0\nLINE\n10\n4\n20\n0\n11\n4\n21\n3\n";
+  EXPECT_EQ(area(sides, "scale = 1"), 6);
+  // A hexagon of radius 1, and a half of a hexagon with a line.
+  const std::string circle = "0\nCIRCLE\n10\n0\n20\n0\n40\n1\n";
+  EXPECT_NEAR(area(circle, "$fn = 6"), 3 * std::sqrt(3) / 2, 1e-12);
+  EXPECT_NEAR(area(circle, "$fn = 4, scale = 3"), 18, 1e-12);
+  EXPECT_NEAR(area(circle, "$fn = 0, $fa = 90, $fs = 9"),
+              5 * std::sin(0.4 * 3.14159265358979323846) / 2, 1e-12);
+  const std::string arc = "0\nARC\n10\n0\n20\n0\n40\n1\n50\n90\n51\n270\n";
+  EXPECT_NEAR(area(arc, "$fn = 6"), 3 * std::sqrt(3) / 4, 1e-12);
+  // A hatch is no line.
+  const std::string hatch =
+      "0\nHATCH\n91\n1\n92\n2\n72\n0\n73\n1\n93\n3\n10\n0\n20\n0\n10\n9\n20\n0\n10\n9\n20\n9\n";
+  EXPECT_EQ(area(sides + hatch, "scale = 1"), 6);
+}
+
+TEST_F(CsgImportsTest, SurfacesAreFieldsOfHeights) {
+  std::ofstream(top_ / "model" / "field.dat") << "# heights\n1 2\n\n3 2\n";
+  std::ofstream(top_ / "model" / "bad.dat") << "1 2\n1 x\n";
+  std::ofstream(top_ / "model" / "row.dat") << "1 2 3\n";
+  const std::string model = (top_ / "model" / "m.csg").string();
+  const auto read = [&](const std::string& text) {
+    return read_csg(model, text, {CsgImports::BelowModel, false});
+  };
+  const CsgRead both = read(
+      "surface(file = \"field.dat\", center = true);\n"
+      "multmatrix([[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]])"
+      " surface(\"field.dat\", invert = true, timestamp = 3);");
+  EXPECT_EQ(both.notes, std::vector<std::string>());
+  const Nef3 solid = evaluate(both.tree).solid;
+  EXPECT_EQ(solid.volume(), Rational(4));  // The mean height is 2, and the bottom is at 0.
+  EXPECT_TRUE(solid.contains(Point3{-0.5, -0.5, 1}) && solid.contains(Point3{5, 1, 3}));
+  EXPECT_EQ(read("surface(\"row.dat\");").notes.size(), 1U);
+  try {
+    static_cast<void>(read("surface(\"bad.dat\");"));
+    FAIL() << "the file is not valid";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("m.csg:1:1: surface: "), std::string::npos) << text;
+    EXPECT_NE(text.find("bad.dat:2:3: "), std::string::npos) << text;
+  }
 }
 
 // The areas are those of OpenSCAD 2021.01, which rounds coordinates to multiples of 2^-16. Arcs of

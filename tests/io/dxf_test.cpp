@@ -222,7 +222,7 @@ TEST(DxfReader, layer_0_of_a_block_is_the_layer_of_the_insert) {
       with_blocks(block("a", kTriangle + on_red), entity("INSERT", "8 blue 2 a 10 0 20 0"));
   const auto layer = [&](const char* name) {
     Context context;
-    return read_dxf_set(text, name, ReadOptions{"some.file"}, context).set;
+    return read_dxf_set(text, {.layer = name}, ReadOptions{"some.file"}, context).set;
   };
   EXPECT_EQ(layer("blue"), wkt("POLYGON ((0 0, 2 0, 0 1, 0 0))"));
   EXPECT_EQ(layer("red"), wkt("POLYGON ((10 0, 12 0, 10 1, 10 0))"));
@@ -278,6 +278,67 @@ TEST(DxfReader, joins_ends_of_lines_that_only_rounding_separates) {
   EXPECT_THROW(read(triangle("3.7e-12")), Error);
 }
 
+TEST(DxfReader, names_of_blocks_have_no_case) {
+  EXPECT_EQ(read(with_blocks(block("Part", kTriangle), entity("INSERT", "2 pART 10 0 20 0"))).set,
+            wkt("POLYGON ((0 0, 2 0, 0 1, 0 0))"));
+}
+
+/// A hatch with these borders, and with what follows the borders in files.
+std::string hatch(int borders, const std::string& values, const std::string& style = "0") {
+  return entity("HATCH", "10 0 20 0 30 0 210 0 220 0 230 1 70 1 71 0 91 " +
+                             std::to_string(borders) + " " + values + " 75 " + style +
+                             " 76 1 98 1 10 77 20 77");
+}
+const std::string kSquareBorder =
+    "92 2 72 0 73 1 93 4 10 0 20 0 10 4 20 0 10 4 20 4 10 0 20 4 97 0";
+const std::string kHoleBorder =
+    "92 16 93 4 72 1 10 1 20 1 11 2 21 1 72 1 10 2 20 1 11 2 21 2 "
+    "72 1 10 2 20 2 11 1 21 2 72 1 10 1 20 2 11 1 21 1 97 1";
+
+TEST(DxfReader, hatches_are_areas_of_their_own) {
+  const Nef2 square = wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+  EXPECT_EQ(read(drawing(hatch(1, kSquareBorder))).set, square);
+  // The lines of the border may be there, too, and the hatch may be there twice.
+  EXPECT_EQ(read(drawing(kSquare + hatch(1, kSquareBorder) + hatch(1, kSquareBorder))).set, square);
+  const Nef2 frame = wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1))");
+  const std::string both = kSquareBorder + " " + kHoleBorder;
+  EXPECT_EQ(read(drawing(hatch(2, both))).set, frame);
+  EXPECT_EQ(read(drawing(hatch(2, both, "2"))).set, square);  // Islands are ignored.
+  // Two inserts of a hatch overlap.
+  const std::string inserts = entity("INSERT", "2 a 10 1 20 2") + entity("INSERT", "2 a 10 3 20 2");
+  EXPECT_EQ(read(with_blocks(block("a", hatch(1, kSquareBorder)), inserts)).set,
+            wkt("POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0))"));
+}
+
+TEST(DxfReader, borders_of_hatches_have_all_curves) {
+  constexpr double kPi = std::numbers::pi;
+  const auto area = [](const std::string& border) {
+    return area_of(read(drawing(hatch(1, border)), PlaneFormat::Dxf, 1e-6).set);
+  };
+  constexpr double kNear = 1e-4;
+  EXPECT_NEAR(area("92 2 72 1 73 1 93 2 10 0 20 0 42 1 10 4 20 0 42 1"), 4 * kPi, kNear);
+  EXPECT_NEAR(area("92 0 93 1 72 2 10 1 20 1 40 2 50 0 51 360 73 1 97 0"), 4 * kPi, kNear);
+  const std::string chord = "92 0 93 2 72 1 10 -2 20 0 11 2 21 0 ";
+  EXPECT_NEAR(area(chord + "72 2 10 0 20 0 40 2 50 0 51 180 73 1 97 0"), 2 * kPi, kNear);
+  // Clockwise angles are measured the other way: this is the same upper half, and then the lower.
+  EXPECT_NEAR(area(chord + "72 2 10 0 20 0 40 2 50 180 51 360 73 0"), 2 * kPi, kNear);
+  EXPECT_NEAR(area("92 0 93 2 72 1 10 0 20 0 11 2 21 0 72 2 10 0 20 0 40 2 50 0 51 90 73 1 97 0 "
+                   "92 0 93 1 72 1 10 0 20 2 11 0 21 0"),
+              kPi, kNear);
+  EXPECT_NEAR(area(chord + "72 3 10 0 20 0 11 2 21 0 40 0.5 50 0 51 180 73 1"), kPi, kNear);
+  // An eighth of a turn of a flat ellipse ends at its point on the line x = y.
+  const std::string end = "0.894427190999916";
+  EXPECT_NEAR(
+      area("92 0 93 3 72 1 10 0 20 0 11 2 21 0 72 3 10 0 20 0 11 2 21 0 40 0.5 50 0 51 45 73 1 "
+           "72 1 10 " +
+           end + " 20 " + end + " 11 0 21 0"),
+      std::atan2(2.0, 1.0), kNear);
+  EXPECT_NEAR(
+      area("92 0 93 2 72 1 10 0 20 0 11 4 21 0 72 4 94 2 73 0 74 0 95 6 96 3 40 0 40 0 40 0 "
+           "40 1 40 1 40 1 10 4 20 0 10 2 20 4 10 0 20 0 97 0"),
+      16.0 / 3, kNear);
+}
+
 TEST(DxfReader, names_what_it_does_not_read) {
   const PlaneRead result =
       read(drawing(kSquare + entity("TEXT", "10 0 20 0 40 2") + entity("TEXT", "10 0") +
@@ -312,6 +373,13 @@ TEST(DxfReader, refuses_what_is_wrong_with_its_line) {
       {drawing(entity("SPLINE", "71 5 10 0 20 0")), 11, "SPLINE has weights or another degree"},
       {drawing(entity("SPLINE", "71 2 40 0 10 0 20 0")), 11, "1 control points and 1 knots"},
       {drawing(entity("SPLINE", "71 1 40 3 40 2 10 0 20 0")), 11, "knots that descend"},
+      {drawing(entity("INSERT", "2 a 10 0 20 0 210 1")), 11, "INSERT lies in another plane"},
+      {drawing(entity("HATCH", "91 1 92 2 93 3 10 0 20 0")), 11,
+       "HATCH lacks a value with the code 10 in a border"},
+      {drawing(entity("HATCH", "91 1e300 92 0 93 0")), 11, "lacks a value with the code 92"},
+      {drawing(entity("HATCH", "91 1 92 0 93 1 72 5")), 11, "border of another kind"},
+      {drawing(entity("HATCH", "91 1 92 0 93 1 72 1 10 0 20 0 11 4 21 0")), 11,
+       "meets no other end"},
   };
   for (const Case& c : cases) {
     try {

@@ -104,6 +104,25 @@ TEST(Slice, Several) {
   EXPECT_TRUE(layers[2].is_empty());
 }
 
+TEST(Slice, SeveralOfUnboundedSets) {
+  // A stack through an open wedge without a box and with a line: below, at, and above each of them.
+  const Nef3 wedge = Nef3::half_space({1, 0, 1, -5}, Boundary::Open) *
+                     Nef3::half_space({-1, 2, 1, -5}, Boundary::Closed);
+  const Nef3 line = Nef3::plane({1, 1, 0, -1}) * Nef3::plane({0, 0, 1, -1});
+  const Nef3 set = (wedge - box(2, 2, 2)) + line;
+  const std::vector<Rational> heights{-100, 0, 1, 2, 5, Rational(11) / 2, 1000};
+  const std::vector<Nef2> layers = slices(set, heights);
+  ASSERT_EQ(layers.size(), heights.size());
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    SCOPED_TRACE(heights[i].str());
+    EXPECT_EQ(layers[i], slice(set, heights[i]));
+    EXPECT_FALSE(layers[i].is_bounded());
+    EXPECT_EQ(slices(set.complement(), heights)[i], layers[i].complement());
+  }
+  EXPECT_FALSE(layers[0].is_open());  // The wedge is closed on one side.
+  EXPECT_TRUE(layers[2].contains(RationalPoint2{1, 0}));
+}
+
 TEST(Shadow, OfSets) {
   for (const Nef3& set : sets()) expect_shadow(set);
   EXPECT_TRUE(shadow(Nef3::empty()).is_empty());

@@ -1,5 +1,6 @@
 """What plumb writes for another program: OpenSCAD reads the 3MF and DXF files of plumb, and its results have the volumes that
-plumb computes; plumb reads the 3MF, DXF and SVG files that OpenSCAD writes. Exits with 77, which ctest counts as skipped, where
+plumb computes; plumb reads the 3MF, DXF and SVG files that OpenSCAD writes, and its models, some of which are its own examples, have
+the same volumes, boxes and numbers of parts in both programs. Exits with 77, which ctest counts as skipped, where
 OpenSCAD is not installed.
 
     openscad_test.py PROGRAM
@@ -14,6 +15,26 @@ import tempfile
 SOLIDS = ("l-block", "square-hole", "two-tetrahedra")
 MODEL = "difference() { union() { translate([1.5, 2, 0]) cube(10); translate([5, 5, 5]) sphere(6, $fn = 24); } cylinder(20, r = 2, $fn = 12); }"
 PLAN = "difference() { union() { square(10); translate([7, 7]) circle(5, $fn = 32); } translate([2, 2]) square([3.25, 1]); }"
+EXAMPLES = "/usr/share/openscad/examples/Old"
+QUICK_EXAMPLES = ("002", "003", "004", "005", "007", "008", "009", "010", "011", "012", "013", "014", "016", "017")
+# Fields of heights, text and image, and a drawing with an open chain, arcs, a block and a hatch.
+FIELD = "# a field\n1 2 3\n4 -5 6\n\n7 8\n1e0 .5 2 3\n"
+IMAGE = bytes.fromhex(
+    "89504e470d0a1a0a0000000d4948445200000003000000020802000000"
+    "1216f14d0000001849444154789c63f8cfc0c000c15c227227528cfeffff0f003c190795efc2c6d80000000049454e44ae426082")
+DRAWING = """0 SECTION 2 BLOCKS 0 BLOCK 2 part 10 0 20 0 0 LINE 10 1 20 1 11 3 21 1 0 LINE 10 3 20 1 11 1 21 2
+0 LINE 10 1 20 2 11 1 21 1 0 ENDBLK 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 a 10 0 20 0 11 8 21 0 0 LINE 8 a 10 8 20 0 11 8 21 5
+0 CIRCLE 8 a 10 20 20 0 40 3 0 ARC 8 a 10 30 20 0 40 4 50 30 51 200
+0 HATCH 8 a 91 1 92 2 72 0 73 1 93 3 10 50 20 0 10 60 20 0 10 60 20 9 0 INSERT 8 a 2 part 10 40 20 3 50 90 0 ENDSEC 0 EOF"""
+MODELS = (
+    'surface("field.dat", center = true);',
+    'surface("field.dat", invert = true);',
+    'surface("image.png");',
+    'surface("image.png", center = true, invert = true);',
+    'linear_extrude(2) import("plan.dxf");',
+    'linear_extrude(2) import("plan.dxf", layer = "a", scale = 2.5, origin = [3, 4], $fn = 7);',
+    'difference() { cube(9); for (i = [0 : 3]) translate([2 * i, 1, 1]) rotate([0, 10 * i, 0]) cylinder(r = 1, h = 20, $fn = 9); }',
+)
 TOLERANCE = 1e-4  # OpenSCAD rounds coordinates of the plane to multiples of 2^-16, and writes six digits.
 
 
@@ -71,6 +92,55 @@ def check_reading_of_openscad(program, folder):
         require_near(measure(program, "plane", copy), measure(program, "solid", exact), copy)
 
 
+def facts_of(program, *words):
+    """Returns the volume, the number of parts, and the box of a solid."""
+    answer = json.loads(run(program, "solid", *words, "--json", "--quiet"))
+    return float(answer["volume"]["double"]), answer["marked_volumes"]
+
+
+def box_of(program, path):
+    parts = json.loads(run(program, "solid", "components", path, "--json", "--quiet"))["components"]
+    low = [min(part["box"][0][axis] for part in parts) for axis in range(3)]
+    return low + [max(part["box"][1][axis] for part in parts) for axis in range(3)]
+
+
+def check_model(program, source, work, name):
+    """Evaluates a file of OpenSCAD with both programs. OpenSCAD writes six digits."""
+    flat, theirs, ours = (os.path.join(work, "model" + extension) for extension in (".csg", ".theirs.off", ".ours.off"))
+    run("openscad", source, "-o", flat)
+    run("openscad", source, "-o", theirs)
+    run(program, "solid", "csg", flat, "--quiet", "-o", ours)
+    volume, parts = facts_of(program, "csg", flat)
+    expected, expected_parts = facts_of(program, "info", theirs)
+    require_near(volume, expected, name)
+    if parts != expected_parts:
+        sys.exit("%s: %d parts, OpenSCAD has %d" % (name, parts, expected_parts))
+    mine, other = box_of(program, ours), box_of(program, theirs)
+    if any(abs(a - b) > TOLERANCE * max(abs(x) for x in other) for a, b in zip(mine, other)):
+        sys.exit("%s: boxes %r and %r" % (name, mine, other))
+
+
+def check_models(program, folder):
+    with open(os.path.join(folder, "field.dat"), "w") as out:
+        out.write(FIELD)
+    with open(os.path.join(folder, "image.png"), "wb") as out:
+        out.write(IMAGE)
+    with open(os.path.join(folder, "plan.dxf"), "w") as out:
+        out.write("\n".join(DRAWING.split()) + "\n")
+    source = os.path.join(folder, "model.scad")
+    for model in MODELS:
+        with open(source, "w") as out:
+            out.write(model)
+        check_model(program, source, folder, model)
+    if not os.path.isdir(EXAMPLES):
+        return
+    copies = os.path.join(folder, "examples")
+    shutil.copytree(EXAMPLES, copies)
+    for number in QUICK_EXAMPLES:
+        name = "example%s.scad" % number
+        check_model(program, os.path.join(copies, name), copies, name)
+
+
 def main():
     if shutil.which("openscad") is None:
         print("no OpenSCAD here")
@@ -79,6 +149,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         check_reading_by_openscad(program, folder)
         check_reading_of_openscad(program, folder)
+        check_models(program, folder)
 
 
 main()

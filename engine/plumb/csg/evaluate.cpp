@@ -25,6 +25,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -323,7 +324,7 @@ class Evaluator {
       const std::uint32_t user = only_user_[i];
       if (user == kNoNode) continue;
       const bool is_in_hull = node(user).kind == CsgKind::Hull || region_[user] == Region::Hull;
-      if (is_in_hull && acts_as_union(i)) {
+      if (is_in_hull && (acts_as_union(i) || node(i).kind == CsgKind::Hull)) {
         region_[i] = Region::Hull;
       } else if (!is_in_hull && is_boolean(i) && is_boolean(user)) {
         region_[i] = Region::Boolean;
@@ -471,6 +472,11 @@ class Evaluator {
     sets.erase(std::remove_if(sets.begin(), sets.end(), [](const Set& s) { return s.is_empty(); }),
                sets.end());
     if (sets.empty()) return Set();
+    // A sum does not depend on the order. That of convex sets is convex, so all other sets are added
+    // to one convex set instead of several.
+    if constexpr (std::is_same_v<Set, Nef3>) {
+      std::stable_partition(sets.begin(), sets.end(), [](const Set& s) { return s.is_convex(); });
+    }
     Set result = sets[0];
     for (std::size_t k = 1; k < sets.size(); ++k) {
       result = minkowski_sum(result, sets[k], context_);
@@ -478,7 +484,7 @@ class Evaluator {
     return result;
   }
 
-  /// Returns the hull of the inputs. The hull of a union is that of its parts.
+  /// Returns the hull of the inputs. The hull of a union, or of a hull, is that of the parts.
   template <class Set>
   Set hull(std::uint32_t i) {
     std::vector<Set> sets;

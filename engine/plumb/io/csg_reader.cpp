@@ -17,6 +17,7 @@
 #include "plumb/base/internal/round_to_nearest.h"
 #include "plumb/io/csg/csg_nodes.h"
 #include "plumb/io/csg/csg_syntax.h"
+#include "plumb/io/csg/surface_file.h"
 #include "plumb/io/plane/dxf.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/solid_io.h"
@@ -177,7 +178,8 @@ class ModelReader {
       set_import(node, known.back().value);
     } catch (const Error& error) {
       if (error.code() == ErrorCode::Cancelled) throw;
-      fail_at(node, error.code(), "import: " + std::string(error.what()));
+      fail_at(node, error.code(),
+              (import.is_surface ? "surface: " : "import: ") + std::string(error.what()));
     }
   }
 
@@ -190,6 +192,10 @@ class ModelReader {
 
   ImportedValue read_import(const std::string& file, const CsgImport& import) {
     CsgTree& tree = read_.tree;
+    if (import.is_surface) {
+      tree.solids.push_back(read_surface(file, import));
+      return {CsgKind::Solid, static_cast<std::uint32_t>(tree.solids.size() - 1)};
+    }
     const auto format = plane_format_of(file);
     const bool is_drawing = format == PlaneFormat::Dxf;
     if (!is_drawing && (!import.layer.empty() || import.has_placement())) {
@@ -211,13 +217,24 @@ class ModelReader {
     return {CsgKind::Solid, static_cast<std::uint32_t>(tree.solids.size() - 1)};
   }
 
+  Nef3 read_surface(const std::string& file, const CsgImport& import) {
+    const std::string bytes = read_input(file, context_);
+    MemoryCharge charge(context_);
+    const HeightGrid grid = read_heights(bytes, file, import.is_inverted, charge, context_);
+    const PolygonMesh mesh = surface_mesh(grid, import.is_centred, charge, context_);
+    context_.release_memory(bytes.size());
+    if (mesh.face_count() > 0) return Nef3::from_mesh(mesh, {}, context_);
+    read_.notes.push_back(file + ": a surface of fewer than two rows or columns is empty");
+    return Nef3::empty();
+  }
   PlaneRead read_shape(const std::string& file) {
     return read_plane_set_file(file, {}, {file, options_.exact_decimals}, context_);
   }
-  /// Reads one layer of a drawing, moved and scaled as OpenSCAD does.
+  /// Reads one layer of a drawing as OpenSCAD does, moved and scaled.
   PlaneRead read_drawing(const std::string& file, const CsgImport& import) {
     const std::string text = read_input(file, context_);
-    PlaneRead shape = read_dxf_set(text, import.layer, {file, options_.exact_decimals}, context_);
+    const DxfSelection selection{import.layer, true, import.division, import.scale};
+    PlaneRead shape = read_dxf_set(text, selection, {file, options_.exact_decimals}, context_);
     context_.release_memory(text.size());
     if (!import.has_placement()) return shape;
     const Rational scale = import.scale;

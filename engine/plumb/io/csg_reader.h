@@ -5,15 +5,18 @@
 //  1. parse    reads nodes, modifiers and parameters into a CsgTree (csg_tree.h). The parser does
 //              not recurse, so groups may be nested to any depth
 //  2. root     keeps only the subtree of a node with the modifier `!`, if there is one
-//  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h) and
-//              of sets of the plane (plane_io.h)
+//  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h), of
+//              sets of the plane (plane_io.h), and of fields of heights, which surface() names
 //
-// Nodes: the reader knows all nodes that OpenSCAD 2021.01 writes. The nodes text() and surface()
-// are refused. Modifiers: a node with `*` or `%` is left out, `#` has no effect, and a node with
+// Nodes: the reader knows all nodes that OpenSCAD 2021.01 writes. The node text() is
+// refused. Modifiers: a node with `*` or `%` is left out, `#` has no effect, and a node with
 // `!` becomes the whole model. Parameters that do not change the shape, such as convexity, are
 // skipped; parameters with unknown names are skipped with a note. A number is read as the nearest
 // double. A colour is a vector, a CSS colour name, or a text of the form #rgb, #rgba, #rrggbb or
 // #rrggbbaa. An unknown colour name is reported by a note.
+//
+// Drawings in DXF are read as OpenSCAD reads them: $fn, $fa and $fs determine how arcs are divided,
+// a straight line closes an open chain, and hatches are ignored.
 //
 // Imports: a model can name other files, which are then imported. By default, an imported file must
 // lie in the folder of the model or in a folder below it. Symbolic links are resolved before this
@@ -23,7 +26,8 @@
 // FILE:LINE:COLUMN: message. They are:
 //   - Syntax, NotText and NumberOutOfRange for the text
 //   - BadArgument and BadIndex for parameters
-//   - UnknownFormat for nodes that are not supported, and for imports in other formats
+//   - UnknownFormat for nodes that are not supported, and for imports in other formats, and for
+//     images of surface() if plumb was built without libpng
 //   - CannotOpen for imports that cannot be read or are refused, and the errors of their readers
 //   - ResourceLimit and Cancelled
 // Source: the OpenSCAD User Manual, and the files that OpenSCAD writes.

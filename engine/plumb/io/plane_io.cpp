@@ -455,9 +455,9 @@ PlaneRead set_of_drawing(SvgDrawing drawing, RingRule rule, Context& context) {
 
 }  // namespace
 
-PlaneRead read_dxf_set(std::string_view text, std::string_view layer, const ReadOptions& options,
-                       Context& context) {
-  return set_of(read_dxf_layer(text, layer, options, context), options.rings, context);
+PlaneRead read_dxf_set(std::string_view text, const DxfSelection& selection,
+                       const ReadOptions& options, Context& context) {
+  return set_of(read_dxf_selection(text, selection, options, context), options.rings, context);
 }
 
 namespace {

@@ -83,6 +83,8 @@ std::string in_full(const Rational& value);
 
 /// Adds the chapter on solids.
 void demonstrate_solids(DemoBook& book);
+/// Adds the chapter on models of OpenSCAD.
+void demonstrate_models(DemoBook& book);
 /// Adds the chapter on convex pieces.
 void demonstrate_convex(DemoBook& book);
 /// Adds the chapter on polygons drawn on meshes.

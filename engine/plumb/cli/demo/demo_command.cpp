@@ -196,6 +196,7 @@ class Demo : public CommandBody {
     plane.combine_sets();
     plane.overlay();
     demonstrate_solids(book);
+    demonstrate_models(book);
     demonstrate_convex(book);
     demonstrate_surfaces(book);
     book.finish();

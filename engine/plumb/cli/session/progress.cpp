@@ -227,7 +227,7 @@ ProgressStages stages_of_surfaces() {
 
 ProgressStages stages_of_demo() {
   ProgressStages stages;
-  for (const double seconds : {.6, .5, .5, 1.6, 7., 3.5, 8.}) {
+  for (const double seconds : {.6, .5, .5, 1.6, 7., .1, 3.5, 8.}) {
     stages.push_back({"chapter", {{"", seconds}}});
   }
   stages.push_back({"write", {{"", 1.9}}});

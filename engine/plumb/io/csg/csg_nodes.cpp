@@ -52,6 +52,7 @@ constexpr std::array kWords{
     CsgWord{"import", CsgKind::Solid,
             " file layer origin scale center dpi id width height filename timestamp convexity $fn "
             "$fa $fs "},
+    CsgWord{"surface", CsgKind::Solid, " file center invert convexity timestamp "},
 };
 
 const CsgWord* word_of(std::string_view name) {
@@ -70,10 +71,6 @@ CsgKind CsgNodes::kind_of_node() {
   if (name == "text") {
     scanner_.fail(ErrorCode::UnknownFormat,
                   "text() is not supported, because its shape depends on installed fonts");
-  }
-  if (name == "surface") {
-    scanner_.fail(ErrorCode::UnknownFormat,
-                  "surface() is not supported; import() of a mesh of it is");
   }
   scanner_.fail(
       ErrorCode::UnknownFormat,
@@ -95,7 +92,7 @@ void CsgNodes::append() {
   CsgTree::Node& added = tree_.nodes.back();
   added.number_count = static_cast<std::uint32_t>(tree_.numbers.size() - added.first_number);
   added.index_count = static_cast<std::uint32_t>(tree_.indices.size() - added.first_index);
-  note_unknown(kind);
+  note_unknown();
 }
 
 void CsgNodes::remove_from(std::uint32_t node) {
@@ -262,10 +259,19 @@ void CsgNodes::append_lists(std::optional<CsgValue> lists, std::uint32_t points,
 void CsgNodes::append_import() {
   const std::optional<CsgValue> file = find_or_first("file");
   if (!file || file->kind != Kind::Text) {
-    scanner_.fail(ErrorCode::BadArgument, "import needs the name of a file");
+    scanner_.fail(ErrorCode::BadArgument,
+                  std::string(scanner_.name()) + " needs the name of a file");
   }
   const auto node = static_cast<std::uint32_t>(tree_.nodes.size() - 1);
-  CsgImport import{node, scanner_.text_of(*file), {}};
+  CsgImport import;
+  import.node = node;
+  import.file = scanner_.text_of(*file);
+  import.division = division();
+  import.is_surface = scanner_.name() == "surface";
+  if (import.is_surface) {
+    import.is_centred = flag("center") != 0;
+    import.is_inverted = flag("invert") != 0;
+  }
   if (const auto layer = find("layer"); layer && layer->kind == Kind::Text) {
     import.layer = scanner_.text_of(*layer);
   }
@@ -285,10 +291,13 @@ void CsgNodes::append_import() {
 
 /// Zero or negative angles and lengths would divide a circle into endlessly many chords; OpenSCAD
 /// takes 0.01 instead.
+CircleDivision CsgNodes::division() {
+  return {number("$fn", 0), std::max(number("$fa", 12), 0.01), std::max(number("$fs", 2), 0.01)};
+}
+
 void CsgNodes::append_division() {
-  push(number("$fn", 0));
-  push(std::max(number("$fa", 12), 0.01));
-  push(std::max(number("$fs", 2), 0.01));
+  const CircleDivision all = division();
+  for (const double x : {all.count, all.angle, all.length}) push(x);
 }
 
 // ---------------------------------------------------------------- parameters
@@ -380,13 +389,13 @@ void CsgNodes::push_index(std::size_t value) {
   tree_.indices.push_back(static_cast<std::uint32_t>(value));
 }
 
-void CsgNodes::note_unknown(CsgKind kind) {
+void CsgNodes::note_unknown() {
   const CsgWord& word = *word_of(scanner_.name());
   for (const CsgParameter& parameter : scanner_.parameters()) {
     const std::string padded = " " + std::string(parameter.name) + " ";
     if (parameter.name.empty() || word.parameters.find(padded) != std::string_view::npos) continue;
     const std::string note = "the parameter " + plumb::quoted(parameter.name) + " of " +
-                             std::string(name_of(kind)) + " is passed over";
+                             std::string(word.name) + " is passed over";
     add_note(note);
   }
 }

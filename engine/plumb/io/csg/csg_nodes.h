@@ -9,21 +9,29 @@
 
 #include "plumb/csg/csg_tree.h"
 #include "plumb/io/csg/csg_syntax.h"
+#include "plumb/model/primitives.h"
 
 namespace plumb {
 
 /// A file that a node imports. The node gets its kind and its index when the file has been read.
 struct CsgImport {
-  std::uint32_t node;
+  std::uint32_t node = 0;
   std::string file;
   std::string layer;                      ///< Of a drawing in DXF; empty for all layers.
   std::array<double, 2> origin = {0, 0};  ///< Of a drawing in DXF: the point that becomes (0, 0).
   double scale = 1;                       ///< Of a drawing in DXF, around the origin.
+  CircleDivision division;                ///< Of a drawing in DXF: how curves are divided.
+  bool is_surface = false;                ///< Whether it is a field of heights: surface().
+  bool is_centred = false;                ///< Of a surface.
+  bool is_inverted = false;               ///< Of a surface.
 
   bool has_placement() const { return origin != std::array<double, 2>{0, 0} || scale != 1; }
   /// Whether the import gives what another import of the same file gives.
   friend bool is_same_shape(const CsgImport& a, const CsgImport& b) {
-    return a.layer == b.layer && a.origin == b.origin && a.scale == b.scale;
+    return a.layer == b.layer && a.origin == b.origin && a.scale == b.scale &&
+           a.division.count == b.division.count && a.division.angle == b.division.angle &&
+           a.division.length == b.division.length && a.is_surface == b.is_surface &&
+           a.is_centred == b.is_centred && a.is_inverted == b.is_inverted;
   }
 };
 
@@ -58,7 +66,8 @@ class CsgNodes {
   void append_lists(std::optional<CsgValue> lists, std::uint32_t points, bool are_faces);
   void append_import();
   void append_division();
-  void note_unknown(CsgKind kind);
+  CircleDivision division();
+  void note_unknown();
   void add_note(const std::string& note);
 
   std::optional<CsgValue> find(std::string_view name);

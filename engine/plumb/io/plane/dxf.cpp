@@ -3,7 +3,8 @@
 // A pair is a line with a code, which says what the next line means. Code 0 begins an entity, and
 // the values up to the next code 0 belong to it. A POLYLINE is followed by entities VERTEX and ends
 // with SEQEND. Values are kept as they come, and an entity is made of them at its end, so their
-// order does not matter; only the values of corners belong together.
+// order does not matter; only the values of corners belong together. In a HATCH the order of all
+// values matters: HatchParser takes them one after the other.
 //
 // Format: Autodesk, DXF Reference (AutoCAD 2012); docs/formats.md, section DXF.
 // Tested by tests/io/dxf_test.cpp.
@@ -50,11 +51,12 @@ constexpr std::array<const char*, 7> kDxfUnits{"",           "inch",       "foot
 
 class DxfReader {
  public:
-  DxfReader(std::string_view text, std::string_view only_layer, const ReadOptions& options,
+  DxfReader(std::string_view text, const DxfSelection& selection, const ReadOptions& options,
             Context& context)
       : text_(text),
         rest_(text),
-        only_layer_(only_layer),
+        selection_(selection),
+        only_layer_(selection.layer),
         options_(options),
         numbers_(context, false, text.size()),
         context_(context),
@@ -72,8 +74,8 @@ class DxfReader {
     content_.curves.curves = placed_curves(content_, only_layer_, options_.name, charge_, context_);
     for (const DxfCurve& curve : content_.curves.curves) layers_.insert(std::string(curve.layer));
     ShapeCollector shapes(context_, text_.size());
-    add_dxf_rings(content_.curves, text_, options_, options_.rings == RingRule::Odd, shapes,
-                  context_);
+    const DxfRingRules rules{options_.rings == RingRule::Odd, selection_.as_openscad};
+    add_dxf_rings(content_.curves, text_, options_, rules, shapes, context_);
     add_notes(shapes);
     return shapes.take();
   }
@@ -152,7 +154,8 @@ class DxfReader {
     constexpr std::uint64_t kStep = 4096;
     if (code_ == 8) layer_ = value_;
     if (code_ == 2) name_ = value_;
-    const bool is_number = (code_ >= 10 && code_ < 80) || (code_ >= 210 && code_ < 240);
+    const bool is_count = code_ >= 91 && code_ < 98 && entity_ == "HATCH";
+    const bool is_number = (code_ >= 10 && code_ < 80) || (code_ >= 210 && code_ < 240) || is_count;
     if (!is_read_ || !is_number) return;
     if (values_.size() == charged_values_) {
       with_line([&] { charge_.add(2 * kStep * sizeof(Value), "the drawing"); });
@@ -177,7 +180,8 @@ class DxfReader {
     entity_line_ = line_ - 1;
     if (entity_ == "ENDSEC" || entity_ == "SECTION") section_ = {};
     if (entity_ == "EOF") has_end_ = true;
-    is_read_ = section_ == "ENTITIES" && maker_of(entity_) != nullptr;
+    is_read_ = section_ == "ENTITIES" && maker_of(entity_) != nullptr &&
+               !(entity_ == "HATCH" && selection_.as_openscad);
     if (section_ == "ENTITIES" && !is_read_) skipped_.insert({entity_, 0}).first->second += 1;
   }
 
@@ -191,7 +195,7 @@ class DxfReader {
 
   using Maker = void (DxfReader::*)();
   static Maker maker_of(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, Maker>, 11> kMakers{{
+    constexpr std::array<std::pair<std::string_view, Maker>, 12> kMakers{{
         {"LINE", &DxfReader::make_line},
         {"LWPOLYLINE", &DxfReader::make_polyline},
         {"POLYLINE", &DxfReader::begin_polyline},
@@ -201,6 +205,7 @@ class DxfReader {
         {"CIRCLE", &DxfReader::make_arc},
         {"ELLIPSE", &DxfReader::make_ellipse},
         {"SPLINE", &DxfReader::make_spline},
+        {"HATCH", &DxfReader::make_hatch},
         {"INSERT", &DxfReader::make_insert},
         {"BLOCK", &DxfReader::set_base},
     }};
@@ -340,6 +345,7 @@ class DxfReader {
     curve.u = {radius, 0};
     curve.v = {0, radius};
     set_angles(curve, curve.is_closed ? 0 : required(50), curve.is_closed ? 360 : required(51));
+    divide(curve, radius);
     if (radius > 0) push_curve(curve);
   }
 
@@ -354,7 +360,17 @@ class DxfReader {
     set_angles(curve, value(41, 0) * kDegrees, value(42, 2 * 3.14159265358979323846) * kDegrees);
     curve.is_closed = std::fabs(curve.to - curve.from - 360) < 1e-6;  // 2 pi is rounded in files.
     if (curve.is_closed) curve.to = curve.from + 360;
+    divide(curve, std::hypot(curve.u.x, curve.u.y));
     if (ratio != 0 && curve.u != Point2{0, 0}) push_curve(curve);
+  }
+
+  /// Sets the number of chords as OpenSCAD does, if the drawing is read for it.
+  void divide(DxfCurve& curve, double radius) const {
+    if (!selection_.division || !(radius > 0)) return;
+    with_line([&] {
+      const double chords = chords_of(radius * selection_.scale, *selection_.division);
+      curve.chords = static_cast<std::uint32_t>(std::ceil(chords * (curve.to - curve.from) / 360));
+    });
   }
 
   void set_angles(DxfCurve& curve, double from, double to) const {
@@ -370,15 +386,10 @@ class DxfReader {
 
   void make_spline() {
     DxfCurve curve = new_curve(DxfKind::Spline);
-    const double degree = required(71);
     const bool has_weights = std::any_of(values_.begin(), values_.end(), [](const Value& each) {
       return each.code == 41 && each.number != 1;
     });
-    if (!(degree == 1 || degree == 2 || degree == 3) || has_weights) {
-      fail_entity(ErrorCode::UnknownFormat,
-                  "has weights or another degree than 1, 2 or 3; replace it by arcs or lines");
-    }
-    curve.degree = static_cast<std::uint32_t>(degree);
+    set_degree(curve, required(71), has_weights);
     curve.is_closed = has_flag(1);
     curve.first_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
     for (const Value& each : values_) {
@@ -388,6 +399,18 @@ class DxfReader {
       }
       if (each.code == 40) push_knot(each.number, curve.first_knot);
     }
+    finish_spline(curve);
+  }
+
+  void set_degree(DxfCurve& curve, double degree, bool has_weights) const {
+    if (!(degree == 1 || degree == 2 || degree == 3) || has_weights) {
+      fail_entity(ErrorCode::UnknownFormat,
+                  "has weights or another degree than 1, 2 or 3; replace it by arcs or lines");
+    }
+    curve.degree = static_cast<std::uint32_t>(degree);
+  }
+
+  void finish_spline(DxfCurve& curve) {
     curve.end_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
     const std::size_t points = content_.curves.vertices.size() - curve.first_vertex;
     if (points <= curve.degree || curve.end_knot - curve.first_knot != points + curve.degree + 1) {
@@ -405,6 +428,165 @@ class DxfReader {
     }
     with_line([&] { charge_.add(2 * sizeof(double), "the drawing"); });
     content_.curves.knots.push_back(knot);
+  }
+
+  // ---------------------------------------------------------------- hatches
+
+  /// Adds the borders of a hatch. All of them belong to one area, or, where islands are ignored,
+  /// each border encloses an area of its own.
+  void make_hatch() {
+    const SvgTransform transform = is_seen_from_below() ? kFromBelow : SvgTransform{};
+    next_value_ = 0;
+    while (next_value_ < values_.size() && values_[next_value_].code != 91) ++next_value_;
+    const std::size_t first_curve = content_.curves.curves.size();
+    const double paths = next_number(91);
+    constexpr double kIgnoresIslands = 2;
+    const bool is_one_area = value(75, 0) != kIgnoresIslands;
+    if (is_one_area) ++areas_;
+    for (double path = 0; path < paths; ++path) {
+      if (!is_one_area) ++areas_;
+      add_border();
+    }
+    for (std::size_t c = first_curve; c < content_.curves.curves.size(); ++c) {
+      content_.curves.curves[c].transform = transform;
+    }
+  }
+
+  /// Returns the next value of a hatch, which must have this code.
+  double next_number(int code) {
+    if (next_value_ == values_.size() || values_[next_value_].code != code) {
+      fail_entity(ErrorCode::CountMismatch,
+                  "lacks a value with the code " + std::to_string(code) + " in a border");
+    }
+    return values_[next_value_++].number;
+  }
+  double next_number(int code, double otherwise) {
+    const bool is_there = next_value_ < values_.size() && values_[next_value_].code == code;
+    return is_there ? values_[next_value_++].number : otherwise;
+  }
+  Point2 next_point(int code) {
+    const double x = next_number(code);
+    return {x, next_number(code + 10)};
+  }
+  DxfCurve new_edge(DxfKind kind) const {
+    DxfCurve curve = new_curve(kind);
+    curve.area = areas_;
+    return curve;
+  }
+
+  void add_border() {
+    const double flags = next_number(92);
+    constexpr unsigned kPolyline = 2;
+    const bool is_polyline =
+        flags >= 0 && flags < 65536 && (static_cast<unsigned>(flags) & kPolyline) != 0;
+    if (is_polyline) {
+      add_polyline_border();
+    } else {
+      const double edges = next_number(93);
+      for (double edge = 0; edge < edges; ++edge) add_edge();
+    }
+    skip_hatch_data();
+  }
+
+  void add_polyline_border() {
+    next_number(72, 0);
+    next_number(73, 0);
+    DxfCurve curve = new_edge(DxfKind::Polyline);
+    curve.is_closed = true;
+    const double corners = next_number(93);
+    for (double corner = 0; corner < corners; ++corner) {
+      const Point2 p = next_point(10);
+      push_vertex(p, next_number(42, 0));
+    }
+    finish_polyline(curve);
+  }
+
+  void add_edge() {
+    constexpr double kLine = 1, kArc = 2, kEllipse = 3, kSpline = 4;
+    const double kind = next_number(72);
+    if (kind == kLine) return add_line_edge();
+    if (kind == kArc) return add_arc_edge();
+    if (kind == kEllipse) return add_ellipse_edge();
+    if (kind == kSpline) return add_spline_edge();
+    fail_entity(ErrorCode::UnknownFormat, "has a border of another kind than 1 to 4");
+  }
+
+  void add_line_edge() {
+    const DxfCurve curve = new_edge(DxfKind::Polyline);
+    const Point2 from = next_point(10), to = next_point(11);
+    if (from == to) return;
+    push_vertex(from, 0);
+    push_vertex(to, 0);
+    push_curve(curve);
+  }
+
+  void add_arc_edge() {
+    DxfCurve curve = new_edge(DxfKind::Arc);
+    curve.centre = next_point(10);
+    const double radius = next_number(40);
+    if (!(radius >= 0)) fail_entity(ErrorCode::BadShape, "has a negative radius");
+    curve.u = {radius, 0};
+    curve.v = {0, radius};
+    const double from = next_number(50), to = next_number(51);
+    set_edge_angles(curve, from, to, 1);
+    if (radius > 0) push_curve(curve);
+  }
+
+  void add_ellipse_edge() {
+    DxfCurve curve = new_edge(DxfKind::Arc);
+    curve.centre = next_point(10);
+    curve.u = next_point(11);
+    const double ratio = next_number(40);
+    curve.v = {-ratio * curve.u.y, ratio * curve.u.x};
+    const double from = next_number(50), to = next_number(51);
+    set_edge_angles(curve, from, to, ratio);
+    if (ratio != 0 && curve.u != Point2{0, 0}) push_curve(curve);
+  }
+
+  /// Sets the angles of an arc, which its next value says to run counter-clockwise or clockwise. The
+  /// angles of an ellipse are those of its points, not those of the circle it is the image of.
+  void set_edge_angles(DxfCurve& curve, double from, double to, double ratio) {
+    const bool is_whole = std::fabs(std::fabs(to - from) - 360) < 1e-6;
+    const bool is_clockwise = next_number(73, 1) == 0;
+    const double first = is_clockwise ? -to : from, last = is_clockwise ? -from : to;
+    set_angles(curve, on_circle(first, ratio), on_circle(last, ratio));
+    curve.is_closed = is_whole;
+    if (is_whole) curve.to = curve.from + 360;
+  }
+
+  static double on_circle(double degrees, double ratio) {
+    if (ratio == 1 || std::remainder(degrees, 90) == 0) return degrees;
+    const Point2 at = unit_vector(degrees);
+    const double t = std::atan2(at.y, at.x * ratio) * 180 / 3.14159265358979323846;
+    return degrees + std::remainder(t - degrees, 360);
+  }
+
+  void add_spline_edge() {
+    DxfCurve curve = new_edge(DxfKind::Spline);
+    const double degree = next_number(94);
+    next_number(73, 0);
+    next_number(74, 0);
+    const double knots = next_number(95), points = next_number(96);
+    curve.first_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
+    for (double k = 0; k < knots; ++k) push_knot(next_number(40), curve.first_knot);
+    bool has_weights = false;
+    for (double k = 0; k < points; ++k) {
+      push_vertex(next_point(10), 0);
+      has_weights = next_number(42, 1) != 1 || has_weights;
+    }
+    set_degree(curve, degree, has_weights);
+    finish_spline(curve);
+    skip_hatch_data();
+  }
+
+  /// Passes over the points that a spline was fitted to, and the count of the entities that a border
+  /// was made of.
+  void skip_hatch_data() {
+    constexpr std::array kCodes{97, 11, 21, 12, 22, 13, 23};
+    while (next_value_ < values_.size() &&
+           std::find(kCodes.begin(), kCodes.end(), values_[next_value_].code) != kCodes.end()) {
+      ++next_value_;
+    }
   }
 
   // ---------------------------------------------------------------- blocks
@@ -528,6 +710,7 @@ class DxfReader {
 
   std::string_view text_;
   std::string_view rest_;
+  DxfSelection selection_;
   std::string_view only_layer_;  // Empty for all layers.
   const ReadOptions& options_;
   NumberReader numbers_;
@@ -550,11 +733,13 @@ class DxfReader {
   std::size_t entity_line_ = 0;
   bool is_read_ = false;
   std::vector<Value> values_;
+  std::size_t next_value_ = 0;  // Of a hatch.
+  std::uint32_t areas_ = 0;     // How many areas the hatches have.
   std::uint64_t charged_values_ = 0;
   bool is_in_polyline_ = false;
   DxfCurve polyline_;
   // Blocks: where the text of each begins, and the one that is read.
-  std::map<std::string_view, std::pair<std::string_view, std::size_t>> block_places_;
+  std::map<std::string_view, std::pair<std::string_view, std::size_t>, DxfNameOrder> block_places_;
   std::string_view block_rest_;
   std::size_t block_line_ = 0;
   DxfBlock* block_ = nullptr;
@@ -579,14 +764,14 @@ bool begins_like_dxf(std::string_view text) {
 }
 
 PlaneFile read_dxf(std::string_view text, const ReadOptions& options, Context& context) {
-  return read_dxf_layer(text, {}, options, context);
+  return read_dxf_selection(text, {}, options, context);
 }
 
-PlaneFile read_dxf_layer(std::string_view text, std::string_view layer, const ReadOptions& options,
-                         Context& context) {
+PlaneFile read_dxf_selection(std::string_view text, const DxfSelection& selection,
+                             const ReadOptions& options, Context& context) {
   const RoundToNearest rounding;
   take_prefix(text, "\xEF\xBB\xBF");
-  return DxfReader(text, layer, options, context).read();
+  return DxfReader(text, selection, options, context).read();
 }
 
 void write_dxf(std::ostream& stream, const PlaneShapes& shapes, Context& context) {

@@ -15,6 +15,7 @@
 //              or a spline is computed, and joins the nearest other end within the tolerance
 //
 // Curves: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE of degree 1 to 3, no weights.
+// Each HATCH is an area of its own, whose border consists of the same curves; areas unite.
 // INSERT places blocks of them. Other entities are left out, and a note names them and the layers.
 // Coordinates are read as the nearest doubles, and are not scaled: a note names the unit. Heights
 // are dropped with a note.
@@ -27,11 +28,13 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string_view>
 
 #include "plumb/base/context.h"
 #include "plumb/io/plane_io.h"
 #include "plumb/io/read_options.h"
+#include "plumb/model/primitives.h"
 
 namespace plumb {
 
@@ -39,13 +42,23 @@ namespace plumb {
 /// polygon, under another rule each ring is a polygon. The memory of the shapes stays charged to
 /// `context`.
 PlaneFile read_dxf(std::string_view text, const ReadOptions& options, Context& context);
-/// Returns the polygon of the entities of one layer. A name without characters stands for all
-/// layers.
-PlaneFile read_dxf_layer(std::string_view text, std::string_view layer, const ReadOptions& options,
-                         Context& context);
-/// Returns the set of the polygon of one layer.
-PlaneRead read_dxf_set(std::string_view text, std::string_view layer, const ReadOptions& options,
-                       Context& context);
+/// What is taken of a drawing, and how.
+struct DxfSelection {
+  std::string_view layer;  ///< The only layer that is read; all layers if it has no characters.
+  /// Whether the drawing is read as OpenSCAD reads it: an open chain is closed by a straight line,
+  /// with a note, and hatches are left out.
+  bool as_openscad = false;
+  /// How OpenSCAD divides circles, arcs and ellipses, and the scale of their radii. Without a value
+  /// the tolerance says how.
+  std::optional<CircleDivision> division = {};
+  double scale = 1;
+};
+/// Returns the polygon of what is selected of a drawing.
+PlaneFile read_dxf_selection(std::string_view text, const DxfSelection& selection,
+                             const ReadOptions& options, Context& context);
+/// Returns the set of this polygon.
+PlaneRead read_dxf_set(std::string_view text, const DxfSelection& selection,
+                       const ReadOptions& options, Context& context);
 
 /// Whether a text begins like a drawing: with a comment or with the begin of a section.
 bool begins_like_dxf(std::string_view text);

@@ -31,6 +31,7 @@ class BlockPlacer {
 
  private:
   void place_curves(const DxfBlock& block, const SvgTransform& transform, std::string_view layer) {
+    last_area_ = 0;
     for (std::uint32_t c = block.first_curve; c < block.end_curve; ++c) {
       DxfCurve curve = content_.curves.curves[c];
       // The entities of the drawing itself are bounded by its text.
@@ -38,9 +39,18 @@ class BlockPlacer {
       if (curve.layer == "0") curve.layer = layer;
       if (!only_layer_.empty() && curve.layer != only_layer_) continue;
       curve.transform = product(transform, curve.transform);
+      curve.area = placed_area(curve.area);
       charge_.add(2 * sizeof(DxfCurve), "the drawing");
       placed_.push_back(curve);
     }
+  }
+
+  /// Returns the number of an area, where each placing of a hatch is an area of its own. The curves
+  /// of a hatch follow each other.
+  std::uint32_t placed_area(std::uint32_t area) {
+    if (area != 0 && area != last_area_) ++areas_;
+    last_area_ = area;
+    return area == 0 ? 0 : areas_;
   }
 
   void place_inserts(const DxfBlock& block, const SvgTransform& transform, std::string_view layer) {
@@ -110,10 +120,18 @@ class BlockPlacer {
   std::vector<const DxfBlock*> open_;  // The blocks that are being placed, the outermost first.
   const DxfInsert* insert_ = nullptr;
   std::size_t steps_ = 0;
+  std::uint32_t areas_ = 0;      // How many hatches have been placed.
+  std::uint32_t last_area_ = 0;  // The area of the last curve, in its block.
   std::vector<DxfCurve> placed_;
 };
 
 }  // namespace
+
+bool DxfNameOrder::operator()(std::string_view a, std::string_view b) const {
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [&](char x, char y) { return small(x) < small(y); });
+}
 
 std::vector<DxfCurve> placed_curves(const DxfContent& content, std::string_view only_layer,
                                     const std::string& name, MemoryCharge& charge,

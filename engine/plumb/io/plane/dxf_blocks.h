@@ -32,12 +32,18 @@ struct DxfInsert {
   std::size_t line = 0;  ///< Where the text states it.
 };
 
+/// Orders names of blocks. As in all programs that draw, large and small letters are equal.
+struct DxfNameOrder {
+  bool operator()(std::string_view a, std::string_view b) const;
+};
+
 /// Everything that a drawing states.
 struct DxfContent {
   DxfCurves curves;
   std::vector<DxfInsert> inserts;
   DxfBlock drawing;
-  std::map<std::string_view, DxfBlock> blocks;  ///< The blocks that are inserted, by name.
+  std::map<std::string_view, DxfBlock, DxfNameOrder>
+      blocks;  ///< The blocks that are inserted, by name.
 };
 
 /// Returns the curves of the drawing and of its inserts on a layer, each with its final transform

@@ -18,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "plumb/base/internal/degrees.h"
@@ -62,7 +63,10 @@ class CurveFlattener {
  private:
   void add_arc(const DxfCurve& curve, const TextCursor& at) {
     outline_.move_to(at, on_arc(curve, curve.from));
-    double from = curve.from;
+    for (std::uint32_t i = 1; i <= curve.chords; ++i) {
+      outline_.line_to(at, on_arc(curve, curve.from + (curve.to - curve.from) * i / curve.chords));
+    }
+    double from = curve.chords > 0 ? curve.to : curve.from;
     while (from < curve.to) {
       const double next = std::min(from + kQuarterTurn, curve.to);
       outline_.arc_to(at, curve.centre, curve.u, curve.v, from * kRadian, next * kRadian,
@@ -164,13 +168,21 @@ struct OpenChain {
 /// Joins open chains to rings.
 class ChainJoiner {
  public:
-  ChainJoiner(SvgDrawing& drawing, std::string_view text, const std::string& name, Context& context)
-      : drawing_(drawing), text_(text), name_(name), context_(context) {}
+  ChainJoiner(SvgDrawing& drawing, std::string_view text, const std::string& name,
+              bool closes_open_chains, Context& context)
+      : drawing_(drawing),
+        text_(text),
+        name_(name),
+        closes_open_chains_(closes_open_chains),
+        context_(context) {}
 
   void add(const OpenChain& chain) { chains_.push_back(chain); }
 
   /// Returns how many ends of lines were moved to others by join().
   std::size_t moved() const { return moved_; }
+
+  /// Returns how many open chains join() closed.
+  std::size_t closed() const { return closed_; }
 
   /// Calls `take` with the points of each ring.
   template <class Take>
@@ -180,7 +192,11 @@ class ChainJoiner {
         if (chain.is_computed == is_computed) find_nodes(chain);
       }
     }
-    require_even();
+    if (closes_open_chains_) {
+      take_open_chains(take);
+    } else {
+      require_even();
+    }
     for (std::uint32_t c = 0; c < chains_.size(); ++c) {
       if (!chains_[c].is_used) take(walk_from(c));
     }
@@ -230,6 +246,28 @@ class ChainJoiner {
     return best;
   }
 
+  /// Takes the walks that end at nodes with an odd number of ends; what is left has even numbers. A
+  /// walk from an odd node ends at another one.
+  template <class Take>
+  void take_open_chains(Take take) {
+    std::vector<char> is_odd(ends_.size(), 0);
+    for (std::uint32_t node = 0; node < ends_.size(); ++node) {
+      is_odd[node] = ends_[node].size() % 2 != 0 ? 1 : 0;
+    }
+    for (std::uint32_t start = 0; start < ends_.size(); ++start) {
+      if (is_odd[start] == 0) continue;
+      is_odd[start] = 0;
+      std::vector<Point2> ring;
+      std::uint32_t node = start;
+      while (node == start || is_odd[node] == 0) node = append(next_unused(node), ring);
+      is_odd[node] = 0;
+      const std::uint32_t last = ends_[node].back();
+      ring.push_back(end_of(chains_[last / 2], last % 2));
+      ++closed_;
+      take(ring);
+    }
+  }
+
   void require_even() {
     std::vector<std::uint32_t> degree(ends_.size());
     for (std::uint32_t node = 0; node < ends_.size(); ++node) {
@@ -275,10 +313,7 @@ class ChainJoiner {
     const std::uint32_t start = chains_[first].nodes[0];
     std::uint32_t at = 2 * first;
     for (;;) {
-      OpenChain& chain = chains_[at / 2];
-      chain.is_used = true;
-      append(chain, at % 2 != 0, ring);
-      const std::uint32_t node = chain.nodes[at % 2 == 0 ? 1 : 0];
+      const std::uint32_t node = append(at, ring);
       if (node == start) return ring;
       at = next_unused(node);
     }
@@ -290,12 +325,16 @@ class ChainJoiner {
     return ends.back();
   }
 
-  /// Appends the points of a chain without the last.
-  void append(const OpenChain& chain, bool is_reversed, std::vector<Point2>& ring) {
+  /// Uses a chain from one of its ends: appends its points without the last, and returns the node
+  /// at its other end.
+  std::uint32_t append(std::uint32_t end, std::vector<Point2>& ring) {
+    OpenChain& chain = chains_[end / 2];
+    chain.is_used = true;
     std::vector<Point2> points(drawing_.ring(chain.ring).begin(), drawing_.ring(chain.ring).end());
-    if (is_reversed) std::reverse(points.begin(), points.end());
+    if (end % 2 != 0) std::reverse(points.begin(), points.end());
     points.pop_back();
     ring.insert(ring.end(), points.begin(), points.end());
+    return chain.nodes[end % 2 == 0 ? 1 : 0];
   }
 
   void watch() {
@@ -306,12 +345,14 @@ class ChainJoiner {
   SvgDrawing& drawing_;
   std::string_view text_;
   const std::string& name_;
+  bool closes_open_chains_;
   Context& context_;
   std::vector<OpenChain> chains_;
   std::map<Key, std::uint32_t> nodes_;
   std::vector<std::vector<std::uint32_t>> ends_;  // Per node: chains and their ends.
   std::size_t steps_ = 0;
   std::size_t moved_ = 0;
+  std::size_t closed_ = 0;
 };
 
 /// Adds rings to a collector.
@@ -369,6 +410,18 @@ double reach_of_rounding(const SvgDrawing& drawing) {
   return largest * kShare;
 }
 
+/// Flattens all curves. `curve_of_ring` gets the curve of each ring.
+SvgDrawing flattened(const DxfCurves& drawing, SvgOutline outline, TextCursor& cursor,
+                     std::vector<std::uint32_t>& curve_of_ring) {
+  CurveFlattener flattener(drawing, outline);
+  for (std::uint32_t c = 0; c < drawing.curves.size(); ++c) {
+    cursor.move_to(drawing.curves[c].where);
+    flattener.add(drawing.curves[c], cursor);
+    while (curve_of_ring.size() < outline.ring_count()) curve_of_ring.push_back(c);
+  }
+  return outline.take();
+}
+
 }  // namespace
 
 double extent_of(const DxfCurves& drawing) {
@@ -393,42 +446,51 @@ double extent_of(const DxfCurves& drawing) {
 }
 
 void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOptions& options,
-                   bool is_one_polygon, ShapeCollector& shapes, Context& context) {
+                   const DxfRingRules& rules, ShapeCollector& shapes, Context& context) {
   constexpr double kThousandth = 1e-3;
   const double by_itself = extent_of(drawing) * kThousandth;
   std::optional<double> tolerance = options.curve_tolerance;
   if (!tolerance && by_itself > 0 && std::isfinite(by_itself)) tolerance = by_itself;
-  SvgOutline outline(text, tolerance, context);
-  CurveFlattener flattener(drawing, outline);
-  TextCursor cursor(text, options.name);
   std::vector<std::uint32_t> curve_of_ring;
-  for (std::uint32_t c = 0; c < drawing.curves.size(); ++c) {
-    cursor.move_to(drawing.curves[c].where);
-    flattener.add(drawing.curves[c], cursor);
-    while (curve_of_ring.size() < outline.ring_count()) curve_of_ring.push_back(c);
-  }
-  SvgDrawing flat = outline.take();
+  TextCursor cursor(text, options.name);
+  SvgDrawing flat = flattened(drawing, SvgOutline(text, tolerance, context), cursor, curve_of_ring);
   const double reach = reach_of_rounding(flat);
-  ChainJoiner joiner(flat, text, options.name, context);
-  RingAdder rings(cursor, is_one_polygon, shapes);
+  std::vector<std::uint32_t> order(flat.ring_count());  // The rings, area by area.
+  std::iota(order.begin(), order.end(), 0U);
+  const auto area_of = [&](std::uint32_t r) { return drawing.curves[curve_of_ring[r]].area; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return area_of(a) < area_of(b); });
   MemoryCharge charge(context);
-  for (std::uint32_t r = 0; r < flat.ring_count(); ++r) {
-    const DxfCurve& curve = drawing.curves[curve_of_ring[r]];
-    if (is_ring(drawing, curve)) {
-      rings.add(flat.ring(r));
-    } else {
+  std::size_t moved = 0, closed = 0;
+  for (std::size_t i = 0; i < order.size();) {
+    const std::uint32_t area = area_of(order[i]);
+    ChainJoiner joiner(flat, text, options.name, rules.closes_open_chains, context);
+    RingAdder rings(cursor, rules.is_one_polygon, shapes);
+    for (; i < order.size() && area_of(order[i]) == area; ++i) {
+      const std::uint32_t r = order[i];
+      const DxfCurve& curve = drawing.curves[curve_of_ring[r]];
+      if (is_ring(drawing, curve)) {
+        rings.add(flat.ring(r));
+        continue;
+      }
       constexpr std::uint64_t kChainBytes = 256;  // The chain, two nodes and their ends.
       charge.add(kChainBytes, "the chains of lines");
       const bool is_computed = curve.kind != DxfKind::Polyline;
       joiner.add({r, curve.where, is_computed, is_computed ? tolerance.value_or(0) : reach});
     }
+    joiner.join([&rings](const std::vector<Point2>& ring) { rings.add(ring); });
+    rings.finish();
+    moved += joiner.moved();
+    closed += joiner.closed();
   }
-  joiner.join([&rings](const std::vector<Point2>& ring) { rings.add(ring); });
-  if (joiner.moved() > 0) {
+  if (moved > 0) {
     shapes.note("ends of lines that are apart by rounding only were joined (" +
-                std::to_string(joiner.moved()) + ")");
+                std::to_string(moved) + ")");
   }
-  rings.finish();
+  if (closed > 0) {
+    shapes.note("open chains of lines were closed by straight lines, as OpenSCAD does (" +
+                std::to_string(closed) + ")");
+  }
 }
 
 }  // namespace plumb

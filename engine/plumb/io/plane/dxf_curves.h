@@ -34,7 +34,10 @@ struct DxfCurve {
   std::uint32_t degree = 3;                        ///< Of a spline.
   Point2 centre, u, v;                             ///< Of an arc: centre + cos t u + sin t v.
   double from = 0, to = 0;                         ///< Degrees, from < to; a closed arc has 360.
-  const char* where = nullptr;                     ///< Where the text states it.
+  std::uint32_t chords = 0;  ///< Of an arc: how many chords replace it; 0 if the tolerance decides.
+  /// 0 for a line of the drawing. All curves of the border of a hatch have the number of the hatch.
+  std::uint32_t area = 0;
+  const char* where = nullptr;  ///< Where the text states it.
   std::string_view layer = "0";
   SvgTransform transform;  ///< From the coordinates of the curve to those of the drawing.
 };
@@ -49,9 +52,15 @@ struct DxfCurves {
 /// Returns the larger side of a box that contains all curves.
 double extent_of(const DxfCurves& drawing);
 
-/// Adds the rings of all curves to `shapes`: flattens them and joins open ones. `is_one_polygon`
-/// says whether all rings belong to one polygon. Errors: see read_dxf().
+/// How the rings of a drawing become polygons.
+struct DxfRingRules {
+  bool is_one_polygon = true;       ///< Whether all rings of an area belong to one polygon.
+  bool closes_open_chains = false;  ///< Whether a straight line closes an open chain, with a note.
+};
+
+/// Adds the rings of all curves to `shapes`, area by area: flattens the curves and joins open ones.
+/// Errors: see read_dxf().
 void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOptions& options,
-                   bool is_one_polygon, ShapeCollector& shapes, Context& context);
+                   const DxfRingRules& rules, ShapeCollector& shapes, Context& context);
 
 }  // namespace plumb
