@@ -14,6 +14,7 @@
 #include "generate/space_scenes.h"
 #include "generate/voxel_mesh.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/mesh/mesh_topology.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::link_facets_test {
@@ -102,6 +103,47 @@ TEST(LinkFacets, AddsTheJumpsOfDoubledFacets) {
   EXPECT_EQ(mesh.links.next.size(), mesh.facets.corner.size());
   EXPECT_EQ(mesh.links.edge_count(), 7U);
   EXPECT_TRUE(mesh.merge().empty());
+}
+
+// What is plainly closed has nothing that the searches for doubled facets and borders find.
+TEST(LinkFacets, PlainlyClosedMeshesHaveNoDoublesAndNoBorders) {
+  const auto is_plain = [](const PolygonMesh& mesh) {
+    Linked linked(mesh);
+    const bool result = is_plainly_closed(linked.facets, linked.links);
+    if (result) {
+      EXPECT_TRUE(
+          trace_borders(linked.facets, linked.links, linked.vertices.point, linked.tables->points)
+              .empty());
+      EXPECT_TRUE(linked.merge().empty());
+    }
+    return result;
+  };
+  const PolygonMesh sphere = testing::icosphere_mesh(2, 1, {});
+  const PolygonMesh box = testing::box_mesh({0, 0, 0}, {1, 2, 3});
+  for (const PolygonMesh& mesh : {sphere, testing::reversed(sphere), box, testing::fanned(box)}) {
+    EXPECT_TRUE(is_plain(mesh));
+    EXPECT_FALSE(is_plain(testing::joined(mesh, mesh)));
+    EXPECT_FALSE(is_plain(testing::joined(mesh, testing::reversed(mesh))));
+    PolygonMesh changed = mesh;
+    changed.corners.resize(changed.corners.size() - mesh.face(mesh.face_count() - 1).size());
+    changed.face_begin.pop_back();
+    EXPECT_FALSE(is_plain(changed));  // A hole.
+    changed = mesh;
+    std::reverse(changed.corners.begin(), changed.corners.begin() + changed.face_begin[1]);
+    EXPECT_FALSE(is_plain(changed));  // A flipped face.
+    changed = mesh;
+    changed.add_face(std::vector<std::uint32_t>{0, 1, 1});
+    EXPECT_TRUE(is_plain(changed));  // What is left of the face has no edges.
+  }
+  // A triangle twice, once in each direction, bounds nothing.
+  EXPECT_FALSE(is_plain(make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}})));
+  Dice dice(44);
+  int plain = 0;
+  for (int round = 0; round < 40; ++round) {
+    plain += is_plain(testing::voxel_mesh(testing::random_voxels(dice, {3, 2, 2}, 4))) ? 1 : 0;
+  }
+  EXPECT_GT(plain, 0);
+  EXPECT_LT(plain, 40);
 }
 
 // Facets at one edge, some of them equal, against a comparison of all pairs; and so many that this

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
 #include "generate/space_solids.h"
@@ -430,6 +432,32 @@ TEST(MeshArrangement, ComponentsInsideOutAreTurned) {
     const Turned got = turned(row.mesh);
     EXPECT_EQ(got.faces, row.faces) << row.name;
     EXPECT_TRUE(got.set == row.expected) << row.name;
+  }
+}
+
+// The volumes of one closed surface, read off its jumps, held against the search for volumes.
+TEST(MeshArrangement, OneShellHasTheVolumesOfTheSearch) {
+  Context context;
+  const PolygonMesh sphere = icosphere_mesh(2, 1, {}), cube = grid_cube_mesh(3, {0, 0, 0});
+  const PolygonMesh star = prism_mesh({{0, 0}, {4, 0}, {1, 1}, {0, 4}}, 0, 3);
+  for (const PolygonMesh& outwards : {sphere, cube, star, fanned(star), joined(cube, cube)}) {
+    for (const bool is_reversed : {false, true}) {
+      for (const bool joins_coplanar : {false, true}) {
+        const PolygonMesh mesh = is_reversed ? reversed(outwards) : outwards;
+        MeshComplex made = complex_of_mesh(mesh, {.joins_coplanar = joins_coplanar}, context);
+        ASSERT_TRUE(std::ranges::all_of(made.has_fan, [](auto fan) { return fan != 0; }));
+        SpaceComplex searched = made.complex;
+        label_volumes(searched, context);
+        arrange(made, context);
+        EXPECT_EQ(made.complex.volume_mark, searched.volume_mark);
+        EXPECT_EQ(made.complex.facet_volume, searched.facet_volume);
+        EXPECT_EQ(made.complex.edge_volume, searched.edge_volume);
+        EXPECT_EQ(made.complex.vertex_volume, searched.vertex_volume);
+        const auto winding = winding_numbers(made.complex, facet_jumps(made));
+        EXPECT_EQ(winding[VolumeId(0)], 0);
+        EXPECT_EQ(winding[VolumeId(1)] < 0, is_reversed);
+      }
+    }
   }
 }
 

@@ -244,6 +244,24 @@ TEST(MeshCrossings, APolygonAndTrianglesThatGoAroundTwiceAreNoFan) {
   EXPECT_NE(flaw_of(read.complex, read.has_fan), "");
 }
 
+// Two spheres that cross, in an order without any sense: the order is a matter of speed only.
+TEST(MeshCrossings, AnyOrderGivesTheSamePairs) {
+  const PolygonMesh spheres =
+      joined(icosphere_mesh(3, 1, {}), icosphere_mesh(3, 1, {0.25, 0.125, 0.5}));
+  PolygonMesh mesh;
+  mesh.points = spheres.points;
+  const std::size_t n = spheres.face_count();
+  for (std::size_t f = 0; f < n; ++f) {
+    const auto face = spheres.face(f * 769 % n);
+    mesh.add_face(Face(face.begin(), face.end()));
+  }
+  const MeshComplex read = made(mesh);
+  Context context;
+  const auto any = find_mesh_crossings(read.complex, read.has_fan, context, BoxOrder::Any);
+  EXPECT_GT(any.size(), 100U);
+  EXPECT_EQ(any, find_mesh_crossings(read.complex, read.has_fan, context, BoxOrder::Kept));
+}
+
 // ---------------------------------------------------------------- packed boxes
 
 Box3 random_box(Dice& dice, double unit) {
@@ -267,6 +285,50 @@ TEST(PackedBoxTree, FindsThePairsThatMeet) {
         for (std::size_t i = 1; i < n; ++i) boxes[0].add(boxes[i]);
       }
       const PackedBoxTree tree(boxes);
+      ASSERT_TRUE(tree.fits());
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+      const auto note = [&](std::uint32_t i, std::uint32_t j) {
+        found.emplace_back(std::min(i, j), std::max(i, j));
+      };
+      EXPECT_TRUE(tree.for_each_pair_inside(note, [] { return true; }));
+      std::ranges::sort(found);
+      EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+      std::size_t meeting = 0;
+      for (std::uint32_t i = 0; i < n; ++i) {
+        for (std::uint32_t j = i + 1; j < n; ++j) {
+          if (!boxes[i].meets(boxes[j])) continue;
+          ++meeting;
+          EXPECT_TRUE(std::ranges::binary_search(found, std::pair(i, j)));
+        }
+      }
+      EXPECT_LE(found.size(), meeting + n);
+    }
+  }
+}
+
+// Boxes of triangles hold what boxes of doubles hold, whatever order the tree has.
+TEST(PackedBoxTree, TakesTrianglesByTheirCorners) {
+  Dice dice(19);
+  for (const std::size_t n : {0U, 1U, 8U, 9U, 100U, 257U}) {
+    std::vector<Point3> points(n);
+    const auto coordinate = [&] { return 0.1 * static_cast<double>(dice.between(-50, 50)); };
+    for (Point3& p : points) {
+      p.x = coordinate();
+      p.y = coordinate();
+      p.z = coordinate();
+    }
+    std::vector<std::array<std::uint32_t, 3>> corners(n);
+    std::vector<Box3> boxes(n);
+    for (std::uint32_t t = 0; t < n; ++t) {
+      corners[t] = {t, dice.below(static_cast<std::uint32_t>(n)),
+                    dice.below(static_cast<std::uint32_t>(n))};
+      for (const std::uint32_t c : corners[t]) {
+        const std::array at{points[c].x, points[c].y, points[c].z};
+        boxes[t].add({at, at});
+      }
+    }
+    for (const BoxOrder order : {BoxOrder::Any, BoxOrder::Kept}) {
+      const PackedBoxTree tree(points, corners, order);
       ASSERT_TRUE(tree.fits());
       std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
       const auto note = [&](std::uint32_t i, std::uint32_t j) {

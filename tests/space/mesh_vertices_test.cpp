@@ -125,6 +125,29 @@ TEST(MeshOrder, IsTheSameMesh) {
   }
 }
 
+// Points that come once, six times, in one cell, with zeros of both signs, and without a face.
+TEST(MeshOrder, MergesEqualPointsAsAnyMeshDoes) {
+  PolygonMesh crowded = soup_of(icosphere_mesh(2, 0x1p-20, {}));  // Far smaller than a cell.
+  crowded = joined(std::move(crowded), icosphere_mesh(1, 1, {}));
+  PolygonMesh flat = soup_of(icosphere_mesh(2, 1, {}));
+  for (std::size_t i = 0; i < flat.points.size(); ++i) flat.points[i].z = i % 2 == 0 ? 0. : -0.;
+  PolygonMesh unused = bad_mesh();
+  unused.points.insert(unused.points.end(), {{0.5, 0.5, 0.5}, unused.points[7]});
+  for (const PolygonMesh& mesh : {bad_mesh(), soup_of(bad_mesh()), crowded, flat, unused}) {
+    const PolygonMesh any = shuffled(mesh, 3);
+    const OrderedMesh ordered = ordered_in_space(any);
+    ASSERT_TRUE(std::ranges::is_sorted(ordered.cell));
+    SpaceTables tables_a, tables_b;
+    const MeshVertices a = merge_equal_points(ordered, tables_a),
+                       b = merge_equal_points(ordered.view(), tables_b);
+    EXPECT_EQ(a.of_point, b.of_point);
+    EXPECT_EQ(a.input, b.input);
+    EXPECT_EQ(a.point, b.point);
+    EXPECT_EQ(a.merged, b.merged);
+    EXPECT_TRUE(std::ranges::equal(tables_a.planes.points(), tables_b.planes.points()));
+  }
+}
+
 /// A surface is taken in the order of its file: what it tells is held against.
 TEST(MeshOrder, ReportsSayTheNumbersOfTheInput) {
   Context context;

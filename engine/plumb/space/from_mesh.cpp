@@ -91,11 +91,11 @@ void describe_parts(const MeshFacets& facets, MeshComplex& result, Context& cont
 }
 
 /// Finds crossings, and reports them as pairs of input faces.
-void describe_crossings(const MeshOptions& options, MeshComplex& result, MemoryCharge& memory,
-                        Context& context) {
+void describe_crossings(const MeshOptions& options, BoxOrder order, MeshComplex& result,
+                        MemoryCharge& memory, Context& context) {
   const SpaceComplex& complex = result.complex;
   std::vector<MeshReport::FacePair> pairs;
-  result.crossings = find_mesh_crossings(complex, result.has_fan, context);
+  result.crossings = find_mesh_crossings(complex, result.has_fan, context, order);
   memory.add(result.crossings.size() * (sizeof(result.crossings[0]) + sizeof(pairs[0])),
              "crossings of the mesh");
   pairs.reserve(result.crossings.size());
@@ -176,16 +176,20 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   MeshComplex result;
   const auto tables = std::make_shared<SpaceTables>();
   const MeshView mesh = ordered.is_empty() ? input : ordered.view();
-  MeshVertices vertices = merge_equal_points(mesh, *tables);
+  MeshVertices vertices =
+      ordered.is_empty() ? merge_equal_points(mesh, *tables) : merge_equal_points(ordered, *tables);
   result.report.vertices_merged = vertices.merged;
   context.checkpoint("reading faces", 0, 1);
   MeshFacets facets = flatten_mesh(mesh, vertices, *tables, result.report, context);
   MeshLinks links = link_corners(facets, vertices.point.size());
-  result.report.doubled = merge_doubled(facets, links, vertices.point.size());
+  const bool is_plain = is_plainly_closed(facets, links);
+  if (!is_plain) result.report.doubled = merge_doubled(facets, links, vertices.point.size());
   const bool has_input_order = ordered.is_empty();
   if (!has_input_order) rename_faces(ordered.face, facets, result.report);
   ordered = {};
-  result.report.borders = trace_borders(facets, links, vertices.point, tables->points, context);
+  if (!is_plain) {
+    result.report.borders = trace_borders(facets, links, vertices.point, tables->points, context);
+  }
   const bool is_refused = !result.report.is_closed() && !options.surface;
   if (is_refused && has_input_order) {
     describe_borders(input, vertices, tables->points, result.report, context);
@@ -198,7 +202,8 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   result.complex = link_facets(facets, links, vertices.point, tables, FlatEdges::Open);
   context.checkpoint("components", 0, 1);
   describe_parts(facets, result, context);
-  describe_crossings(options, result, memory, context);
+  describe_crossings(options, has_input_order ? BoxOrder::Any : BoxOrder::Kept, result, memory,
+                     context);
   result.jump = std::move(facets.jump);
   settle_flat_edges(options, *tables, result, context);
   return result;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace plumb {
 namespace {
@@ -25,6 +26,19 @@ constexpr std::size_t kLongestRun = 256;  // So many boxes of one code may follo
 Box3 box_around(std::span<const Box3> boxes) {
   Box3 all;
   for (const Box3& box : boxes) all.add(box);
+  return all;
+}
+
+/// Returns the box around all points.
+Box3 box_around(std::span<const Point3> points) {
+  Box3 all;
+  for (const Point3& p : points) {
+    const std::array<double, 3> at{p.x, p.y, p.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      all.low[i] = std::min(all.low[i], at[i]);
+      all.high[i] = std::max(all.high[i], at[i]);
+    }
+  }
   return all;
 }
 
@@ -63,15 +77,38 @@ constexpr PackedBoxTree::Box PackedBoxTree::nowhere() {
 
 PackedBoxTree::PackedBoxTree(std::span<const Box3> boxes)
     : bounds_(box_around(boxes)), grid_(bounds_, kLast) {
-  std::vector<Box> packed = pack(boxes);
+  const std::vector<Box> packed = pack(boxes);
   fits_ = fits_ && sort(packed);
-  if (!fits_ || boxes.empty()) return;
+  if (fits_ && !boxes.empty()) build(in_order(packed));
+}
+
+PackedBoxTree::PackedBoxTree(std::span<const Point3> points,
+                             std::span<const std::array<std::uint32_t, 3>> corners, BoxOrder order)
+    : bounds_(box_around(points)), grid_(bounds_, kLast) {
+  const std::vector<Box> packed = pack(points, corners);
+  if (!fits_ || corners.empty()) return;
+  if (order == BoxOrder::Kept) {
+    order_.resize(corners.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    build(packed);
+    return;
+  }
+  fits_ = sort(packed);
+  if (fits_) build(in_order(packed));
+}
+
+/// Returns the boxes in the order of the tree.
+std::vector<PackedBoxTree::Box> PackedBoxTree::in_order(std::span<const Box> boxes) const {
   std::vector<Box> row;
   row.reserve(boxes.size());
-  for (const std::uint32_t i : order_) row.push_back(packed[i]);
-  for (; levels_.empty() || row.size() > 1; row = around(levels_.back())) {
-    levels_.push_back(groups_of(row));
-  }
+  for (const std::uint32_t i : order_) row.push_back(boxes[i]);
+  return row;
+}
+
+/// Builds the levels over boxes in the order of the tree.
+void PackedBoxTree::build(std::span<const Box> boxes) {
+  levels_.push_back(groups_of(boxes));
+  while (levels_.back().size() > 1) levels_.push_back(groups_of(around(levels_.back())));
 }
 
 /// Returns the boxes in groups of eight, the last one filled up.
@@ -116,6 +153,38 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::pack(std::span<const Box3> boxes)
     points += packed.back().low == packed.back().high ? 1 : 0;
   }
   fits_ = points <= std::max(kMostPoints, boxes.size() / kPointShare);
+  return packed;
+}
+
+/// Returns the boxes of triangles by the places of their corners, and sets fits_ and
+/// expected_pairs_; returns nothing if the grid is not finite.
+std::vector<PackedBoxTree::Box> PackedBoxTree::pack(
+    std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> corners) {
+  std::vector<Box> packed;
+  if (!grid_.is_finite() && !corners.empty()) return packed;
+  std::vector<std::array<Place, 3>> place;
+  place.reserve(points.size());
+  for (const Point3& p : points) place.push_back(places(grid_, {p.x, p.y, p.z}));
+  packed.reserve(corners.size());
+  std::size_t flat = 0;  // The boxes within one cell.
+  std::array<std::int64_t, 3> sides{};
+  for (const auto& [a, b, c] : corners) {
+    Box box;
+    for (std::size_t i = 0; i < 3; ++i) {
+      box.low[i] = std::min({place[a][i], place[b][i], place[c][i]});
+      box.high[i] = std::max({place[a][i], place[b][i], place[c][i]});
+      sides[i] += box.high[i] - box.low[i];
+    }
+    packed.push_back(box);
+    flat += box.low == box.high ? 1 : 0;
+  }
+  fits_ = flat <= std::max(kMostPoints, corners.size() / kPointShare);
+  const auto count = static_cast<double>(corners.size());
+  expected_pairs_ = count * count;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = 2 * static_cast<double>(sides[i]) / count / kLast;
+    if (share < 1 && bounds_.low[i] < bounds_.high[i]) expected_pairs_ *= share;
+  }
   return packed;
 }
 

@@ -18,6 +18,7 @@
 
 #include "plumb/base/internal/box_tree.h"
 #include "plumb/base/internal/insertion_sort.h"
+#include "plumb/predicates/point.h"
 
 namespace plumb {
 
@@ -110,15 +111,30 @@ inline void sort_by_code(std::vector<MortonCoded>& items) {
 // to another tree when they are far more than the boxes. Cost: O(n) to build, about 30 ns a box; a
 // comparison of a box with a group about 5 ns. Memory: 18 bytes a box.
 
+/// The order of the boxes in a tree.
+enum class BoxOrder : std::uint8_t {
+  Any,   ///< The tree sorts the boxes.
+  Kept,  ///< The boxes come with neighbours together, and keep their order.
+};
+
 /// The tree. Immutable after construction.
 class PackedBoxTree {
  public:
   /// Builds the tree, unless the boxes do not fit.
   explicit PackedBoxTree(std::span<const Box3> boxes);
+  /// Builds the tree over the boxes around triangles, which is faster than over boxes of doubles.
+  /// `corners` has the corners of triangles as indices of `points`. Requires that each point is a
+  /// corner. If `order` is Kept, the numbers of the triangles are their order in the tree.
+  PackedBoxTree(std::span<const Point3> points,
+                std::span<const std::array<std::uint32_t, 3>> corners, BoxOrder order);
 
   /// Whether most boxes are larger than a cell, and few are in the same place of the order. If not,
   /// nothing was built.
   bool fits() const { return fits_; }
+
+  /// Returns about how many pairs of boxes meet, as expected_pairs() does (space_boxes.h), each pair
+  /// counted twice. It is 0 if boxes of doubles were given.
+  double expected_pairs() const { return expected_pairs_; }
 
   /// Calls visit(i, j) for every two different boxes that meet, and for some that do not; each pair
   /// once. may_go_on() is asked before every step: a group, a pair of groups, or a pair of boxes
@@ -189,7 +205,11 @@ class PackedBoxTree {
   static constexpr Box nowhere();
   Box place(const Box3& box) const;
   std::vector<Box> pack(std::span<const Box3> boxes);
+  std::vector<Box> pack(std::span<const Point3> points,
+                        std::span<const std::array<std::uint32_t, 3>> corners);
   bool sort(std::span<const Box> boxes);
+  std::vector<Box> in_order(std::span<const Box> boxes) const;
+  void build(std::span<const Box> boxes);
   static Level groups_of(std::span<const Box> boxes);
   static std::vector<Box> around(const Level& level);
 
@@ -215,6 +235,7 @@ class PackedBoxTree {
   void visit_below(std::size_t level, std::uint32_t group, const Box& query, Visit& visit) const;
 
   bool fits_ = false;
+  double expected_pairs_ = 0;
   Box3 bounds_;                       // The box around all boxes.
   CellGrid grid_;                     // Divides it.
   std::vector<std::uint32_t> order_;  // Numbers of the boxes, neighbours together.

@@ -60,6 +60,17 @@ std::vector<PlaneId> used_planes(const SpaceComplex& complex) {
   return planes;
 }
 
+/// Returns the number of different planes of facets.
+std::size_t count_facet_planes(const SpaceComplex& complex) {
+  std::vector<std::uint8_t> is_used(complex.planes().size(), 0);
+  std::size_t count = 0;
+  for (const PlaneId p : complex.facet_plane) {
+    count += is_used[p.value()] == 0 ? 1 : 0;
+    is_used[p.value()] = 1;
+  }
+  return count;
+}
+
 /// Returns the complex with tables of its own that have these planes and its vertices' points.
 SpaceComplex compacted(SpaceComplex complex, const std::vector<PlaneId>& planes) {
   const CompactedTables kept = compacted(*complex.tables, planes, complex.vertex_point);
@@ -81,11 +92,15 @@ SpaceComplex with_used_tables(SpaceComplex complex) {
 // cost of a chain of operations linear.
 SpaceComplex with_tidy_tables(SpaceComplex complex) {
   const SpaceTables& tables = *complex.tables;
-  const std::vector<PlaneId> planes = used_planes(complex);
   const std::size_t points = tables.points.size() + tables.planes.points().size();
-  if (tables.planes.size() <= 2 * planes.size() + 64 && points <= 4 * complex.vertex_count() + 64) {
-    return complex;
-  }
+  const bool has_few_points = points <= 4 * complex.vertex_count() + 64;
+  const auto has_few_planes = [&](std::size_t used) {
+    return tables.planes.size() <= 2 * used + 64;
+  };
+  // In general position the planes of facets are enough, and each facet has a plane of its own.
+  if (has_few_points && has_few_planes(count_facet_planes(complex))) return complex;
+  const std::vector<PlaneId> planes = used_planes(complex);
+  if (has_few_points && has_few_planes(planes.size())) return complex;
   return compacted(std::move(complex), planes);
 }
 

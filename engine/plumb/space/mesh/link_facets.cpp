@@ -21,9 +21,11 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <functional>
 #include <numeric>
 #include <utility>
 
+#include "plumb/base/internal/insertion_sort.h"
 #include "plumb/predicates/plane_signs.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/planar/triangulate.h"
@@ -68,6 +70,13 @@ Buckets bucket_uses(const MeshFacets& facets, const MeshLinks& links, std::size_
   return b;
 }
 
+/// Sorts the entries of a vertex, which are few at nearly all vertices.
+void sort_entries(std::span<std::uint64_t> entries) {
+  constexpr std::size_t kFew = 24;
+  if (entries.size() <= kFew) return insertion_sort(entries, std::less<>());
+  std::sort(entries.begin(), entries.end());
+}
+
 }  // namespace
 
 MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count) {
@@ -76,24 +85,41 @@ MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count) {
   Buckets buckets = bucket_uses(facets, links, vertex_count);
   links.end.reserve(facets.corner.size() / 2 + 1);
   links.begin.reserve(facets.corner.size() / 2 + 2);
-  links.use.reserve(facets.corner.size());
+  links.use.resize(facets.corner.size());
+  std::uint32_t place = 0;  // Where the next use goes.
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     const auto first = buckets.entry.begin() + buckets.begin[v];
     const auto last = buckets.entry.begin() + buckets.begin[v + 1];
-    std::sort(first, last);
+    sort_entries({first, last});
     std::uint32_t known = ~std::uint32_t{0};  // The other end of the last edge of v.
     for (auto i = first; i != last; ++i) {
       const auto other = static_cast<std::uint32_t>(*i >> 32U);
       if (other != known) {
-        links.begin.push_back(static_cast<std::uint32_t>(links.use.size()));
+        links.begin.push_back(place);
         links.end.push_back({v, other});
         known = other;
       }
-      links.use.push_back(static_cast<std::uint32_t>(*i));
+      links.use[place++] = static_cast<std::uint32_t>(*i);
     }
   }
-  links.begin.push_back(static_cast<std::uint32_t>(links.use.size()));
+  links.begin.push_back(place);
   return links;
+}
+
+bool is_plainly_closed(const MeshFacets& facets, const MeshLinks& links) {
+  if (!facets.loose.empty()) return false;
+  for (std::size_t e = 0; e < links.edge_count(); ++e) {
+    if (links.begin[e + 1] - links.begin[e] != 2) return false;
+    const std::uint32_t u = links.use[links.begin[e]], v = links.use[links.begin[e] + 1];
+    const std::uint32_t f = links.facet[u], g = links.facet[v];
+    // Uses of one direction need opposite jumps, others equal ones. A use leaves the lesser end of
+    // its edge if it runs forward.
+    const bool is_one_way = facets.corner[u] == facets.corner[v];
+    if (facets.jump[f] != (is_one_way ? -facets.jump[g] : facets.jump[g])) return false;
+    // Facets that come twice are in one plane and begin with the same use.
+    if (is_one_way && facets.plane[f] == facets.plane[g] && facets.begin[f] == u) return false;
+  }
+  return true;
 }
 
 // ---------------------------------------------------------------- doubled facets
@@ -238,7 +264,10 @@ class EdgePlanes {
   /// along an axis in which its ends differ; that in which they differ most is decided fastest.
   bool is_along(std::uint32_t e) const {
     // minor_sign() is the sign of the component of n_p x n_q along the axis.
-    const auto [axis, runs] = longest_axis(end(2 * e), end(2 * e + 1));
+    const SpacePoint from = end(2 * e), to = end(2 * e + 1);
+    const bool are_inputs = from.is_input() && to.is_input();
+    const auto [axis, runs] =
+        are_inputs ? longest_axis(from.input(), to.input()) : longest_axis(from, to);
     const auto [p, q] = c_.edge_planes[e];
     return runs == minor_sign(tables_.planes, p, q, axis);
   }
@@ -274,6 +303,17 @@ class EdgePlanes {
     Sign sign;
   };
 
+  /// Does the same for input points. A difference of doubles has the right sign unless it is
+  /// flushed to zero.
+  Run longest_axis(InputPointId a, InputPointId b) const {
+    const Point3 &p = tables_.planes.point(a), &q = tables_.planes.point(b);
+    const std::array<double, 3> d{q.x - p.x, q.y - p.y, q.z - p.z};
+    std::size_t best = std::fabs(d[1]) > std::fabs(d[0]) ? 1 : 0;
+    if (std::fabs(d[2]) > std::fabs(d[best])) best = 2;
+    if (d[best] == 0) return longest_axis(SpacePoint(a), SpacePoint(b));
+    return {best, d[best] > 0 ? Sign::Positive : Sign::Negative};
+  }
+
   /// Returns an axis in which two points differ, and which way b is from a. Where doubles decide,
   /// it is the axis in which they differ most.
   Run longest_axis(SpacePoint a, SpacePoint b) const {
@@ -281,9 +321,6 @@ class EdgePlanes {
     std::size_t best = 0;
     for (std::size_t i = 1; i < 3; ++i) {
       if (std::fabs(q[i] - p[i]) > std::fabs(q[best] - p[best])) best = i;
-    }
-    if (a.is_input() && b.is_input() && q[best] - p[best] != 0) {
-      return {best, sign_of(q[best] - p[best])};  // A difference of doubles has the right sign.
     }
     if (q[best] - p[best] != 0) {
       const Sign sign = compare_axis(tables_.points, b, a, best);
@@ -333,10 +370,10 @@ class Linker {
     out_.edge_mark.assign(n, 0);
     out_.edge_volume.resize(n);
     out_.edge_use.resize(n);
-    out_.origin.reserve(2 * n);
-    for (const auto& [a, b] : links_.end) {
-      out_.origin.emplace_back(a);
-      out_.origin.emplace_back(b);
+    out_.origin.resize(2 * n);
+    for (std::size_t e = 0; e < n; ++e) {
+      out_.origin[2 * e] = VertexId(links_.end[e][0]);
+      out_.origin[2 * e + 1] = VertexId(links_.end[e][1]);
     }
     choose_planes();
   }
@@ -359,21 +396,25 @@ class Linker {
   /// open.
   void choose_planes() {
     out_.edge_planes.resize(links_.edge_count());
+    EdgePlanes planes(out_, tables_);
+    const auto direct = [&](std::uint32_t e) {
+      if (!planes.is_along(e)) std::swap(out_.origin[2 * e], out_.origin[2 * e + 1]);
+    };
     std::vector<std::uint32_t> flat;
     for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
       const auto uses = links_.uses_of(e);
       const PlaneId first = plane_of(uses[0]);
-      const auto other =
-          std::ranges::find_if(uses, [&](std::uint32_t u) { return plane_of(u) != first; });
-      out_.edge_planes[e] = {first, other == uses.end() ? PlaneId() : plane_of(*other)};
-      if (other == uses.end() && !can_be_open(uses)) flat.push_back(e);
+      std::size_t i = 1;
+      while (i < uses.size() && plane_of(uses[i]) == first) ++i;
+      out_.edge_planes[e] = {first, i < uses.size() ? plane_of(uses[i]) : PlaneId()};
+      if (i < uses.size()) {
+        direct(e);
+      } else if (!can_be_open(uses)) {
+        flat.push_back(e);
+      }
     }
-    EdgePlanes planes(out_, tables_);
     planes.add_second(flat);
-    for (std::uint32_t e = 0; e < links_.edge_count(); ++e) {
-      if (!out_.edge_planes[e][1].is_valid() || planes.is_along(e)) continue;
-      std::swap(out_.origin[2 * e], out_.origin[2 * e + 1]);
-    }
+    for (const std::uint32_t e : flat) direct(e);
   }
 
   // ---------------------------------------------------------------- uses
@@ -451,11 +492,13 @@ class Linker {
     out_.facet_volume.resize(n);
     out_.facet_origin = facets_.origin;
     out_.inner_begin.assign(n + 1, 0);
+    out_.cycle_begin.resize(n + 1);
+    out_.cycle.resize(n);
     for (std::uint32_t f = 0; f < n; ++f) {
-      out_.cycle_begin.push_back(f);
-      out_.cycle.emplace_back(facets_.begin[f]);
+      out_.cycle_begin[f] = f;
+      out_.cycle[f] = UseId(facets_.begin[f]);
     }
-    out_.cycle_begin.push_back(static_cast<std::uint32_t>(n));
+    out_.cycle_begin[n] = static_cast<std::uint32_t>(n);
   }
 
   const MeshFacets& facets_;

@@ -336,12 +336,45 @@ void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) 
 
 }  // namespace
 
+namespace {
+
+/// Whether the mesh is one closed surface in which every vertex has a fan and which does not cross
+/// itself. A vertex with a fan has edges of two facets only, so the surface bounds two volumes.
+bool is_one_shell(const MeshComplex& mesh, std::span<const std::uint8_t> has_fan) {
+  return mesh.is_inside_out.size() == 1 && mesh.report.is_closed() && mesh.crossings.empty() &&
+         mesh.jump[0] != 0 && has_fan.size() == mesh.complex.vertex_count() &&
+         std::ranges::all_of(has_fan, [](std::uint8_t fan) { return fan != 0; });
+}
+
+/// Gives the facets of one shell the volumes that label_volumes() finds. The sign of the volume of
+/// the shell tells whether winding numbers rise to its inside, and a jump to which side of its
+/// facet they rise.
+void label_sides(const MeshComplex& mesh, SpaceComplex& complex) {
+  constexpr VolumeId outside(0), inside(1);
+  const bool is_inside_out = mesh.is_inside_out[0] != 0;
+  complex.facet_volume.resize(complex.facet_count());
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    const bool is_outside_above = (mesh.jump[f] < 0) != is_inside_out;
+    complex.facet_volume[f] =
+        is_outside_above ? std::array{outside, inside} : std::array{inside, outside};
+  }
+  complex.edge_volume.assign(complex.edge_count(), VolumeId());
+  complex.vertex_volume.assign(complex.vertex_count(), VolumeId());
+  complex.volume_mark.assign(2, 0);
+}
+
+}  // namespace
+
 void arrange(MeshComplex& mesh, Context& context) {
   if (mesh.is_arranged()) return;
   // Fans say which sphere maps are connected. They are of no use after facets have been cut.
   const std::vector<std::uint8_t> has_fan = std::exchange(mesh.has_fan, {});
   if (mesh.crossings.empty()) {
-    label_volumes(mesh.complex, context, has_fan);
+    if (is_one_shell(mesh, has_fan)) {
+      label_sides(mesh, mesh.complex);
+    } else {
+      label_volumes(mesh.complex, context, has_fan);
+    }
     fill_sheets(mesh);
     return;
   }

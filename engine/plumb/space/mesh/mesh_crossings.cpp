@@ -16,6 +16,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <optional>
 
 #include "plumb/base/internal/box_tree.h"
 #include "plumb/space/bounds/oriented_boxes.h"
@@ -34,10 +36,11 @@ using FacetPairs = std::vector<std::pair<FacetId, FacetId>>;
 /// The search in one mesh.
 class CrossingSearch {
  public:
-  CrossingSearch(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan,
+  CrossingSearch(const SpaceComplex& complex, std::span<const std::uint8_t> has_fan, BoxOrder order,
                  Context& context)
       : complex_(complex),
         has_fan_(has_fan),
+        order_(order),
         context_(context),
         memory_(context),
         test_(complex.points()) {}
@@ -62,19 +65,47 @@ class CrossingSearch {
   void find_all() {
     checkpoint();
     if (triangles_.size() <= kFew) return find_among_few();
+    bool is_given_up = false;  // Whether a packed tree fits but takes too many steps.
+    if (const auto tree = tree_of_points()) {
+      if (find_in(*tree)) return;
+      is_given_up = true;
+    }
     const std::vector<Box3> boxes = boxes_of_triangles();
     checkpoint();
-    const PackedBoxTree packed(boxes);
-    if (packed.fits() && find_in(packed)) return;
+    if (!is_given_up) {
+      const PackedBoxTree packed(boxes);
+      if (packed.fits() && find_in(packed)) return;
+      is_given_up = packed.fits();
+    }
     const TriangleGroups groups = group_triangles(triangles_, complex_.vertex_count());
     checkpoint();
-    if (packed.fits() || groups.pairs > kStepsPerTriangle * triangles_.size() ||
+    if (is_given_up || groups.pairs > kStepsPerTriangle * triangles_.size() ||
         has_many_pairs(expected_pairs(boxes, boxes), boxes.size())) {
       find_thin(boxes, groups.of);
       find_around_hubs(groups);
     } else {
       find_in(BoxTree(boxes), [](std::uint32_t i) { return i; });
     }
+  }
+
+  /// Returns the packed tree of the triangles along the coordinate axes, or nothing if their boxes
+  /// do not fit, too many of them may meet, or a vertex is a constructed point.
+  std::optional<PackedBoxTree> tree_of_points() const {
+    std::vector<Point3> points;
+    points.reserve(complex_.vertex_count());
+    for (const SpacePoint p : complex_.vertex_point) {
+      if (!p.is_input()) return {};
+      points.push_back(complex_.planes().point(p.input()));
+    }
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    corners.reserve(triangles_.size());
+    for (const FacetTriangle& t : triangles_) {
+      corners.push_back(
+          {t.corner[0].vertex.value(), t.corner[1].vertex.value(), t.corner[2].vertex.value()});
+    }
+    std::optional<PackedBoxTree> tree(std::in_place, points, corners, order_);
+    if (!tree->fits() || has_many_pairs(tree->expected_pairs(), corners.size())) tree.reset();
+    return tree;
   }
 
   /// Tests the pairs of a few triangles, for which a tree costs more than it saves.
@@ -161,6 +192,7 @@ class CrossingSearch {
 
   /// Tests one pair of triangles and notes their facets if they cross.
   void look_at(std::uint32_t i, std::uint32_t j) {
+    if (share_fan(fan_corners_[i], fan_corners_[j])) return;  // As most pairs do.
     const FacetTriangle &s = triangles_[i], &t = triangles_[j];
     if (s.facet == t.facet || !test_(s, t)) return;
     if (found_.size() % 4096 == 0) memory_.add(4096 * sizeof(found_[0]), "crossings of the mesh");
@@ -169,6 +201,7 @@ class CrossingSearch {
 
   void gather_triangles() {
     triangles_.reserve(complex_.use_count());
+    fan_corners_.reserve(complex_.use_count());
     FacetTriangles facets(complex_);
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
       facets.for_each(FacetId(f), [&](VertexId a, VertexId b, VertexId c) {
@@ -178,6 +211,7 @@ class CrossingSearch {
                               FacetId(f),
                               static_cast<std::uint8_t>(fans),
                               0});
+        fan_corners_.push_back(FanCorners{fan_corner(a), fan_corner(b), fan_corner(c), kNone});
       });
       if (!is_triangle(FacetId(f))) mark_diagonals(FacetId(f));
     }
@@ -230,12 +264,29 @@ class CrossingSearch {
     return boxes;
   }
 
+  /// The corners of a triangle that have a fan, and kNone for all others, side by side.
+  using FanCorners __attribute__((vector_size(16))) = std::uint32_t;
+
+  /// Whether two triangles have a common corner with a fan: then they do not cross.
+  static bool share_fan(FanCorners s, FanCorners t) {
+    const FanCorners none{kNone, kNone, kNone, kNone};
+    const auto equal = (s == t) | (s == __builtin_shufflevector(t, t, 1, 2, 0, 3)) |
+                       (s == __builtin_shufflevector(t, t, 2, 0, 1, 3));
+    const auto shared = std::bit_cast<std::array<std::uint64_t, 2>>(equal & (s != none));
+    return (shared[0] | shared[1]) != 0;
+  }
+  std::uint32_t fan_corner(VertexId v) const {
+    return has_fan_[v.value()] != 0 ? v.value() : kNone;
+  }
+
   const SpaceComplex& complex_;
   const std::span<const std::uint8_t> has_fan_;
+  const BoxOrder order_;
   Context& context_;
   MemoryCharge memory_;
   TriangleCrossing test_;
   std::vector<FacetTriangle> triangles_;
+  std::vector<FanCorners> fan_corners_;  // One entry for each triangle.
   std::vector<std::pair<VertexId, VertexId>> boundary_;
   FacetPairs found_;         // Some pairs come more than once.
   std::uint64_t steps_ = 0;  // The steps in all trees.
@@ -245,8 +296,8 @@ class CrossingSearch {
 
 std::vector<std::pair<FacetId, FacetId>> find_mesh_crossings(const SpaceComplex& complex,
                                                              std::span<const std::uint8_t> has_fan,
-                                                             Context& context) {
-  return CrossingSearch(complex, has_fan, context).run();
+                                                             Context& context, BoxOrder order) {
+  return CrossingSearch(complex, has_fan, order, context).run();
 }
 
 }  // namespace plumb

@@ -33,16 +33,19 @@
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/space/bounds/packed_boxes.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
 
 /// Returns the pairs of facets that cross, ascending, each once. `has_fan` is the result of
 /// find_fans(complex). Requires what link_facets() makes of any mesh: edges and planes of facets,
-/// and boundary cycles that are simple polygons; radial orders and volumes are not read. Throws
-/// what the context throws.
+/// and boundary cycles that are simple polygons; radial orders and volumes are not read. If
+/// `order` is Kept, triangles that are near each other should have numbers near each other, which
+/// only makes the search faster. Throws what the context throws.
 std::vector<std::pair<FacetId, FacetId>> find_mesh_crossings(const SpaceComplex& complex,
                                                              std::span<const std::uint8_t> has_fan,
-                                                             Context& context);
+                                                             Context& context,
+                                                             BoxOrder order = BoxOrder::Any);
 
 }  // namespace plumb

@@ -411,6 +411,74 @@ class FacetMaker {
   std::vector<IndexTriangle> pieces_;
 };
 
+// ---------------------------------------------------------------- meshes of triangles
+
+/// Whether all faces are triangles with three different corners at input points, as in nearly all
+/// meshes of triangles. Nothing of them is to be trimmed, and their planes are interned in order.
+bool has_plain_triangles_only(const MeshView& mesh, const MeshVertices& vertices) {
+  if (mesh.corners.size() != 3 * mesh.face_count()) return false;
+  for (std::size_t f = 0; f < mesh.face_begin.size(); ++f) {
+    if (mesh.face_begin[f] != 3 * f) return false;
+  }
+  for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
+    const std::uint32_t a = vertices.of_point[mesh.corners[i]],
+                        b = vertices.of_point[mesh.corners[i + 1]],
+                        c = vertices.of_point[mesh.corners[i + 2]];
+    if (a == b || b == c || c == a) return false;
+  }
+  return std::ranges::all_of(vertices.point, &SpacePoint::is_input);
+}
+
+/// Returns the planes of all faces; invalid for faces without area.
+std::vector<OrientedPlane> planes_of_triangles(const MeshView& mesh, const MeshVertices& vertices,
+                                               SpaceTables& tables) {
+  std::vector<std::array<InputPointId, 3>> triples(mesh.face_count());
+  const std::uint32_t* corner = mesh.corners.data();
+  for (auto& triple : triples) {
+    for (InputPointId& p : triple) p = vertices.point[vertices.of_point[*corner++]].input();
+  }
+  std::vector<OrientedPlane> planes(triples.size());
+  tables.planes.intern_triangles(triples, planes);
+  return planes;
+}
+
+/// Does what FacetMaker does to a mesh that has_plain_triangles_only().
+MeshFacets flatten_triangles(const MeshView& mesh, const MeshVertices& vertices,
+                             SpaceTables& tables, MeshReport& report, Context& context) {
+  const std::vector<OrientedPlane> planes = planes_of_triangles(mesh, vertices, tables);
+  MeshFacets facets;
+  facets.corner.resize(mesh.corners.size());
+  facets.plane.reserve(planes.size());
+  facets.jump.reserve(planes.size());
+  facets.origin.reserve(planes.size());
+  std::size_t corners = 0;
+  for (std::uint32_t f = 0; f < planes.size(); ++f) {
+    if (f % 4096 == 0) context.checkpoint("planes of faces", f, planes.size());
+    const std::uint32_t* const face = mesh.corners.data() + 3 * std::size_t{f};
+    const IndexTriangle t{vertices.of_point[face[0]], vertices.of_point[face[1]],
+                          vertices.of_point[face[2]]};
+    if (!planes[f].is_valid()) {
+      for (std::size_t i = 0; i < 3; ++i) facets.loose.push_back({t[i], t[i == 2 ? 0 : i + 1]});
+      report.degenerate.push_back(f);
+      continue;
+    }
+    const std::size_t least = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
+    const std::size_t ahead = least == 2 ? 0 : least + 1, behind = least == 0 ? 2 : least - 1;
+    const bool is_opposite = planes[f].is_opposite();
+    facets.corner[corners] = t[least];
+    facets.corner[corners + 1] = t[is_opposite ? behind : ahead];
+    facets.corner[corners + 2] = t[is_opposite ? ahead : behind];
+    corners += 3;
+    facets.plane.push_back(planes[f].plane());
+    facets.jump.push_back(is_opposite ? 1 : -1);
+    facets.origin.push_back(f);
+  }
+  facets.corner.resize(corners);
+  facets.begin.resize(facets.size() + 1);
+  for (std::uint32_t f = 0; f < facets.begin.size(); ++f) facets.begin[f] = 3 * f;
+  return facets;
+}
+
 }  // namespace
 
 void push_corner(std::vector<std::uint32_t>& corner, std::size_t first, std::uint32_t v) {
@@ -459,6 +527,9 @@ OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, Spa
 
 MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
                         MeshReport& report, Context& context) {
+  if (has_plain_triangles_only(mesh, vertices)) {
+    return flatten_triangles(mesh, vertices, tables, report, context);
+  }
   const Loops loops = trimmed_loops(mesh, vertices, report);
   const std::vector<OrientedPlane> planes = planes_of(loops, vertices.point, tables);
   FacetMaker maker(loops, vertices.point, tables, report, context);

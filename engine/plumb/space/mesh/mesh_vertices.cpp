@@ -6,6 +6,9 @@
 // every place is found in exactly one of the two tables, and a vertex has the number of the least
 // point there.
 //
+// Points of a mesh that was sorted by cells need no hash table: equal ones are in one cell, and few
+// points are. A mesh with a crowded cell is merged as any other.
+//
 // Hashes are computed 256 points ahead and the entries of the table prefetched: the table is larger
 // than the caches, and looking up is all that merging costs.
 //
@@ -37,6 +40,11 @@ constexpr std::size_t kBlock = 256;
 /// FTZ/DAZ say.
 double without_negative_zero(double value) {
   return std::bit_cast<std::uint64_t>(value) << 1U == 0 ? 0.0 : value;
+}
+
+/// Returns the point without negative zeros.
+Point3 without_negative_zeros(const Point3& p) {
+  return {without_negative_zero(p.x), without_negative_zero(p.y), without_negative_zero(p.z)};
 }
 
 using Bits = std::array<std::uint64_t, 3>;
@@ -101,10 +109,7 @@ class VertexMaker {
   }
 
   /// Returns point i without negative zeros.
-  Point3 place(std::uint32_t i) const {
-    const Point3 p = mesh_.point(i);
-    return {without_negative_zero(p.x), without_negative_zero(p.y), without_negative_zero(p.z)};
-  }
+  Point3 place(std::uint32_t i) const { return without_negative_zeros(mesh_.point(i)); }
 
   /// Computes the hashes of the next block and prefetches their entries in the index.
   void look_ahead(std::uint32_t first) {
@@ -248,6 +253,54 @@ std::vector<MortonCoded> sorted(std::size_t n, CodeOf&& code_of) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::size_t kCrowd = 16;  // Comparing so many points costs more than hashing them.
+
+/// Whether no cell has more than kCrowd points.
+bool has_no_crowd(std::span<const std::uint32_t> cell) {
+  for (std::size_t i = kCrowd; i < cell.size(); ++i) {
+    if (cell[i] == cell[i - kCrowd]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+// The points of an ordered mesh are finite, and its corners name points.
+MeshVertices merge_equal_points(const OrderedMesh& ordered, SpaceTables& tables) {
+  const MeshView mesh = ordered.view();
+  if (!has_no_crowd(ordered.cell)) return merge_equal_points(mesh, tables);
+  MeshVertices result;
+  result.of_point.assign(mesh.point_count(), kNone);
+  for (const std::uint32_t c : mesh.corners) result.of_point[c] = 0;
+  std::vector<Point3> places;  // The point of each vertex.
+  places.reserve(mesh.point_count());
+  result.input.reserve(mesh.point_count());
+  std::uint32_t cell = kNone;
+  std::size_t first = 0;  // The first vertex in the cell of the point at hand.
+  for (std::uint32_t i = 0; i < mesh.point_count(); ++i) {
+    if (ordered.cell[i] != cell) first = places.size();
+    cell = ordered.cell[i];
+    if (result.of_point[i] == kNone) continue;
+    const Point3 p = without_negative_zeros(mesh.point(i));
+    std::size_t v = first;
+    while (v < places.size() && bits_of(places[v]) != bits_of(p)) ++v;
+    result.of_point[i] = static_cast<std::uint32_t>(v);
+    if (v < places.size()) {
+      ++result.merged;
+    } else {
+      result.input.push_back(i);
+      places.push_back(p);
+    }
+  }
+  const std::uint32_t id = tables.planes.add_points(places).value();
+  result.point.resize(places.size());
+  for (std::uint32_t v = 0; v < places.size(); ++v)
+    result.point[v] = SpacePoint(InputPointId(id + v));
+  return result;
+}
+
 OrderedMesh ordered_in_space(const MeshView& mesh) {
   OrderedMesh ordered;
   if (mesh.face_count() == 0 || !mesh.exact.empty()) return ordered;
@@ -256,11 +309,13 @@ OrderedMesh ordered_in_space(const MeshView& mesh) {
   if (place.empty()) return ordered;
 
   std::vector<std::uint32_t> number(place.size());  // The new number of each point.
-  ordered.coordinates.reserve(mesh.coordinates.size());
+  ordered.coordinates.resize(3 * place.size());
+  ordered.cell.resize(place.size());
   std::uint32_t next = 0;
   for (const MortonCoded& p : sorted(place.size(), [&](std::uint32_t i) { return place[i]; })) {
-    const Point3 at = mesh.point(p.item);
-    ordered.coordinates.insert(ordered.coordinates.end(), {at.x, at.y, at.z});
+    std::copy_n(mesh.coordinates.data() + 3 * std::size_t{p.item}, 3,
+                ordered.coordinates.data() + 3 * std::size_t{next});
+    ordered.cell[next] = p.code;
     number[p.item] = next++;
   }
   const auto corners_of = [&](std::uint32_t f) {
@@ -270,11 +325,13 @@ OrderedMesh ordered_in_space(const MeshView& mesh) {
     const auto c = corners_of(f);
     return std::min({place[c[0]], place[c[1]], place[c[2]]});
   };
-  ordered.corners.reserve(mesh.corners.size());
-  ordered.face.reserve(mesh.face_count());
+  ordered.corners.resize(mesh.corners.size());
+  ordered.face.resize(mesh.face_count());
+  std::uint32_t face = 0;
   for (const MortonCoded& f : sorted(mesh.face_count(), place_of_face)) {
-    for (const std::uint32_t c : corners_of(f.item)) ordered.corners.push_back(number[c]);
-    ordered.face.push_back(f.item);
+    const auto c = corners_of(f.item);
+    for (std::size_t i = 0; i < 3; ++i) ordered.corners[3 * std::size_t{face} + i] = number[c[i]];
+    ordered.face[face++] = f.item;
   }
   return ordered;
 }

@@ -49,6 +49,7 @@ struct OrderedMesh {
   std::vector<double> coordinates;     ///< Three coordinates for each point.
   std::vector<std::uint32_t> corners;  ///< Three point indices for each triangle.
   std::vector<std::uint32_t> face;     ///< The index that each triangle has in the original mesh.
+  std::vector<std::uint32_t> cell;     ///< The Morton code of the cell of each point, ascending.
 
   /// Returns a view of the mesh. The view is valid as long as this object exists.
   MeshView view() const { return mesh_of_triangles(coordinates, corners); }
@@ -69,6 +70,10 @@ struct OrderedMesh {
 /// the indices of the polygon's points. Cost: O(n); 30 to 40 ns for each triangle of a mesh of
 /// 60,000 to 300,000 triangles.
 OrderedMesh ordered_in_space(const MeshView& mesh);
+
+/// Does what merge_equal_points() does to the view of an ordered mesh. Equal points are in one
+/// cell, so each point is compared only with the points of its cell, unless some cell has many.
+MeshVertices merge_equal_points(const OrderedMesh& mesh, SpaceTables& tables);
 
 }  // namespace plumb
 #pragma GCC visibility pop

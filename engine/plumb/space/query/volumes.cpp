@@ -275,8 +275,30 @@ void label_volumes(SpaceComplex& complex, Context& context,
   complex.volume_mark.assign(labels.count, 0);
 }
 
+namespace {
+
+/// Checks that each jump is the difference of the winding numbers on both sides of its facet.
+void check_jumps(const SpaceComplex& complex, std::span<const std::int32_t> jump,
+                 const IdVector<VolumeId, std::int32_t>& winding) {
+  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    const auto& [above, below] = complex.facet_volume[f];
+    PLUMB_CHECK(winding[above] - winding[below] == jump[f]);
+  }
+}
+
+}  // namespace
+
 IdVector<VolumeId, std::int32_t> winding_numbers(const SpaceComplex& complex,
                                                  std::span<const std::int32_t> jump) {
+  if (complex.volume_count() == 2 && complex.facet_count() > 0 &&
+      complex.facet_volume[0][0] != complex.facet_volume[0][1]) {
+    // One facet tells how the only other volume differs from volume 0.
+    const bool is_outside_above = complex.facet_volume[0][0] == VolumeId(0);
+    IdVector<VolumeId, std::int32_t> both(2, 0);
+    both[VolumeId(1)] = is_outside_above ? -jump[0] : jump[0];
+    check_jumps(complex, jump, both);
+    return both;
+  }
   // The graph of volumes, whose edges are the facets, in compressed rows.
   const std::size_t volumes = complex.volume_count();
   std::vector<std::uint32_t> begin(volumes + 1, 0);
@@ -307,10 +329,7 @@ IdVector<VolumeId, std::int32_t> winding_numbers(const SpaceComplex& complex,
       open.push_back(other);
     }
   }
-  for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
-    const auto& [above, below] = complex.facet_volume[f];
-    PLUMB_CHECK(winding[above] - winding[below] == jump[f]);
-  }
+  check_jumps(complex, jump, winding);
   return winding;
 }
 
