@@ -12,6 +12,9 @@
 //                       several features cover is one overlap. Each bounded region that no feature
 //                       covers is one gap or one hole.
 //  3. RegionOwners      gives each overlap and each gap to one feature
+//     Narrow channels and notches between features that are open to the outside, or into a hole,
+//     are gaps, too. Bridges across them (layer/open_gaps.h) are arranged together with the rings,
+//     and steps 1 to 3 are done again.
 //  4. layer_of_labels   keeps the edges between different owners, rounds their vertices together
 //                       (plane_rounding.h), and traces the polygons of each feature
 //
@@ -106,6 +109,12 @@ struct LayerRepairOptions {
   /// its area A and its perimeter p), and its width is at least 1e-9 of the diagonal, which is more
   /// than what rounding of coordinates leaves.
   std::optional<double> gaps_below = {};
+  /// Whether gaps that open to the outside or into a hole are found. Such a gap is cut off at its
+  /// mouths: segments between different features that are shorter than the bound. It is narrower
+  /// than the bound, its border along features is at least twice as long as its mouths, and at
+  /// least two features are along it. If there is no value for the bound, a gap must also be at
+  /// least 100 times as long as it is wide, or narrower than 1e-9 of the diagonal.
+  bool open_gaps = true;
 };
 
 /// The kinds of regions that a report lists.
@@ -132,6 +141,7 @@ struct LayerRegion {
   std::uint32_t features_begin;  ///< First entry in LayerReport::features.
   std::uint32_t features_end;    ///< Behind the last entry in LayerReport::features.
   std::uint32_t owner;           ///< The feature that gets the region; kNobody for a hole.
+  bool is_open = false;          ///< Whether it is a gap that opens to the outside or into a hole.
 };
 
 /// What repair_layer() has found and changed.
@@ -173,7 +183,8 @@ LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = 
 
 /// Returns the layer without overlaps and gaps, and a report. An overlap that covers a feature
 /// completely, together with other overlaps, goes to this feature, whatever the rule is. So such a
-/// feature does not vanish, unless several features are equal. Throws Error{NumberOutOfRange} if
+/// feature does not vanish, unless several features are equal. If a gap that is open was filled, the
+/// result is repaired again, until nothing is left to do, and the report lists all regions. Throws Error{NumberOutOfRange} if
 /// coordinates are too large to be rounded, ResourceLimit if a limit of the Context is exceeded,
 /// and Cancelled if a stop is requested.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
