@@ -158,6 +158,7 @@ nb::typed<nb::list, RegionOut> regions_of(const LayerReport& report) {
     for (const std::uint32_t f : report.features_of(region)) features.append(f);
     out["kind"] = name_of(region.kind);
     out["area"] = region.area;
+    out["open"] = region.is_open;
     out["width"] = region.width;
     out["features"] = features;
     out["owner"] =
@@ -231,10 +232,11 @@ void def_making(nb::class_<Layer>& c) {
 
 void bind_layer(nb::module_& m) {
   nb::class_<LayerReport> report(m, "LayerReport", "What Layer.repaired() has found and changed.");
-  report.def_prop_ro("regions", &regions_of,
-                     "The overlaps, gaps and holes: a dict with kind ('overlap', 'gap', 'hole'), "
-                     "area (an exact fraction), width, features (indices), and owner (an index, or "
-                     "None).");
+  report.def_prop_ro(
+      "regions", &regions_of,
+      "The overlaps, gaps and holes: a dict with kind ('overlap', 'gap', 'hole'), "
+      "area (an exact fraction), open, width, features (indices), and owner (an index, or "
+      "None).");
   report.def_prop_ro("has_defects", &LayerReport::has_defects,
                      "Whether the layer had overlaps or gaps.");
   report.def_ro("gaps_below", &LayerReport::gaps_below, "The bound for the widths of gaps.");

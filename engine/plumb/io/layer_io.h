@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,8 +38,10 @@ struct LayerReadOptions {
 
 /// A layer read from a file.
 struct LayerFile {
-  Layer layer;                     ///< The features in the order of the file.
-  std::vector<std::string> notes;  ///< Contents of the file that are not in `layer`.
+  Layer layer;  ///< The features in the order of the file.
+  /// Contents of the file that are not in `layer`, and whether polygons seem to cross the
+  /// antimeridian.
+  std::vector<std::string> notes;
 };
 
 /// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. In WKT and WKB, each
@@ -78,6 +81,9 @@ void write_layer_topojson(std::ostream& out, const Layer& layer,
 /// Writes the polygons of a layer as WKT, one feature a line, without ids and properties.
 /// Coordinates are the nearest doubles. Exceptions of `out` reach the caller.
 void write_layer_wkt(std::ostream& out, const Layer& layer, Context& context = unlimited_context());
+
+/// Returns the property "name", "NAME" or "Name" of a feature, if it is a text.
+std::optional<std::string> feature_name(const Layer& layer, std::uint32_t feature);
 
 /// Returns what a feature is called in reports, such as `feature 3 ("FR", "France")`: its number
 /// from 1, its id, and its property "name" or "NAME", if it has them; in ASCII.

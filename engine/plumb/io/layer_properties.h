@@ -1,4 +1,5 @@
-// Properties of layers that were dissolved or overlaid (layer_dissolve.h, layer_overlay.h).
+// Properties of layers that were dissolved or overlaid (layer_dissolve.h, layer_overlay.h), and
+// features by their ids.
 //
 // Properties are JSON objects. Their values are kept as they stand in the file, byte for byte. Two
 // values are equal if they are the same text; texts in quotes are compared after their escapes are
@@ -38,6 +39,14 @@ struct FeatureGroups {
 /// the property.
 FeatureGroups group_features(const Layer& layer, const std::string& property,
                              Context& context = unlimited_context());
+
+/// Returns for each feature its rank by ids, from 0: numbers by value, then texts by their bytes,
+/// then features without an id. Features with equal ids rank in the order of the layer.
+std::vector<std::uint32_t> id_ranks(const Layer& layer);
+
+/// Returns the feature that has `text` as its id, or else as its property "name" or "NAME". Throws
+/// Error{BadArgument} if there is none, or more than one.
+std::uint32_t feature_called(const Layer& layer, const std::string& text);
 
 /// Returns one group of all features.
 FeatureGroups one_group(const Layer& layer);

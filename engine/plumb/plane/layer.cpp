@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "plumb/base/internal/union_find.h"
@@ -23,6 +24,7 @@
 #include "plumb/plane/layer/open_gaps.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/predicates/arithmetic/rational_sum.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
@@ -81,7 +83,9 @@ class LayerRepair {
         cells_(layer, bridges, context),
         complex_(cells_.complex()),
         owner_(complex_.face_count(), kNobody),
-        region_(complex_.face_count(), kNobody) {
+        region_(complex_.face_count(), kNobody),
+        preferences_(options.preferences) {
+    std::sort(preferences_.begin(), preferences_.end(), is_before);
     find();
   }
 
@@ -123,6 +127,11 @@ class LayerRepair {
   std::vector<BorderPiece> borders(bool of_overlaps) const;
   void own_overlaps();
   void own_gaps();
+  static bool is_before(const OwnerPreference& a, const OwnerPreference& b) {
+    return a.loser != b.loser ? a.loser < b.loser : a.winner < b.winner;
+  }
+  bool is_beaten(std::uint32_t feature, Numbers candidates) const;
+  Numbers unbeaten(Numbers candidates, std::vector<std::uint32_t>& kept) const;
   std::uint32_t select(Numbers candidates, std::span<const BorderPiece> borders) const;
   double worth(std::uint32_t feature, std::span<const BorderPiece> borders) const;
   void find_emptied(const Layer& result);
@@ -137,6 +146,7 @@ class LayerRepair {
   std::vector<double> area_;            // For each feature, its area.
   std::vector<std::uint8_t> is_alone_;  // For each feature, whether it alone covers some face.
   double diagonal_ = 0;                 // The diagonal of the bounding box.
+  std::vector<OwnerPreference> preferences_;  // Sorted by losers.
   LayerReport report_;
 };
 
@@ -270,7 +280,9 @@ std::vector<BorderPiece> LayerRepair::borders(bool of_overlaps) const {
 /// Returns how much a feature deserves a region; the greatest value is selected. Requires borders
 /// that are sorted by feature.
 double LayerRepair::worth(std::uint32_t feature, std::span<const BorderPiece> borders) const {
-  if (options_.rule == OwnerRule::First) return 0;
+  if (options_.rule == OwnerRule::First) {
+    return options_.rank.empty() ? 0 : -static_cast<double>(options_.rank[feature]);
+  }
   if (options_.rule == OwnerRule::Largest) return area_[feature];
   if (options_.rule == OwnerRule::Smallest) return -area_[feature];
   const auto piece =
@@ -279,8 +291,28 @@ double LayerRepair::worth(std::uint32_t feature, std::span<const BorderPiece> bo
   return piece == borders.end() || piece->feature != feature ? 0 : piece->length;
 }
 
+/// Whether a candidate loses against another candidate. Candidates ascend.
+bool LayerRepair::is_beaten(std::uint32_t feature, Numbers candidates) const {
+  auto next = std::lower_bound(preferences_.begin(), preferences_.end(),
+                               OwnerPreference{0, feature}, is_before);
+  for (; next != preferences_.end() && next->loser == feature; ++next) {
+    if (std::binary_search(candidates.begin(), candidates.end(), next->winner)) return true;
+  }
+  return false;
+}
+
+/// Returns the candidates that lose against no other one, or all if every one loses.
+Numbers LayerRepair::unbeaten(Numbers candidates, std::vector<std::uint32_t>& kept) const {
+  if (preferences_.empty()) return candidates;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept),
+               [&](std::uint32_t f) { return !is_beaten(f, candidates); });
+  return kept.empty() ? candidates : Numbers(kept);
+}
+
 /// Returns the best candidate; the first one if several are equal. Candidates ascend.
-std::uint32_t LayerRepair::select(Numbers candidates, std::span<const BorderPiece> borders) const {
+std::uint32_t LayerRepair::select(Numbers all, std::span<const BorderPiece> borders) const {
+  std::vector<std::uint32_t> kept;
+  const Numbers candidates = unbeaten(all, kept);
   std::uint32_t best = candidates.front();
   double most = worth(best, borders);
   for (const std::uint32_t feature : candidates.subspan(1)) {
@@ -410,6 +442,17 @@ void append_changes(LayerReport& report, const LayerReport& later) {
   all.largest_ulp = std::max(all.largest_ulp, more.largest_ulp);
 }
 
+void require_options(const Layer& layer, const LayerRepairOptions& options) {
+  const std::size_t count = layer.feature_count();
+  if (!options.rank.empty() && options.rank.size() != count) {
+    throw Error(ErrorCode::BadArgument, "each feature needs a rank");
+  }
+  for (const OwnerPreference& p : options.preferences) {
+    if (p.winner < count && p.loser < count && p.winner != p.loser) continue;
+    throw Error(ErrorCode::BadArgument, "a preference needs two different features");
+  }
+}
+
 bool has_open_gaps(const LayerReport& report) {
   return std::any_of(report.regions.begin(), report.regions.end(),
                      [](const LayerRegion& region) { return region.is_open; });
@@ -430,11 +473,13 @@ bool LayerReport::has_defects() const {
 }
 
 LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options, Context& context) {
+  require_options(layer, options);
   return with_regions(layer, options, context, [](LayerRepair& repair) { return repair.check(); });
 }
 
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options,
                            Context& context) {
+  require_options(layer, options);
   RepairedLayer repaired = repaired_once(layer, options, context);
   for (bool is_done = !has_open_gaps(repaired.report); !is_done;) {
     RepairedLayer again = repaired_once(repaired.layer, options, context);

@@ -95,7 +95,13 @@ enum class OwnerRule : std::uint8_t {
   LongestBorder,  ///< The candidate that has the longest common border with the region.
   Largest,        ///< The candidate with the largest area.
   Smallest,       ///< The candidate with the smallest area.
-  First,          ///< The candidate that comes first in the layer.
+  First,          ///< The candidate of the least rank (LayerRepairOptions::rank).
+};
+
+/// A preference between two features.
+struct OwnerPreference {
+  std::uint32_t winner;  ///< The feature that gets regions for which both are candidates.
+  std::uint32_t loser;   ///< The other feature.
 };
 
 /// Options of repair_layer().
@@ -115,6 +121,12 @@ struct LayerRepairOptions {
   /// least two features are along it. If there is no value for the bound, a gap must also be at
   /// least 100 times as long as it is wide, or narrower than 1e-9 of the diagonal.
   bool open_gaps = true;
+  /// For each feature, its rank under OwnerRule::First. If the list is empty, features rank in the
+  /// order of the layer.
+  std::vector<std::uint32_t> rank = {};
+  /// Preferences that come before the rule: a candidate that loses against another candidate is
+  /// left out, unless every candidate loses.
+  std::vector<OwnerPreference> preferences = {};
 };
 
 /// The kinds of regions that a report lists.
@@ -184,7 +196,8 @@ LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = 
 /// Returns the layer without overlaps and gaps, and a report. An overlap that covers a feature
 /// completely, together with other overlaps, goes to this feature, whatever the rule is. So such a
 /// feature does not vanish, unless several features are equal. If a gap that is open was filled, the
-/// result is repaired again, until nothing is left to do, and the report lists all regions. Throws Error{NumberOutOfRange} if
+/// result is repaired again, until nothing is left to do, and the report lists all regions. Throws Error{BadArgument} if ranks or preferences do
+/// not match the features, Error{NumberOutOfRange} if
 /// coordinates are too large to be rounded, ResourceLimit if a limit of the Context is exceeded,
 /// and Cancelled if a stop is requested.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
