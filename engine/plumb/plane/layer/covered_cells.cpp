@@ -19,7 +19,10 @@ constexpr std::uint64_t kBytesPerLayerCorner = 120;
 }  // namespace
 
 CoveredCells::CoveredCells(const Layer& layer, const Bridges& bridges, Context& context)
-    : context_(context), memory_(context) {
+    : context_(context),
+      memory_(context),
+      corner_points_(layer.points),
+      has_bridges_(!bridges.segments.empty()) {
   const std::size_t curves = layer.ring_corners.size() + bridges.segments.size();
   memory_.add(kBytesPerLayerCorner * curves, "the cells of a layer");
   add_curves(layer);
@@ -47,6 +50,27 @@ bool CoveredCells::is_open_bridge(EdgeId e) const {
   const std::vector<SegmentId> origins = arrangement_.origins_of(e);
   return std::none_of(origins.begin(), origins.end(),
                       [this](SegmentId s) { return is_of_polygon(s); });
+}
+
+std::vector<std::uint8_t> CoveredCells::corners() const {
+  if (!has_bridges_) return {};
+  std::vector<std::uint8_t> is_corner(complex().vertex_count(), 0);
+  std::vector<SegmentId> origins;
+  for (std::size_t e = 0; e < complex().edge_count(); ++e) {
+    origins.clear();
+    arrangement_.origin_sets.append(arrangement_.origins[e], origins);
+    const HalfedgeId h = first_half(EdgeId(e));
+    for (const VertexId v : {complex().dcel.origin(h), complex().dcel.target(h)}) {
+      const Point2 at = approx(complex().points, complex().vertex_point[v]);
+      for (const SegmentId s : origins) {
+        if (!is_of_polygon(s)) break;
+        const SweepSegment curve = curves_[s.value()];
+        const Point2 p = corner_points_.approx(curve.from), q = corner_points_.approx(curve.to);
+        if ((p.x == at.x && p.y == at.y) || (q.x == at.x && q.y == at.y)) is_corner[v.value()] = 1;
+      }
+    }
+  }
+  return is_corner;
 }
 
 void CoveredCells::add_curves(const Layer& layer) {

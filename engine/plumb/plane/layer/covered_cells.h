@@ -30,7 +30,7 @@ struct Bridges {
 class CoveredCells {
  public:
   /// Arranges the rings and the bridges. Throws ResourceLimit if a limit of the Context is
-  /// exceeded, and Cancelled if a stop is requested.
+  /// exceeded, and Cancelled if a stop is requested. Requires that the layer outlives the cells.
   CoveredCells(const Layer& layer, const Bridges& bridges, Context& context);
   /// Arranges the rings alone.
   CoveredCells(const Layer& layer, Context& context) : CoveredCells(layer, Bridges(), context) {}
@@ -41,6 +41,9 @@ class CoveredCells {
   bool is_same_cover(FaceId f, FaceId g) const;
   /// Whether an edge belongs to a bridge and lies between faces that no feature covers.
   bool is_open_bridge(EdgeId e) const;
+  /// Returns for each vertex whether a ring has a corner there. Returns an empty list, which stands
+  /// for all vertices but crossings, if there are no bridges.
+  std::vector<std::uint8_t> corners() const;
   /// Returns the features that cover a face, in ascending order.
   FeatureList features(FaceId f) const {
     return {lists_.data() + first_[f], lists_.data() + last_[f]};
@@ -57,6 +60,8 @@ class CoveredCells {
 
   Context& context_;
   MemoryCharge memory_;
+  const PointTable2& corner_points_;
+  bool has_bridges_;
   std::vector<SweepSegment> curves_;
   std::vector<std::uint32_t> polygon_;  // For each curve, its polygon; kNoPolygon for bridges.
   Arrangement arrangement_;

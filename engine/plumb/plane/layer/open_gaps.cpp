@@ -97,9 +97,8 @@ class BridgeSearch {
   Box3 box_around(const BorderEdge& edge) const;
   void visit_pairs();
   void meet(const BorderEdge& e, const BorderEdge& f);
-  void cross_from(const BridgeEnd& corner, double other_length, const BorderEdge& f,
-                  std::uint32_t shared);
-  void cross_at_bound(const BorderEdge& e, const BorderEdge& f);
+  void cross_from(const BridgeEnd& corner, const BorderEdge& f, std::uint32_t shared);
+  void cross_at_bound(const BorderEdge& e, const BorderEdge& f, std::uint32_t shared);
   void add_draft(const BridgeEnd& from, const BridgeEnd& to);
   void keep_short_drafts();
   void add_bridge(const BridgeDraft& draft);
@@ -156,19 +155,22 @@ void BridgeSearch::meet(const BorderEdge& e, const BorderEdge& f) {
   const std::uint32_t shared = e.first == f.second   ? e.first
                                : e.second == f.first ? e.second
                                                      : kNone;
-  const double e_length = distance(e.a, e.b), f_length = distance(f.a, f.b);
-  cross_from({e.a, e.first}, e_length, f, shared);
-  cross_from({e.b, e.second}, e_length, f, shared);
-  cross_from({f.a, f.first}, f_length, e, shared);
-  cross_from({f.b, f.second}, f_length, e, shared);
-  cross_at_bound(e, f);
-  cross_at_bound(f, e);
+  cross_from({e.a, e.first}, f, shared);
+  cross_from({e.b, e.second}, f, shared);
+  cross_from({f.a, f.first}, e, shared);
+  cross_from({f.b, f.second}, e, shared);
+  cross_at_bound(e, f, shared);
+  cross_at_bound(f, e, shared);
 }
 
-/// Adds the bridge from a corner to the nearest point of f. If both edges end at the point
-/// `shared`, the bridge cuts a triangle off, two sides of which are its border.
-void BridgeSearch::cross_from(const BridgeEnd& corner, double other_length, const BorderEdge& f,
-                              std::uint32_t shared) {
+/// Whether a bridge from p to q cuts off a triangle that is a short dent. Two edges of its border
+/// meet at a corner.
+bool is_dent(Point2 p, Point2 q, Point2 corner) {
+  return distance(p, q) > kMostMouth * (distance(p, corner) + distance(corner, q));
+}
+
+/// Adds the bridge from a corner to the nearest point of f. The edges may have an end in common.
+void BridgeSearch::cross_from(const BridgeEnd& corner, const BorderEdge& f, std::uint32_t shared) {
   if (corner.point == f.first || corner.point == f.second) return;
   const double t = foot_on(f, corner.at);
   if (!(t > 0)) {
@@ -181,16 +183,13 @@ void BridgeSearch::cross_from(const BridgeEnd& corner, double other_length, cons
   }
   if (!faces(f, corner.at)) return;
   const BridgeEnd foot{foot_below(f, corner.at)};
-  if (shared != kNone) {
-    const double border = other_length + distance(foot.at, shared == f.first ? f.a : f.b);
-    if (distance(corner.at, foot.at) > kMostMouth * border) return;
-  }
+  if (shared != kNone && is_dent(corner.at, foot.at, shared == f.first ? f.a : f.b)) return;
   add_draft(corner, foot);
 }
 
 /// Adds the bridge from a point inside e to a point inside f, where e comes as near to f as the
 /// bound allows. So the part of a channel that is too wide is cut off.
-void BridgeSearch::cross_at_bound(const BorderEdge& e, const BorderEdge& f) {
+void BridgeSearch::cross_at_bound(const BorderEdge& e, const BorderEdge& f, std::uint32_t shared) {
   constexpr double kAllowed = 1 - 1e-6;
   const Point2 along = minus(f.b, f.a);
   const double length = std::hypot(along.x, along.y);
@@ -202,6 +201,7 @@ void BridgeSearch::cross_at_bound(const BorderEdge& e, const BorderEdge& f) {
   const double s = foot_on(f, p);
   if (!(s > 0 && s < 1)) return;
   const BridgeEnd foot{foot_below(f, p)};
+  if (shared != kNone && is_dent(p, foot.at, shared == f.first ? f.a : f.b)) return;
   if (faces(e, foot.at)) add_bridge({{p}, foot, distance(p, foot.at)});
 }
 
