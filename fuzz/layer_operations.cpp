@@ -1,11 +1,13 @@
 // Dissolving, overlaying and simplifying two layers: every result is a coverage of doubles, exact
 // areas add up, simplifying keeps all rings and ends where a second run ends, and a layer survives
-// TopoJSON.
+// TopoJSON. Repair covers the gaps of its report and nothing else, also gaps that open outwards, and
+// a second repair changes nothing.
 //
 // Input: a program of records of four bytes, {shape, p, q, r}: a triangle or a parallelogram of
 // three points, a nibble for each coordinate. The bits of the first byte say to which layer the
 // shape belongs, whether it is a parallelogram, whether it begins a new feature, and to which group
 // its feature belongs.
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -18,6 +20,7 @@
 #include "plumb/plane/layer_dissolve.h"
 #include "plumb/plane/layer_overlay.h"
 #include "plumb/plane/layer_simplify.h"
+#include "plumb/predicates/rounding.h"
 #include "record_target.h"
 
 namespace plumb::testing {
@@ -122,11 +125,41 @@ std::string simplify_flaw(const Layer& coverage, double tolerance) {
   return coverage_flaw(once.layer, "a simplified layer");
 }
 
+double covered_area(const Layer& coverage) {
+  const LayerOverlay all = overlay_layers(coverage, Layer(), {OverlayPairs::All, true});
+  double sum = 0;
+  for (const Rational& area : all.area) sum += nearest_double(area);
+  return sum;
+}
+
+std::string repair_flaw(const Layer& layer, double gaps_below) {
+  const LayerRepairOptions options{OwnerRule::LongestBorder, gaps_below};
+  const RepairedLayer repaired = repair_layer(layer, options);
+  double expected = covered_area(repair_layer(layer, {OwnerRule::First, 0.0}).layer);
+  bool has_open_gap = false;
+  for (const LayerRegion& region : repaired.report.regions) {
+    if (region.kind == LayerRegionKind::Gap) expected += nearest_double(region.area);
+    has_open_gap = has_open_gap || region.is_open;
+  }
+  constexpr double kRounding = 1e-9;
+  if (!(std::fabs(covered_area(repaired.layer) - expected) <= kRounding)) {
+    return "repair covers something else than the gaps of its report";
+  }
+  const RepairedLayer again = repair_layer(repaired.layer, options);
+  if (has_open_gap && again.report.has_defects()) return "a second repair finds a defect";
+  if (has_open_gap && geojson(again.layer) != geojson(repaired.layer)) {
+    return "a second repair changes something";
+  }
+  return coverage_flaw(repaired.layer, "a repaired layer");
+}
+
 std::string flaw_of(std::span<const std::uint8_t> program) {
   const Layers layers = layers_of(program);
   const Layer& first = layers.layer[0];
   const Layer dissolved = dissolve_layer(first, layers.group, 2).layer;
   std::string flaw = coverage_flaw(dissolved, "a dissolved layer");
+  if (flaw.empty()) flaw = repair_flaw(first, 1.5);
+  if (flaw.empty()) flaw = repair_flaw(first, 6);
   if (flaw.empty()) flaw = overlay_flaw(first, layers.layer[1]);
   const Layer coverage = overlay_layers(first, layers.layer[1]).layer;
   if (flaw.empty()) flaw = simplify_flaw(coverage, 3);

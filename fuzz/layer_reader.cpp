@@ -6,6 +6,7 @@
 // the same after it was written and read. If nothing was rounded and no gap was filled, it covers
 // the same points as the set that the union of all polygons is.
 
+#include <algorithm>
 #include <cstdint>
 #include <sstream>
 #include <string>
@@ -57,6 +58,11 @@ void require_coverage(const Layer& layer, const LayerRepairOptions& options) {
   const RepairedLayer twice = repair_layer(once.layer, {options.rule, 0.0});
   require(twice.report.count(LayerRegionKind::Overlap) == 0, "a repaired layer has no overlaps");
   require(twice.report.rounding.largest_move == 0, "a repaired layer needs no rounding");
+  const auto& regions = once.report.regions;
+  if (std::any_of(regions.begin(), regions.end(), [](const LayerRegion& r) { return r.is_open; })) {
+    require(!repair_layer(once.layer, options).report.has_defects(),
+            "a layer with filled gaps has none that is open");
+  }
   const std::string text = layer_text(once.layer);
   require(layer_text(twice.layer) == text, "a second repair changes nothing");
   require(layer_text(read_layer(text).layer) == text, "a layer survives its file");

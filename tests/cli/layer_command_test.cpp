@@ -60,6 +60,60 @@ TEST(MapRepairProgram, changes_are_a_layer_of_their_own) {
   }
 }
 
+/// The only region of a layer of two features with the ids 10 and 9, and the options.
+Json only_region(const std::vector<std::string>& options) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "pair.geojson").string();
+  write_file(file, R"({"type":"FeatureCollection","features":[
+{"type":"Feature","id":10,"properties":{"name":"flat"},"geometry":{"type":"Polygon","coordinates":
+[[[0,0],[10,0],[10,2],[0,2],[0,0]]]}},
+{"type":"Feature","id":9,"properties":{"name":"high"},"geometry":{"type":"Polygon","coordinates":
+[[[8,0],[12,0],[12,9],[8,9],[8,0]]]}}]})");
+  std::vector<std::string> arguments{"map", "repair", file, "--json", "--dry-run"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const RunResult dry = run(arguments);
+  EXPECT_EQ(dry.code, 1) << dry.err;
+  arguments[4] = "-o";
+  arguments.insert(arguments.begin() + 5, (scratch / "out.geojson").string());
+  EXPECT_EQ(run(arguments).out, dry.out) << "--dry-run reports what repair does";
+  const Json regions = Json::parse(dry.out)["regions"];
+  EXPECT_EQ(regions.size(), 1U);
+  return regions[0];
+}
+
+TEST(MapRepairProgram, ids_and_names_select_owners) {
+  EXPECT_EQ(only_region({"--rule", "first"})["to"]["id"], 10);
+  EXPECT_EQ(only_region({"--rule", "lowest-id"})["to"]["id"], 9) << "numbers, not texts";
+  EXPECT_EQ(only_region({"--rule", "largest"})["to"]["id"], 9);
+  EXPECT_EQ(only_region({"--rule", "largest", "--prefer", "10", "9"})["to"]["id"], 10);
+  EXPECT_EQ(only_region({"--prefer", "flat", "high"})["to"]["id"], 10);
+  expect_refusal(run({"map", "repair", kFields, "--prefer", "north", "west"}),
+                 "plumb: ", "no feature has the id or the name 'west'");
+}
+
+TEST(MapRepairProgram, fills_gaps_that_open_outwards) {
+  const ScratchDirectory scratch;
+  const std::string file = (scratch / "channel.geojson").string();
+  write_file(file, R"({"type":"FeatureCollection","features":[
+{"type":"Feature","id":"a","properties":null,"geometry":{"type":"Polygon","coordinates":
+[[[0,0],[4,0],[4,9],[0,9],[0,0]]]}},
+{"type":"Feature","id":"b","properties":null,"geometry":{"type":"Polygon","coordinates":
+[[[4.25,0],[9,0],[9,9],[4.25,9],[4.25,0]]]}}]})");
+  EXPECT_EQ(run({"map", "check", file}).code, 0);
+  const RunResult checked = run({"map", "check", file, "--gaps-below", "0.5"});
+  EXPECT_EQ(checked.code, 1);
+  EXPECT_TRUE(contains(checked.out,
+                       "open gap between feature 1 (\"a\"), feature 2 (\"b\"): "
+                       "area 2.25, width 0.24324324324324326, at 4 0"))
+      << checked.out;
+  EXPECT_EQ(run({"map", "check", file, "--gaps-below", "0.5", "--enclosed-only"}).code, 0);
+  const std::string out = (scratch / "out.geojson").string();
+  ASSERT_EQ(run({"map", "repair", file, "--gaps-below", "0.5", "-o", out}).code, 0);
+  EXPECT_EQ(run({"map", "check", out, "--gaps-below", "0.5"}).code, 0);
+  EXPECT_EQ(
+      run({"map", "repair", file, "--gaps-below", "0.5", "--enclosed-only", "--dry-run"}).code, 0);
+}
+
 TEST(MapRepairProgram, refuses_what_it_cannot_do) {
   const ScratchDirectory scratch;
   const std::string out = (scratch / "out.geojson").string();

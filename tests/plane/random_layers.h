@@ -105,6 +105,8 @@ class GridCells {
   static constexpr int kSide = kGrid + 2;
 
   const Features& cover(int x, int y) const { return cover_[index(y * kSide + x)]; }
+  /// Returns the number of the region of a square.
+  int region(int x, int y) const { return region_[index(y * kSide + x)]; }
   bool is_outside(int x, int y) const { return region_[index(y * kSide + x)] == region_[0]; }
 
   /// Returns for each region with overlaps, or without features, its features and its area.

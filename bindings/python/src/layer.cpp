@@ -158,6 +158,7 @@ nb::typed<nb::list, RegionOut> regions_of(const LayerReport& report) {
     for (const std::uint32_t f : report.features_of(region)) features.append(f);
     out["kind"] = name_of(region.kind);
     out["area"] = region.area;
+    out["open"] = region.is_open;
     out["width"] = region.width;
     out["features"] = features;
     out["owner"] =
@@ -236,7 +237,7 @@ void bind_layer(nb::module_& m) {
                                  "the repair.");
   report.def_prop_ro("regions", &regions_of,
                      "The overlaps, gaps and holes. Each of them is a dict with kind ('overlap', "
-                     "'gap' or 'hole'), area (an exact fraction), width, features (indices), and "
+                     "'gap' or 'hole'), area (an exact fraction), open, width, features (indices), and "
                      "owner (an index, or None).");
   report.def_prop_ro("has_defects", &LayerReport::has_defects,
                      "Whether the layer had overlaps or gaps.");

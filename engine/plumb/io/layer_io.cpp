@@ -508,14 +508,69 @@ void require_layer_format(const std::string& path) {
               {input_name(path)});
 }
 
+namespace {
+
+/// Whether an edge seems to cross the antimeridian: its ends are near to it, on different sides. An
+/// edge from -180 to 180 goes around the map and does not cross it.
+bool crosses_antimeridian(Point2 a, Point2 b) {
+  constexpr double kNear = 150, kRound = 360;
+  return a.x * b.x < 0 && std::fabs(a.x) > kNear && std::fabs(b.x) > kNear &&
+         std::fabs(a.x - b.x) < kRound;
+}
+
+/// Returns the features with rings that seem to cross the antimeridian.
+std::vector<std::uint32_t> features_across(const Layer& layer) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t f = 0; f < layer.feature_count(); ++f) {
+    const std::uint32_t first = layer.polygon_begin[layer.feature_begin[f]];
+    const std::uint32_t end = layer.polygon_begin[layer.feature_begin[f + 1]];
+    bool is_across = false;
+    for (std::uint32_t r = first; r < end && !is_across; ++r) {
+      const std::span<const std::uint32_t> ring = layer.ring(r);
+      std::uint32_t last = ring.back();
+      for (const std::uint32_t corner : ring) {
+        is_across = is_across ||
+                    crosses_antimeridian(layer.points.approx(last), layer.points.approx(corner));
+        last = corner;
+      }
+    }
+    if (is_across) found.push_back(f);
+  }
+  return found;
+}
+
+bool is_on_globe(const Layer& layer) {
+  constexpr double kLongitude = 180, kLatitude = 90;
+  return std::all_of(layer.ring_corners.begin(), layer.ring_corners.end(), [&](std::uint32_t c) {
+    const Point2 p = layer.points.approx(c);
+    return std::fabs(p.x) <= kLongitude && std::fabs(p.y) <= kLatitude;
+  });
+}
+
+/// Says which features have an edge across the whole map, if coordinates may be degrees.
+std::optional<std::string> antimeridian_note(const Layer& layer) {
+  if (!is_on_globe(layer)) return {};
+  const std::vector<std::uint32_t> across = features_across(layer);
+  if (across.empty()) return {};
+  std::string note = feature_title(layer, across.front());
+  if (across.size() > 1) note += " and " + std::to_string(across.size() - 1) + " more";
+  return note +
+         ": an edge crosses the antimeridian, if coordinates are degrees; layers are flat, so "
+         "this edge runs across the map";
+}
+
+}  // namespace
+
 LayerFile read_layer(std::string_view text, const LayerReadOptions& options, Context& context) {
   const RoundToNearest rounding;
   const ReadOptions read{.name = options.name};
-  return naming_foreign_files(text, "GeoJSON TopoJSON WKT WKB", options.name, [&] {
+  LayerFile file = naming_foreign_files(text, "GeoJSON TopoJSON WKT WKB", options.name, [&] {
     if (begins_like_wkb(text)) return layer_of_shapes(read_wkb(text, read, context), context);
     if (begins_like_wkt(text)) return layer_of_shapes(read_wkt(text, read, context), context);
     return read_json_layer(text, options, context);
   });
+  if (std::optional<std::string> n = antimeridian_note(file.layer)) file.notes.push_back(*n);
+  return file;
 }
 
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options, Context& context) {
@@ -567,8 +622,9 @@ void write_geometry(TextOutput& out, const Layer& layer, std::size_t f) {
   out << (is_one ? "}" : "]}");
 }
 
-/// Returns the property "name" or "NAME" of a feature, if it is a text.
-std::optional<std::string> called(const Layer& layer, std::uint32_t feature) {
+}  // namespace
+
+std::optional<std::string> feature_name(const Layer& layer, std::uint32_t feature) {
   if (layer.properties(feature).empty()) return {};
   const auto properties = nlohmann::json::parse(layer.properties(feature));
   if (!properties.is_object()) return {};
@@ -579,11 +635,13 @@ std::optional<std::string> called(const Layer& layer, std::uint32_t feature) {
   return {};
 }
 
+namespace {
+
 /// Returns a feature as JSON: its number from 1 and, if it has them, its id and its name.
 nlohmann::ordered_json feature_json(const Layer& layer, std::uint32_t feature) {
   nlohmann::ordered_json json = {{"number", feature + 1}};
   if (!layer.id(feature).empty()) json["id"] = nlohmann::ordered_json::parse(layer.id(feature));
-  if (const std::optional<std::string> name = called(layer, feature)) json["name"] = *name;
+  if (const std::optional<std::string> name = feature_name(layer, feature)) json["name"] = *name;
   return json;
 }
 
@@ -593,11 +651,10 @@ nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report
   for (const std::uint32_t f : report.features_of(region)) {
     features.push_back(feature_json(layer, f));
   }
-  nlohmann::ordered_json json = {{"kind", name_of(region.kind)},
-                                 {"area", nearest_double(region.area)},
-                                 {"width", region.width},
-                                 {"features", std::move(features)},
-                                 {"to", nullptr}};
+  nlohmann::ordered_json json = {
+      {"kind", name_of(region.kind)},    {"area", nearest_double(region.area)},
+      {"open", region.is_open},          {"width", region.width},
+      {"features", std::move(features)}, {"to", nullptr}};
   if (region.owner != LayerRegion::kNobody) json["to"] = feature_json(layer, region.owner);
   return json;
 }
@@ -611,7 +668,8 @@ std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
 
 void write_region(TextOutput& out, const Layer& layer, const LayerReport& report, std::size_t i) {
   const LayerRegion& region = report.regions[i];
-  out << name_of(region.kind) << (region.kind == LayerRegionKind::Overlap ? " of " : " between ");
+  out << (region.is_open ? "open " : "") << name_of(region.kind)
+      << (region.kind == LayerRegionKind::Overlap ? " of " : " between ");
   bool is_first = true;
   for (const std::uint32_t f : report.features_of(region)) {
     if (!is_first) out << ", ";
@@ -637,7 +695,7 @@ std::string feature_title(const Layer& layer, std::uint32_t feature) {
   };
   std::string inner;
   if (!layer.id(feature).empty()) inner = ascii(nlohmann::json::parse(layer.id(feature)));
-  if (const std::optional<std::string> name = called(layer, feature)) {
+  if (const std::optional<std::string> name = feature_name(layer, feature)) {
     inner += (inner.empty() ? "" : ", ") + ascii(*name);
   }
   return inner.empty() ? title : title + " (" + inner + ')';

@@ -21,6 +21,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,8 +42,10 @@ struct LayerReadOptions {
 
 /// A layer read from a file.
 struct LayerFile {
-  Layer layer;                     ///< The features in the order of the file.
-  std::vector<std::string> notes;  ///< Contents of the file that are not in `layer`.
+  Layer layer;  ///< The features in the order of the file.
+  /// Contents of the file that are not in `layer`, and whether polygons seem to cross the
+  /// antimeridian.
+  std::vector<std::string> notes;
 };
 
 /// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. The features of the layer
@@ -85,6 +88,9 @@ void write_layer_topojson(std::ostream& out, const Layer& layer,
 /// Writes the polygons of a layer as WKT, with one feature on each line. Ids and properties are not
 /// written. Coordinates are the nearest doubles. Exceptions of `out` reach the caller.
 void write_layer_wkt(std::ostream& out, const Layer& layer, Context& context = unlimited_context());
+
+/// Returns the property "name", "NAME" or "Name" of a feature, if it is a text.
+std::optional<std::string> feature_name(const Layer& layer, std::uint32_t feature);
 
 /// Returns the title of a feature in reports, such as `feature 3 ("FR", "France")`. The title
 /// consists of the number of the feature (counted from 1), its id, and the value of its property

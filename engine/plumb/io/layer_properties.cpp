@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "plumb/base/internal/message_text.h"
+#include "plumb/io/layer_io.h"
 #include "plumb/io/text/json_reader.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/arithmetic/rational_sum.h"
@@ -210,6 +211,62 @@ FeatureGroups group_features(const Layer& layer, const std::string& property, Co
   }
   groups.count = number.size();
   return groups;
+}
+
+std::vector<std::uint32_t> id_ranks(const Layer& layer) {
+  enum class Sort : std::uint8_t { Number, Text, None };
+  struct Key {
+    Sort sort;
+    nlohmann::json id;
+  };
+  std::vector<Key> keys;
+  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
+    nlohmann::json id;
+    if (!layer.id(f).empty()) id = nlohmann::json::parse(layer.id(f));
+    const Sort sort = id.is_number() ? Sort::Number : id.is_string() ? Sort::Text : Sort::None;
+    keys.push_back({sort, sort == Sort::None ? nlohmann::json() : std::move(id)});
+  }
+  std::vector<std::uint32_t> order(keys.size()), rank(keys.size());
+  for (std::uint32_t f = 0; f < order.size(); ++f) order[f] = f;
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return keys[a].sort != keys[b].sort ? keys[a].sort < keys[b].sort : keys[a].id < keys[b].id;
+  });
+  for (std::uint32_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
+  return rank;
+}
+
+namespace {
+
+/// Returns the features with a name, as `name_of_feature` says.
+template <class Name>
+std::vector<std::uint32_t> features_named(const Layer& layer, const std::string& text,
+                                          const Name& name_of_feature) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t f = 0; f < layer.feature_count(); ++f) {
+    if (name_of_feature(f) == text) found.push_back(f);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::uint32_t feature_called(const Layer& layer, const std::string& text) {
+  std::vector<std::uint32_t> found = features_named(layer, text, [&](std::uint32_t f) {
+    if (layer.id(f).empty()) return std::string();
+    const nlohmann::json id = nlohmann::json::parse(layer.id(f));
+    return id.is_string() ? id.get<std::string>() : id.dump();
+  });
+  if (found.empty()) {
+    found = features_named(layer, text, [&](std::uint32_t f) {
+      return feature_name(layer, f).value_or(std::string());
+    });
+  }
+  const std::string what = "the id or the name " + plumb::quoted(text);
+  if (found.empty()) throw Error(ErrorCode::BadArgument, "no feature has " + what);
+  if (found.size() > 1) {
+    throw Error(ErrorCode::BadArgument, std::to_string(found.size()) + " features have " + what);
+  }
+  return found.front();
 }
 
 FeatureGroups one_group(const Layer& layer) {

@@ -1,5 +1,5 @@
 // Computes the properties of features for layers that were dissolved or overlaid (layer_dissolve.h,
-// layer_overlay.h).
+// layer_overlay.h), and finds features by their ids.
 //
 // Properties are JSON objects. The text of a value is kept as it is in the file, byte for byte. Two
 // values are equal if their texts are equal. Escapes in strings are resolved before strings are
@@ -40,6 +40,14 @@ struct FeatureGroups {
 /// there are features and none of them has the property.
 FeatureGroups group_features(const Layer& layer, const std::string& property,
                              Context& context = unlimited_context());
+
+/// Returns for each feature its rank by ids, from 0: numbers by value, then texts by their bytes,
+/// then features without an id. Features with equal ids rank in the order of the layer.
+std::vector<std::uint32_t> id_ranks(const Layer& layer);
+
+/// Returns the feature that has `text` as its id, or else as its property "name" or "NAME". Throws
+/// Error{BadArgument} if there is none, or more than one.
+std::uint32_t feature_called(const Layer& layer, const std::string& text);
 
 /// Returns a single group that contains all features.
 FeatureGroups one_group(const Layer& layer);

@@ -5,19 +5,26 @@
 // Regions are united from faces, and owners are selected for them. The result is made of the owners
 // of faces as labels (layer/labelled_layer.h).
 //
-// Tested by tests/plane/layer_test.cpp, which compares with cells of a grid.
+// Gaps that are open depend on the owners of overlaps, so a layer is arranged first without bridges
+// and, if there are bridges, once more with them. A filled gap may leave another one at its mouth;
+// each time a shorter border remains.
+//
+// Tested by tests/plane/layer_test.cpp and open_gaps_test.cpp, which compare with cells of a grid.
 
 #include "plumb/plane/layer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "plumb/base/internal/union_find.h"
 #include "plumb/plane/layer/covered_cells.h"
 #include "plumb/plane/layer/labelled_layer.h"
+#include "plumb/plane/layer/open_gaps.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/predicates/arithmetic/rational_sum.h"
+#include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
@@ -68,18 +75,28 @@ void unite_pieces(std::vector<BorderPiece>& pieces) {
 /// Finds overlaps and uncovered regions, and selects their owners.
 class LayerRepair {
  public:
-  LayerRepair(const Layer& layer, const LayerRepairOptions& options, Context& context)
+  LayerRepair(const Layer& layer, const LayerRepairOptions& options, const Bridges& bridges,
+              Context& context)
       : layer_(layer),
         options_(options),
         context_(context),
-        cells_(layer, context),
+        cells_(layer, bridges, context),
         complex_(cells_.complex()),
         owner_(complex_.face_count(), kNobody),
-        region_(complex_.face_count(), kNobody) {}
+        region_(complex_.face_count(), kNobody),
+        preferences_(options.preferences) {
+    std::sort(preferences_.begin(), preferences_.end(), is_before);
+    find();
+  }
+
+  /// Returns segments across gaps that are open. Requires that there were no bridges.
+  Bridges bridges() const {
+    if (!options_.open_gaps) return {};
+    return open_gap_bridges(complex_, owner_, report_.gaps_below, context_);
+  }
 
   RepairedLayer repair() {
-    find();
-    const RoundedLabels owned = rounded_labels(complex_, owner_, context_);
+    const RoundedLabels owned = rounded_labels(complex_, owner_, context_, cells_.corners());
     Layer result = layer_of_labels(owned.labelled, layer_.feature_count(), &layer_, context_);
     report_.rounding = owned.rounding;
     make_shapes();
@@ -88,7 +105,6 @@ class LayerRepair {
   }
 
   LayerReport check() {
-    find();
     make_shapes();
     for (LayerRegion& region : report_.regions) region.owner = kNobody;
     return std::move(report_);
@@ -107,9 +123,15 @@ class LayerRepair {
   void measure_features();
   bool is_gap(const LayerRegion& region, std::size_t neighbours) const;
   double diagonal() const;
+  OpenGapRule open_gap_rule() const;
   std::vector<BorderPiece> borders(bool of_overlaps) const;
   void own_overlaps();
   void own_gaps();
+  static bool is_before(const OwnerPreference& a, const OwnerPreference& b) {
+    return a.loser != b.loser ? a.loser < b.loser : a.winner < b.winner;
+  }
+  bool is_beaten(std::uint32_t feature, Numbers candidates) const;
+  Numbers unbeaten(Numbers candidates, std::vector<std::uint32_t>& kept) const;
   std::uint32_t select(Numbers candidates, std::span<const BorderPiece> borders) const;
   double worth(std::uint32_t feature, std::span<const BorderPiece> borders) const;
   void find_emptied(const Layer& result);
@@ -124,22 +146,23 @@ class LayerRepair {
   std::vector<double> area_;            // For each feature, its area.
   std::vector<std::uint8_t> is_alone_;  // For each feature, whether it alone covers some face.
   double diagonal_ = 0;                 // The diagonal of the bounding box.
+  std::vector<OwnerPreference> preferences_;  // Sorted by losers.
   LayerReport report_;
 };
 
 /// Finds all regions, and selects their owners.
 void LayerRepair::find() {
+  diagonal_ = diagonal();
+  report_.gaps_below = options_.gaps_below ? *options_.gaps_below : kGapsPerDiagonal * diagonal_;
   find_regions();
   measure_regions();
   measure_features();
-  diagonal_ = diagonal();
-  report_.gaps_below = options_.gaps_below ? *options_.gaps_below : kGapsPerDiagonal * diagonal_;
   own_overlaps();
   own_gaps();
 }
 
 void LayerRepair::make_shapes() {
-  const RoundedLabels shapes = rounded_labels(complex_, region_, context_);
+  const RoundedLabels shapes = rounded_labels(complex_, region_, context_, cells_.corners());
   report_.shapes = layer_of_labels(shapes.labelled, report_.regions.size(), nullptr, context_);
 }
 
@@ -147,8 +170,10 @@ void LayerRepair::make_shapes() {
 void LayerRepair::find_regions() {
   UnionFind classes(complex_.face_count());
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
-    if (cells_.is_same_cover(left(e), right(e))) classes.unite(left(e).value(), right(e).value());
+    if (!cells_.is_same_cover(left(e), right(e)) || cells_.is_open_bridge(EdgeId(e))) continue;
+    classes.unite(left(e).value(), right(e).value());
   }
+  const auto is_open_gap = join_open_cells(cells_, classes, open_gap_rule(), context_);
   for (std::uint32_t f = 0; f < complex_.face_count(); ++f) {
     const Numbers features = cells_.features(FaceId(f));
     if (features.size() == 1) owner_[f] = features.front();
@@ -161,7 +186,7 @@ void LayerRepair::find_regions() {
       const auto end = static_cast<std::uint32_t>(report_.features.size());
       report_.regions.push_back(
           {features.empty() ? LayerRegionKind::Hole : LayerRegionKind::Overlap, 0, 0, begin, end,
-           kNobody});
+           kNobody, is_open_gap[f] != 0});
     }
     region_[f] = region_[root];
   }
@@ -210,14 +235,18 @@ void LayerRepair::measure_features() {
 }
 
 double LayerRepair::diagonal() const {
-  if (complex_.vertex_count() == 0) return 0;
-  Point2 low = approx(complex_.points, complex_.vertex_point[0]), high = low;
-  for (const std::uint32_t i : complex_.vertex_point) {
-    const Point2 p = approx(complex_.points, i);
+  if (layer_.ring_corners.empty()) return 0;
+  Point2 low = layer_.points.approx(layer_.ring_corners.front()), high = low;
+  for (const std::uint32_t i : layer_.ring_corners) {
+    const Point2 p = layer_.points.approx(i);
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   return std::hypot(high.x - low.x, high.y - low.y);
+}
+
+OpenGapRule LayerRepair::open_gap_rule() const {
+  return {report_.gaps_below, kSlender, kRoundingPerDiagonal * diagonal_, !options_.gaps_below};
 }
 
 /// Whether a region that no feature covers is a gap. If the caller has no bound, a narrow region is
@@ -251,7 +280,9 @@ std::vector<BorderPiece> LayerRepair::borders(bool of_overlaps) const {
 /// Returns how much a feature deserves a region; the greatest value is selected. Requires borders
 /// that are sorted by feature.
 double LayerRepair::worth(std::uint32_t feature, std::span<const BorderPiece> borders) const {
-  if (options_.rule == OwnerRule::First) return 0;
+  if (options_.rule == OwnerRule::First) {
+    return options_.rank.empty() ? 0 : -static_cast<double>(options_.rank[feature]);
+  }
   if (options_.rule == OwnerRule::Largest) return area_[feature];
   if (options_.rule == OwnerRule::Smallest) return -area_[feature];
   const auto piece =
@@ -260,8 +291,28 @@ double LayerRepair::worth(std::uint32_t feature, std::span<const BorderPiece> bo
   return piece == borders.end() || piece->feature != feature ? 0 : piece->length;
 }
 
+/// Whether a candidate loses against another candidate. Candidates ascend.
+bool LayerRepair::is_beaten(std::uint32_t feature, Numbers candidates) const {
+  auto next = std::lower_bound(preferences_.begin(), preferences_.end(),
+                               OwnerPreference{0, feature}, is_before);
+  for (; next != preferences_.end() && next->loser == feature; ++next) {
+    if (std::binary_search(candidates.begin(), candidates.end(), next->winner)) return true;
+  }
+  return false;
+}
+
+/// Returns the candidates that lose against no other one, or all if every one loses.
+Numbers LayerRepair::unbeaten(Numbers candidates, std::vector<std::uint32_t>& kept) const {
+  if (preferences_.empty()) return candidates;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept),
+               [&](std::uint32_t f) { return !is_beaten(f, candidates); });
+  return kept.empty() ? candidates : Numbers(kept);
+}
+
 /// Returns the best candidate; the first one if several are equal. Candidates ascend.
-std::uint32_t LayerRepair::select(Numbers candidates, std::span<const BorderPiece> borders) const {
+std::uint32_t LayerRepair::select(Numbers all, std::span<const BorderPiece> borders) const {
+  std::vector<std::uint32_t> kept;
+  const Numbers candidates = unbeaten(all, kept);
   std::uint32_t best = candidates.front();
   double most = worth(best, borders);
   for (const std::uint32_t feature : candidates.subspan(1)) {
@@ -312,7 +363,7 @@ void LayerRepair::own_gaps() {
                       report_.features.push_back(piece.feature);
                     }
                     region.features_end = static_cast<std::uint32_t>(report_.features.size());
-                    if (!is_gap(region, around.size())) return;
+                    if (!region.is_open && !is_gap(region, around.size())) return;
                     region.kind = LayerRegionKind::Gap;
                     region.owner = select(report_.features_of(region), around);
                   });
@@ -332,6 +383,81 @@ void LayerRepair::find_emptied(const Layer& result) {
   }
 }
 
+/// Calls visit(repair) with the regions of a layer, including gaps that are open.
+template <class Visit>
+auto with_regions(const Layer& layer, const LayerRepairOptions& options, Context& context,
+                  const Visit& visit) {
+  Bridges bridges;
+  {
+    LayerRepair enclosed(layer, options, bridges, context);
+    bridges = enclosed.bridges();
+    if (bridges.segments.empty()) return visit(enclosed);
+  }
+  LayerRepair all(layer, options, bridges, context);
+  return visit(all);
+}
+
+RepairedLayer repaired_once(const Layer& layer, const LayerRepairOptions& options,
+                            Context& context) {
+  return with_regions(layer, options, context, [](LayerRepair& repair) { return repair.repair(); });
+}
+
+/// Appends feature f of another layer, with its points and without its id and its properties.
+void append_feature(Layer& layer, const Layer& other, std::size_t f) {
+  for (std::size_t p = other.feature_begin[f]; p < other.feature_begin[f + 1]; ++p) {
+    for (std::size_t r = other.polygon_begin[p]; r < other.polygon_begin[p + 1]; ++r) {
+      for (const std::uint32_t corner : other.ring(r)) {
+        layer.ring_corners.push_back(static_cast<std::uint32_t>(layer.points.size()));
+        layer.points.push_back(other.points.approx(corner));
+      }
+      layer.end_ring();
+    }
+    layer.end_polygon();
+  }
+  layer.end_feature("", "");
+}
+
+/// Appends what a later repair has changed.
+void append_changes(LayerReport& report, const LayerReport& later) {
+  for (std::size_t i = 0; i < later.regions.size(); ++i) {
+    LayerRegion region = later.regions[i];
+    if (region.kind == LayerRegionKind::Hole) continue;
+    const FeatureList features = later.features_of(region);
+    region.features_begin = static_cast<std::uint32_t>(report.features.size());
+    report.features.insert(report.features.end(), features.begin(), features.end());
+    region.features_end = static_cast<std::uint32_t>(report.features.size());
+    report.regions.push_back(region);
+    append_feature(report.shapes, later.shapes, i);
+  }
+  report.emptied.insert(report.emptied.end(), later.emptied.begin(), later.emptied.end());
+  std::sort(report.emptied.begin(), report.emptied.end());
+  PlaneRoundingReport& all = report.rounding;
+  const PlaneRoundingReport& more = later.rounding;
+  all.vertices_moved += more.vertices_moved;
+  all.vertices_merged += more.vertices_merged;
+  all.edges_bent += more.edges_bent;
+  all.edges_folded += more.edges_folded;
+  all.collapsed += more.collapsed;
+  all.largest_move += more.largest_move;
+  all.largest_ulp = std::max(all.largest_ulp, more.largest_ulp);
+}
+
+void require_options(const Layer& layer, const LayerRepairOptions& options) {
+  const std::size_t count = layer.feature_count();
+  if (!options.rank.empty() && options.rank.size() != count) {
+    throw Error(ErrorCode::BadArgument, "each feature needs a rank");
+  }
+  for (const OwnerPreference& p : options.preferences) {
+    if (p.winner < count && p.loser < count && p.winner != p.loser) continue;
+    throw Error(ErrorCode::BadArgument, "a preference needs two different features");
+  }
+}
+
+bool has_open_gaps(const LayerReport& report) {
+  return std::any_of(report.regions.begin(), report.regions.end(),
+                     [](const LayerRegion& region) { return region.is_open; });
+}
+
 }  // namespace
 
 std::size_t LayerReport::count(LayerRegionKind kind) const {
@@ -347,12 +473,21 @@ bool LayerReport::has_defects() const {
 }
 
 LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options, Context& context) {
-  return LayerRepair(layer, options, context).check();
+  require_options(layer, options);
+  return with_regions(layer, options, context, [](LayerRepair& repair) { return repair.check(); });
 }
 
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options,
                            Context& context) {
-  return LayerRepair(layer, options, context).repair();
+  require_options(layer, options);
+  RepairedLayer repaired = repaired_once(layer, options, context);
+  for (bool is_done = !has_open_gaps(repaired.report); !is_done;) {
+    RepairedLayer again = repaired_once(repaired.layer, options, context);
+    is_done = !again.report.has_defects();
+    repaired.layer = std::move(again.layer);
+    append_changes(repaired.report, again.report);
+  }
+  return repaired;
 }
 
 }  // namespace plumb

@@ -13,6 +13,9 @@
 //                       several features cover is an overlap. A bounded region that no feature
 //                       covers is a gap or a hole.
 //  3. RegionOwners      gives each overlap and each gap to one feature
+//     Narrow channels and notches between features that are open to the outside, or into a hole,
+//     are gaps, too. Bridges across them (layer/open_gaps.h) are arranged together with the rings,
+//     and steps 1 to 3 are done again.
 //  4. layer_of_labels   keeps the edges between different owners, rounds their vertices together
 //                       (plane_rounding.h), and traces the polygons of each feature
 //
@@ -99,7 +102,13 @@ enum class OwnerRule : std::uint8_t {
   LongestBorder,  ///< The candidate that has the longest common border with the region.
   Largest,        ///< The candidate with the largest area.
   Smallest,       ///< The candidate with the smallest area.
-  First,          ///< The candidate that comes first in the layer.
+  First,          ///< The candidate of the least rank (LayerRepairOptions::rank).
+};
+
+/// A preference between two features.
+struct OwnerPreference {
+  std::uint32_t winner;  ///< The feature that gets regions for which both are candidates.
+  std::uint32_t loser;   ///< The other feature.
 };
 
 /// Options of repair_layer().
@@ -115,6 +124,18 @@ struct LayerRepairOptions {
   ///     and its perimeter p.
   ///   - Its width is at least 1e-9 D. Gaps that come from rounding of coordinates are narrower.
   std::optional<double> gaps_below = {};
+  /// Whether gaps that open to the outside or into a hole are found. Such a gap is cut off at its
+  /// mouths: segments between different features that are shorter than the bound. It is narrower
+  /// than the bound, its border along features is at least twice as long as its mouths, and at
+  /// least two features are along it. If there is no value for the bound, a gap must also be at
+  /// least 100 times as long as it is wide, or narrower than 1e-9 of the diagonal.
+  bool open_gaps = true;
+  /// For each feature, its rank under OwnerRule::First. If the list is empty, features rank in the
+  /// order of the layer.
+  std::vector<std::uint32_t> rank = {};
+  /// Preferences that come before the rule: a candidate that loses against another candidate is
+  /// left out, unless every candidate loses.
+  std::vector<OwnerPreference> preferences = {};
 };
 
 /// The kinds of regions that a report lists.
@@ -141,6 +162,7 @@ struct LayerRegion {
   std::uint32_t features_begin;  ///< First entry in LayerReport::features.
   std::uint32_t features_end;    ///< The entry after the last entry in LayerReport::features.
   std::uint32_t owner;           ///< The feature that gets the region; kNobody for a hole.
+  bool is_open = false;          ///< Whether it is a gap that opens to the outside or into a hole.
 };
 
 /// The regions that check_layer() or repair_layer() found, and the changes that repair_layer()
@@ -184,7 +206,9 @@ LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = 
 
 /// Returns the layer without overlaps and gaps, and a report. There is one exception to the rule
 /// for owners. If overlaps cover a feature completely, these overlaps are given to this feature.
-/// Otherwise the feature could vanish. It can still vanish if several features are equal. Throws
+/// Otherwise the feature could vanish. It can still vanish if several features are equal. If an open
+/// gap was filled, the result is repaired again until nothing is left to do, and the report lists
+/// all regions. Throws Error{BadArgument} if ranks or preferences do not match the features,
 /// Error{NumberOutOfRange} if coordinates are too large to be rounded, ResourceLimit if a limit of
 /// the Context is exceeded, and Cancelled if a stop is requested.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},

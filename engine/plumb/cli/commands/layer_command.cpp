@@ -8,22 +8,24 @@
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "plumb/cli/commands/layer_output.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/layer_io.h"
+#include "plumb/io/layer_properties.h"
 #include "plumb/plane/layer.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb::cli {
 namespace {
 
-/// Returns the rule of a name. Requires one of the four names, or none.
+/// Returns the rule of a name. Requires one of the five names, or none.
 OwnerRule owner_rule(std::string_view name) {
   if (name == "largest") return OwnerRule::Largest;
   if (name == "smallest") return OwnerRule::Smallest;
-  return name == "first" ? OwnerRule::First : OwnerRule::LongestBorder;
+  return name == "first" || name == "lowest-id" ? OwnerRule::First : OwnerRule::LongestBorder;
 }
 
 class MapRepair : public CommandBody {
@@ -32,15 +34,21 @@ class MapRepair : public CommandBody {
     app.add_option("LAYER", file_, "A layer: GeoJSON, TopoJSON, WKT or WKB; - is standard input")
         ->required()
         ->type_name("");
-    add_choice(app, "--rule", rule_, {"longest-border", "largest", "smallest", "first"},
+    add_choice(app, "--rule", rule_,
+               {"longest-border", "largest", "smallest", "first", "lowest-id"},
                "Which feature gets an overlap or a gap: the one with the longest common border "
-               "(default), the largest, the smallest, or the first one");
-    app.add_option(
-           "--gaps-below", options_.gaps_below,
-           "Fill enclosed gaps whose width (twice the area over the perimeter) is less than W "
-           "(default: 1/10000 of the diagonal of the layer, and no small lakes)")
+               "(default), the largest, the smallest, the first one, or that of the lowest id");
+    app.add_option("--prefer", preferences_,
+                   "Before the rule: feature A gets what could go to A and B; ids or names")
+        ->type_name("A B")
+        ->allow_extra_args(false);
+    app.add_option("--gaps-below", options_.gaps_below,
+                   "Fill gaps whose width (twice the area over the perimeter) is less than W "
+                   "(default: 1/10000 of the diagonal of the layer, and no small lakes)")
         ->check(CLI::Range(0.0, 1e300).description(""))
         ->type_name("W");
+    app.add_flag("--enclosed-only", is_enclosed_only_,
+                 "Leave gaps that open to the outside or into a hole");
     app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")
         ->type_name("NAME");
     app.add_option("--changes", changes_, "Write overlaps, gaps and holes as GeoJSON")
@@ -51,8 +59,10 @@ class MapRepair : public CommandBody {
   ExitCode run(Session& session) override {
     open_outputs(session);
     options_.rule = owner_rule(rule_);
+    options_.open_gaps = !is_enclosed_only_;
     session.expect({reading_map(), repairing_layer(), writing()});
     layer_ = read_layer_operand(session, file_, read_options_);
+    set_owners();
     session.begin("repair");
     repaired_ = repair_layer(layer_, options_, session.context());
     session.deliver();
@@ -60,6 +70,15 @@ class MapRepair : public CommandBody {
   }
 
  private:
+  /// Sets what the options say about features, which are known by their ids and names.
+  void set_owners() {
+    if (rule_ == "lowest-id") options_.rank = id_ranks(layer_);
+    for (const auto& [winner, loser] : preferences_) {
+      options_.preferences.push_back(
+          {feature_called(layer_, winner), feature_called(layer_, loser)});
+    }
+  }
+
   /// Opens outputs before the work, so that a path that cannot be written costs nothing.
   void open_outputs(Session& session) {
     const CommonOptions& common = session.options();
@@ -84,7 +103,8 @@ class MapRepair : public CommandBody {
   }
 
   std::string file_, rule_, changes_;
-  bool is_dry_run_ = false;
+  std::vector<std::pair<std::string, std::string>> preferences_;
+  bool is_dry_run_ = false, is_enclosed_only_ = false;
   LayerReadOptions read_options_;
   LayerRepairOptions options_;
   Layer layer_;

@@ -126,6 +126,7 @@ class MapCheck : public CommandBody {
   bool checks_edges_ = false;
   LayerReadOptions read_options_;
   LayerRepairOptions layer_options_;
+  bool is_enclosed_only_ = false;
   CertificateOption certificate_;
   MapCheckOptions options_;
   Checked checked_;
@@ -146,6 +147,8 @@ void MapCheck::declare(CLI::App& app) {
                  "of the diagonal; small lakes are holes, too)")
       ->check(CLI::Range(0.0, 1e300).description(""))
       ->type_name("W");
+  app.add_flag("--enclosed-only", is_enclosed_only_,
+               "Layers: leave gaps that open to the outside or into a hole");
   app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")
       ->type_name("NAME");
   app.add_flag("--merge-vertices", options_.merge_vertices,
@@ -180,6 +183,7 @@ ExitCode MapCheck::check_layer_file(Session& session, std::string_view text) {
   for (const std::string& line : file.notes) note(session, line);
   checked_.layer = std::move(file.layer);
   session.begin("check");
+  layer_options_.open_gaps = !is_enclosed_only_;
   checked_.layer_report = check_layer(checked_.layer, layer_options_, session.context());
   session.deliver();
   return checked_.layer_report->has_defects() ? ExitCode::No : ExitCode::Yes;

@@ -6,6 +6,7 @@
 #include "plumb/plane/layer/covered_cells.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "plumb/base/internal/union_find.h"
 
@@ -17,11 +18,22 @@ constexpr std::uint64_t kBytesPerLayerCorner = 120;
 
 }  // namespace
 
-CoveredCells::CoveredCells(const Layer& layer, Context& context)
-    : context_(context), memory_(context) {
-  memory_.add(kBytesPerLayerCorner * layer.ring_corners.size(), "the cells of a layer");
+CoveredCells::CoveredCells(const Layer& layer, const Bridges& bridges, Context& context)
+    : context_(context),
+      memory_(context),
+      corner_points_(layer.points),
+      has_bridges_(!bridges.segments.empty()) {
+  const std::size_t curves = layer.ring_corners.size() + bridges.segments.size();
+  memory_.add(kBytesPerLayerCorner * curves, "the cells of a layer");
   add_curves(layer);
-  arrangement_ = arrange(layer.points, curves_, context);
+  const auto offset = static_cast<std::uint32_t>(layer.points.size());
+  for (const SweepSegment& s : bridges.segments) {
+    curves_.push_back({offset + s.from, offset + s.to});
+  }
+  polygon_.resize(curves_.size(), kNoPolygon);
+  PointTable2 points = layer.points;
+  points.append(bridges.points);
+  arrangement_ = arrange(std::move(points), curves_, context);
   visit_faces();
   name_features(layer);
 }
@@ -29,6 +41,36 @@ CoveredCells::CoveredCells(const Layer& layer, Context& context)
 bool CoveredCells::is_same_cover(FaceId f, FaceId g) const {
   const FeatureList a = features(f), b = features(g);
   return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+bool CoveredCells::is_open_bridge(EdgeId e) const {
+  const HalfedgeId h = first_half(e);
+  if (!features(complex().dcel.face(h)).empty()) return false;
+  if (!features(complex().dcel.face(twin(h))).empty()) return false;
+  const std::vector<SegmentId> origins = arrangement_.origins_of(e);
+  return std::none_of(origins.begin(), origins.end(),
+                      [this](SegmentId s) { return is_of_polygon(s); });
+}
+
+std::vector<std::uint8_t> CoveredCells::corners() const {
+  if (!has_bridges_) return {};
+  std::vector<std::uint8_t> is_corner(complex().vertex_count(), 0);
+  std::vector<SegmentId> origins;
+  for (std::size_t e = 0; e < complex().edge_count(); ++e) {
+    origins.clear();
+    arrangement_.origin_sets.append(arrangement_.origins[e], origins);
+    const HalfedgeId h = first_half(EdgeId(e));
+    for (const VertexId v : {complex().dcel.origin(h), complex().dcel.target(h)}) {
+      const Point2 at = approx(complex().points, complex().vertex_point[v]);
+      for (const SegmentId s : origins) {
+        if (!is_of_polygon(s)) break;
+        const SweepSegment curve = curves_[s.value()];
+        const Point2 p = corner_points_.approx(curve.from), q = corner_points_.approx(curve.to);
+        if ((p.x == at.x && p.y == at.y) || (q.x == at.x && q.y == at.y)) is_corner[v.value()] = 1;
+      }
+    }
+  }
+  return is_corner;
 }
 
 void CoveredCells::add_curves(const Layer& layer) {
@@ -80,6 +122,8 @@ void CoveredCells::visit_faces() {
 void CoveredCells::enter(FaceId from, FaceId to, EdgeId across) {
   origins_.clear();
   arrangement_.origin_sets.append(arrangement_.origins[across.value()], origins_);
+  // Bridges are the last curves, and origins ascend.
+  while (!origins_.empty() && !is_of_polygon(origins_.back())) origins_.pop_back();
   const std::size_t size = last_[from] - first_[from] + origins_.size();
   memory_.add(size * sizeof(std::uint32_t), "the cells of a layer");
   const std::size_t begin = lists_.size();

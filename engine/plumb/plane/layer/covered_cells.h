@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,17 +20,30 @@ using FeatureList = std::span<const std::uint32_t>;
 /// The faces that a checkpoint of a walk over faces stands for.
 inline constexpr std::size_t kFacesPerCheckpoint = 1024;
 
+/// Segments that are arranged together with the rings. They do not change what is covered.
+struct Bridges {
+  std::vector<SweepSegment> segments;  ///< Segments between `points`.
+  PointTable2 points;                  ///< The ends of the segments.
+};
+
 /// The arrangement of all rings, with the features that cover each face.
 class CoveredCells {
  public:
-  /// Arranges the rings. Throws ResourceLimit if a limit of the Context is exceeded, and Cancelled
-  /// if a stop is requested.
-  CoveredCells(const Layer& layer, Context& context);
+  /// Arranges the rings and the bridges. Throws ResourceLimit if a limit of the Context is
+  /// exceeded, and Cancelled if a stop is requested. Requires that the layer outlives the cells.
+  CoveredCells(const Layer& layer, const Bridges& bridges, Context& context);
+  /// Arranges the rings alone.
+  CoveredCells(const Layer& layer, Context& context) : CoveredCells(layer, Bridges(), context) {}
 
   /// Returns the arrangement. Face 0 is not covered.
   const PlaneComplex& complex() const { return arrangement_.complex; }
   /// Whether the same features cover two faces.
   bool is_same_cover(FaceId f, FaceId g) const;
+  /// Whether an edge belongs to a bridge and lies between faces that no feature covers.
+  bool is_open_bridge(EdgeId e) const;
+  /// Returns for each vertex whether a ring has a corner there. Returns an empty list, which stands
+  /// for all vertices but crossings, if there are no bridges.
+  std::vector<std::uint8_t> corners() const;
   /// Returns the features that cover a face, in ascending order.
   FeatureList features(FaceId f) const {
     return {lists_.data() + first_[f], lists_.data() + last_[f]};
@@ -37,14 +51,19 @@ class CoveredCells {
 
  private:
   void add_curves(const Layer& layer);
+  bool is_of_polygon(SegmentId s) const { return polygon_[s.value()] != kNoPolygon; }
   void visit_faces();
   void enter(FaceId from, FaceId to, EdgeId across);
   void name_features(const Layer& layer);
 
+  static constexpr std::uint32_t kNoPolygon = std::numeric_limits<std::uint32_t>::max();
+
   Context& context_;
   MemoryCharge memory_;
+  const PointTable2& corner_points_;
+  bool has_bridges_;
   std::vector<SweepSegment> curves_;
-  std::vector<std::uint32_t> polygon_;  // For each curve, its polygon.
+  std::vector<std::uint32_t> polygon_;  // For each curve, its polygon; kNoPolygon for bridges.
   Arrangement arrangement_;
   std::vector<std::uint32_t> lists_;  // Polygons, later features, of all faces.
   IdVector<FaceId, std::size_t> first_, last_;

@@ -22,8 +22,12 @@ namespace {
 /// The edges between faces with different labels, as curves.
 class LabelBorders {
  public:
-  LabelBorders(const PlaneComplex& complex, const std::vector<std::uint32_t>& label)
-      : complex_(complex), label_(label), degree_(complex.vertex_count(), 0) {
+  LabelBorders(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,
+               std::span<const std::uint8_t> is_corner)
+      : complex_(complex),
+        label_(label),
+        is_corner_(is_corner),
+        degree_(complex.vertex_count(), 0) {
     for (std::size_t e = 0; e < complex.edge_count(); ++e) count(EdgeId(e));
     // Edges are numbered by their left ends, so the first edge of a chain comes first.
     is_taken_.assign(complex.edge_count(), 0);
@@ -47,6 +51,7 @@ class LabelBorders {
 
   const PlaneComplex& complex_;
   const std::vector<std::uint32_t>& label_;
+  std::span<const std::uint8_t> is_corner_;
   // For each vertex, the number of kept edges, and the last one that goes to the right.
   std::vector<std::uint32_t> degree_;
   IdVector<VertexId, EdgeId> rightward_ = IdVector<VertexId, EdgeId>(degree_.size());
@@ -63,12 +68,14 @@ void LabelBorders::count(EdgeId e) {
   rightward_[complex_.dcel.origin(h)] = e;
 }
 
-/// Returns the edge that continues e to the right on the same line, if they meet in a crossing that
-/// no other kept edge meets.
+/// Returns the edge that continues e to the right on the same line, if they meet in a vertex that is
+/// no corner and that no other kept edge meets.
 std::optional<EdgeId> LabelBorders::continuation(EdgeId e) const {
   const VertexId v = complex_.dcel.target(first_half(e));
-  const bool is_crossing = complex_.vertex_point[v] >= complex_.points.inputs.size();
-  if (!is_crossing || degree_[v.value()] != 2 || !rightward_[v].is_valid()) return {};
+  const bool is_corner = is_corner_.empty()
+                             ? complex_.vertex_point[v] < complex_.points.inputs.size()
+                             : is_corner_[v.value()] != 0;
+  if (is_corner || degree_[v.value()] != 2 || !rightward_[v].is_valid()) return {};
   const EdgeId next = rightward_[v];
   const PlaneLine line = complex_.line[e], other = complex_.line[next];
   const PlanePointsView points(complex_.points);
@@ -134,19 +141,21 @@ LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const 
 }
 
 LabelledComplex without_inner_edges(const PlaneComplex& complex,
-                                    const std::vector<std::uint32_t>& label, Context& context) {
-  const LabelBorders borders(complex, label);
+                                    const std::vector<std::uint32_t>& label,
+                                    std::span<const std::uint8_t> is_corner, Context& context) {
+  const LabelBorders borders(complex, label, is_corner);
   return labelled_arrangement(complex.points, borders.curves(), borders.sides(), {}, context);
 }
 
 RoundedLabels rounded_labels(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,
-                             Context& context) {
-  const LabelledComplex kept = without_inner_edges(complex, label, context);
+                             Context& context, std::span<const std::uint8_t> is_corner) {
+  const LabelledComplex kept = without_inner_edges(complex, label, is_corner, context);
   RoundedSubdivision rounded = round_to_doubles(kept.complex, context);
   LabelledComplex result{std::move(rounded.complex), {}};
   for (const FaceId f : rounded.exact_face) result.label.push_back(kept.label[f.value()]);
   // If a narrow face vanishes, the faces beside it may have the same label.
-  if (has_inner_edges(result)) result = without_inner_edges(result.complex, result.label, context);
+  if (has_inner_edges(result))
+    result = without_inner_edges(result.complex, result.label, {}, context);
   return {std::move(result), rounded.report};
 }
 

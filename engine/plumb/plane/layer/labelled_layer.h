@@ -41,10 +41,12 @@ LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const 
                                      std::span<const SideLabels> sides,
                                      std::span<const std::uint32_t> isolated, Context& context);
 
-/// Returns the subdivision without the edges between equal labels. Vertices of crossings that only
-/// such edges met vanish, so pieces of one curve become one edge again.
+/// Returns the subdivision without the edges between equal labels. Vertices that only such edges
+/// met vanish if they are no corners, so pieces of one curve become one edge again. `is_corner` has
+/// an entry for each vertex. If it is empty, crossings are no corners, and other vertices are.
 LabelledComplex without_inner_edges(const PlaneComplex& complex,
-                                    const std::vector<std::uint32_t>& label, Context& context);
+                                    const std::vector<std::uint32_t>& label,
+                                    std::span<const std::uint8_t> is_corner, Context& context);
 
 /// A subdivision whose vertices are doubles, and whose neighbouring faces have different labels.
 struct RoundedLabels {
@@ -52,9 +54,10 @@ struct RoundedLabels {
   PlaneRoundingReport rounding;  ///< What rounding has changed.
 };
 
-/// Returns the subdivision of the labels of faces, rounded to doubles.
+/// Returns the subdivision of the labels of faces, rounded to doubles. `is_corner` is that of
+/// without_inner_edges().
 RoundedLabels rounded_labels(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,
-                             Context& context);
+                             Context& context, std::span<const std::uint8_t> is_corner = {});
 
 /// Returns the layer whose feature k consists of the faces with label k. Requires that all vertices
 /// are doubles. Ids and properties are those of `named`; there are none if it is null.
