@@ -111,9 +111,9 @@ TEST(LinkFacets, PlainlyClosedMeshesHaveNoDoublesAndNoBorders) {
     Linked linked(mesh);
     const bool result = is_plainly_closed(linked.facets, linked.links);
     if (result) {
-      EXPECT_TRUE(
-          trace_borders(linked.facets, linked.links, linked.vertices.point, linked.tables->points)
-              .empty());
+      EXPECT_TRUE(trace_borders(linked.facets, linked.links, linked.vertices.point,
+                                linked.tables->points, unlimited_context())
+                      .empty());
       EXPECT_TRUE(linked.merge().empty());
     }
     return result;

@@ -37,7 +37,7 @@ RaggedRows read_rows(std::string_view text, const std::string& name, MemoryCharg
                      Context& context) {
   constexpr std::size_t kStep = 4096;
   TextCursor cursor(text, name);
-  NumberReader numbers(context.limits(), false, text.size());
+  NumberReader numbers(context, false, text.size());
   RaggedRows rows;
   while (cursor.next_line()) {
     const std::size_t begin = rows.numbers.size();
