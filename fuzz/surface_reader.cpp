@@ -13,6 +13,7 @@
 #include "plumb/io/csg/height_image.h"
 #include "plumb/io/csg/surface_file.h"
 #include "plumb/space/nef3.h"
+#include "plumb/testing/oracle_reached.h"
 #include "reader_laws.h"
 
 namespace plumb::fuzz {
