@@ -58,6 +58,7 @@ endif()
 
 list(TRANSFORM plumb_codecs REPLACE "^PlumbZip$" "zip" OUTPUT_VARIABLE plumb_pc_codecs)
 list(TRANSFORM plumb_pc_codecs REPLACE "^EXPAT$" "expat")
+list(TRANSFORM plumb_pc_codecs REPLACE "^PNG$" "png")
 list(TRANSFORM plumb_pc_codecs PREPEND " -l")
 list(JOIN plumb_pc_codecs "" plumb_pc_codecs)
 if(BUILD_SHARED_LIBS)

@@ -35,10 +35,14 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 
 # Who links the static libraries needs what they call; shared ones are found by dpkg-shlibdeps.
 set(plumb_needs "libgmp-dev, libmpfr-dev, libboost-dev")
-if(TARGET plumb_c)
-  string(APPEND plumb_needs ", libpng-dev")
-endif()
 get_property(plumb_codecs GLOBAL PROPERTY PLUMB_CODECS)
+if(TARGET plumb_c)
+  list(APPEND plumb_codecs PNG)
+endif()
+list(TRANSFORM plumb_codecs REPLACE "^PlumbZip$" "zip")
+list(TRANSFORM plumb_codecs REPLACE "^EXPAT$" "expat1")
+list(TRANSFORM plumb_codecs REPLACE "^PNG$" "png")
+list(REMOVE_DUPLICATES plumb_codecs)
 foreach(codec ${plumb_codecs})
   string(APPEND plumb_needs ", lib${codec}-dev")
 endforeach()
