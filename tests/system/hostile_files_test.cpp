@@ -222,9 +222,14 @@ std::vector<Format> space_formats() {
       {"OFF",
        read_solid_mesh<MeshFormat::Off>,
        "OFF\n4 4 6\n0 0 0\n@ 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
-       {{"OFF\n", "# \n", ""}, {"OFF\n1 0 0\n0 0 0\n", "# \n", ""}},
+       {{"OFF\n", "# \n", ""},
+        {"OFF\n1 0 0\n0 0 0\n", "# \n", ""},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2000000 ", "0 1 2 ", "\n"},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ", "0 ", "\n"},
+        {"OFF\n3 1 0\n0 0 0 ", "0 ", "\n"}},
        {"OFF\n" + half + " 1 0\n0 0 0\n", "OFF\n1 " + most + " 0\n0 0 0\n",
-        "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + most + " 0 1 2\n"}},
+        "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + most + " 0 1 2\n"},
+       5},
       {"OBJ",
        read_solid_mesh<MeshFormat::Obj>,
        "v 0 0 0\nv @ 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
@@ -423,6 +428,37 @@ TEST(HostileFiles, LongNumbersHaveCheckpoints) {
       counted.end();
       EXPECT_GE(counted.passed - before, kDigits / kBytesPerCheckpoint);
     }
+  }
+}
+
+/// A stop does not wait for the end of a mass, nor for what is made of it. Long lists in one record
+/// are masses, too.
+TEST(HostileFiles, MassesHaveCheckpoints) {
+  constexpr std::size_t kBytes = 4'000'000;
+  constexpr double kLongest = 0.2;  // Seconds of CPU time.
+  std::vector<Format> formats = flat_formats();
+  for (const Format& format : space_formats()) formats.push_back(format);
+  CountedCheckpoints& counted = counted_checkpoints();
+  for (const Format& format : formats) {
+    double longest = 0;
+    std::string where;
+    for (const Format::Mass& mass : format.masses) {
+      const std::string file = repeated_to(mass, kBytes);
+      Context context;
+      counted.begin();
+      try {
+        format.read(file, {}, context);
+      } catch (const Error&) {  // Whether it is refused is tested elsewhere.
+      }
+      counted.end();
+      EXPECT_LE(counted.longest_gap, kSlack * kLongest)
+          << format.name << ", '" << mass.unit << "' again and again: " << counted.before << " ... "
+          << counted.after;
+      if (counted.longest_gap <= longest) continue;
+      longest = counted.longest_gap;
+      where = mass.before.substr(0, 40) + mass.unit;
+    }
+    std::printf("%-14s longest gap %.3f s: %s\n", format.name, longest, where.c_str());
   }
 }
 

@@ -344,8 +344,15 @@ std::vector<CsgValue> CsgNodes::elements(const CsgValue& vector) {
   std::vector<CsgValue> all;
   for (std::uint32_t i = vector.first; i < vector.end; i = scanner_.value(i).end) {
     all.push_back(scanner_.value(i));
+    count_step();
   }
   return all;
+}
+
+/// A list may have millions of elements.
+void CsgNodes::count_step() {
+  constexpr std::uint32_t kStepsPerCheckpoint = std::uint32_t{1} << 16;
+  if (++steps_ % kStepsPerCheckpoint == 0) context_.check_limits("read");
 }
 
 /// Appends `count` numbers of a vector; a number stands for all of them. Missing ones are
@@ -374,6 +381,7 @@ std::uint32_t CsgNodes::index_of(const CsgValue& value, std::uint32_t count) {
 }
 
 void CsgNodes::push(double value) {
+  count_step();
   if (tree_.numbers.size() == std::numeric_limits<std::uint32_t>::max()) {
     scanner_.fail(ErrorCode::ResourceLimit, "a model has at most 2^32 - 1 numbers");
   }
@@ -382,6 +390,7 @@ void CsgNodes::push(double value) {
 }
 
 void CsgNodes::push_index(std::size_t value) {
+  count_step();
   if (tree_.indices.size() == std::numeric_limits<std::uint32_t>::max()) {
     scanner_.fail(ErrorCode::ResourceLimit, "a model has at most 2^32 - 1 indices");
   }

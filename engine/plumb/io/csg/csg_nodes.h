@@ -39,7 +39,7 @@ struct CsgImport {
 class CsgNodes {
  public:
   CsgNodes(CsgTree& tree, CsgScanner& scanner, Context& context)
-      : tree_(tree), scanner_(scanner), memory_(context) {}
+      : tree_(tree), scanner_(scanner), context_(context), memory_(context) {}
 
   /// Appends the node that the scanner reported last. Its subtree is the node alone.
   void append();
@@ -80,9 +80,12 @@ class CsgNodes {
   std::uint32_t index_of(const CsgValue& value, std::uint32_t count);
   void push(double value);
   void push_index(std::size_t value);
+  void count_step();
 
   CsgTree& tree_;
   CsgScanner& scanner_;
+  const Context& context_;
+  std::uint32_t steps_ = 0;
   MemoryCharge memory_;
   std::vector<CsgImport> imports_;
   std::vector<std::string> notes_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "plumb/base/context.h"
 #include "plumb/predicates/plane/plane_points.h"
 
 #pragma GCC visibility push(default)
@@ -20,8 +21,10 @@ struct PointRanks {
   std::vector<std::uint32_t> rank;
 };
 
-/// Returns the ranks of the used points. Point i is used if used[i] is not 0. O(n log n).
-PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used);
+/// Returns the ranks of the used points. Point i is used if used[i] is not 0. The limits of
+/// `context`, which may be null, are checked meanwhile. O(n log n).
+PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used,
+                       const Context* context = nullptr);
 
 }  // namespace plumb
 #pragma GCC visibility pop

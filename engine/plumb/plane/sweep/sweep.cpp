@@ -26,6 +26,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kEventsPerCheckpoint = 4096;
+constexpr std::uint64_t kStepsPerCheckpoint = std::uint64_t{1} << 16;
 
 /// One sweep with its queue and status.
 class Sweep {
@@ -33,7 +34,7 @@ class Sweep {
   Sweep(const PlanePointsView& points, std::span<const SweepCurve> curves,
         std::span<const std::uint32_t> stops, SweepVisitor& visitor, Context& context)
       : points_(points),
-        curves_(points, curves, stops),
+        curves_(points, curves, stops, &context),
         queue_(curves_),
         visitor_(visitor),
         context_(context) {
@@ -73,6 +74,11 @@ class Sweep {
   void test_neighbours(StatusNode below, StatusNode above);
   bool report(SweepPlace kind, bool plain);
 
+  /// Counts steps within an event, at which millions of curves may meet.
+  void count_step() {
+    if (++steps_ % kStepsPerCheckpoint == 0) context_.check_limits("sweep");
+  }
+
   StatusNode node(SegmentId s) const { return active_[active_[s].key].node; }
   bool contains_event(SegmentId s) const;
   Sign side_of_event(SegmentId s) const;
@@ -98,6 +104,7 @@ class Sweep {
   SweepQueue queue_;
   SweepVisitor& visitor_;
   Context& context_;
+  std::uint64_t steps_ = 0;
 
   std::vector<std::uint32_t> start_begin_;  // Where the curves of each point begin in starts_.
   std::vector<SegmentId> starts_;           // Curves by left end, with those of zero length.
@@ -199,6 +206,7 @@ bool Sweep::start_unbounded() {
   if (left_unbounded_.empty()) return true;
   clear_event();
   std::sort(left_unbounded_.begin(), left_unbounded_.end(), [this](SegmentId s, SegmentId t) {
+    count_step();
     if (s == t) return false;
     const Sign order = curves_.order_at_left_infinity(s, t);
     return order == Sign::Positive || (order == Sign::Zero && s < t);
@@ -285,6 +293,7 @@ bool Sweep::order_plain_starters(std::uint32_t v) {
   outgoing_.assign(starting.begin(), starting.end());
   bool all_different = true;
   std::sort(outgoing_.begin(), outgoing_.end(), [&](SegmentId s, SegmentId t) {
+    count_step();
     if (s == t) return false;
     const Sign turn = curves_.direction_order(s, t);
     if (turn == Sign::Zero) all_different = false;
@@ -383,6 +392,7 @@ void Sweep::order_starters() {
     }
   }
   std::sort(starters_.begin(), starters_.end(), [&](SegmentId s, SegmentId t) {
+    count_step();
     const Sign turn = curves_.direction_order(s, t);
     return turn == Sign::Positive || (turn == Sign::Zero && s < t);
   });
@@ -427,6 +437,7 @@ void Sweep::merge_starters() {
                          curves_.direction_order(outgoing_.back(), starters_[s]) == Sign::Zero;
       joins ? join_bundle(s) : start_bundle(s);
       ++s;
+      count_step();
     }
   };
   for (std::size_t i = incoming_.size(); i-- > 0;) {

@@ -67,8 +67,12 @@ std::vector<KeyedPoint> keyed_points(const PlanePointsView& points, const std::v
 
 // Sorts the points, equal ones by index, and gives each the position of the first equal one.
 template <class Order>
-PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_t point_count) {
-  std::sort(keyed.begin(), keyed.end(), [&order](const KeyedPoint& p, const KeyedPoint& q) {
+PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_t point_count,
+                   const Context* context) {
+  constexpr std::uint64_t kStepsPerCheckpoint = std::uint64_t{1} << 16;
+  std::uint64_t steps = 0;
+  std::sort(keyed.begin(), keyed.end(), [&](const KeyedPoint& p, const KeyedPoint& q) {
+    if (++steps % kStepsPerCheckpoint == 0 && context != nullptr) context->check_limits("sweep");
     const Sign s = order.compare(p, q);
     return s == Sign::Negative || (s == Sign::Zero && p.point < q.point);
   });
@@ -86,15 +90,16 @@ PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_
 
 }  // namespace
 
-PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used) {
+PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used,
+                       const Context* context) {
   std::vector<KeyedPoint> keyed = keyed_points(points, used);
   const bool only_inputs = keyed.empty() || points.is_input(keyed.back().point);
-  return only_inputs ? rank_by(KeyOrder(points), std::move(keyed), points.size())
-                     : rank_by(PredicateOrder(points), std::move(keyed), points.size());
+  return only_inputs ? rank_by(KeyOrder(points), std::move(keyed), points.size(), context)
+                     : rank_by(PredicateOrder(points), std::move(keyed), points.size(), context);
 }
 
 SweepCurves::SweepCurves(const PlanePointsView& points, std::span<const SweepCurve> curves,
-                         std::span<const std::uint32_t> stops)
+                         std::span<const std::uint32_t> stops, const Context* context)
     : points_(points) {
   std::vector<char> used(points.size(), 0);
   for (const SweepCurve& c : curves) {
@@ -102,7 +107,7 @@ SweepCurves::SweepCurves(const PlanePointsView& points, std::span<const SweepCur
     if (c.to != SweepCurve::kUnbounded) used[c.to] = 1;
   }
   for (const std::uint32_t stop : stops) used[stop] = 1;
-  ranks_ = rank_points(points_, used);
+  ranks_ = rank_points(points_, used, context);
   curves_.reserve(curves.size());
   for (const SweepCurve& c : curves) curves_.push_back(left_to_right(c));
 }

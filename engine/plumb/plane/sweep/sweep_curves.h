@@ -25,9 +25,10 @@ class SweepCurves {
     bool has_right() const { return right != SweepCurve::kUnbounded; }
   };
 
-  /// Ranks the ends of all curves and the stops, and turns the curves.
+  /// Ranks the ends of all curves and the stops, and turns the curves. The limits of `context`,
+  /// which may be null, are checked meanwhile.
   SweepCurves(const PlanePointsView& points, std::span<const SweepCurve> curves,
-              std::span<const std::uint32_t> stops);
+              std::span<const std::uint32_t> stops, const Context* context = nullptr);
 
   const PlanePointsView& points() const { return points_; }
   const PointRanks& ranks() const { return ranks_; }
