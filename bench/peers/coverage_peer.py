@@ -52,11 +52,16 @@ def child_cpu(command, may_fail=False):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
 
 
+def features_of(collection):
+    if "features" in collection:
+        return collection["features"]
+    # mapshaper writes features without properties as a GeometryCollection, or one of them as a geometry.
+    return [{"geometry": geometry} for geometry in collection.get("geometries", [collection])]
+
+
 def read(path):
     with open(path) as text:
-        collection = json.load(text)
-    # mapshaper writes features without properties as a GeometryCollection.
-    return collection.get("features") or [{"geometry": geometry} for geometry in collection["geometries"]]
+        return features_of(json.load(text))
 
 
 def write(path, geometries):
@@ -171,7 +176,7 @@ def close_rings(path):
     """Closes the rings that mapshaper has left open because the arcs of the TopoJSON file end a quantum apart."""
     with open(path) as text:
         collection = json.load(text)
-    for feature in collection.get("features") or [{"geometry": g} for g in collection["geometries"]]:
+    for feature in features_of(collection):
         geometry = feature["geometry"] or {"type": None}
         for polygon in {"Polygon": lambda g: [g], "MultiPolygon": lambda g: g}.get(geometry["type"], lambda g: [])(
                 geometry.get("coordinates")):
