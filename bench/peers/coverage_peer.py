@@ -106,6 +106,11 @@ def invalid_of(cells):
     return sum(not cell.is_valid for cell in cells)
 
 
+def covered(geometry):
+    """What a feature covers: the union of its polygons, which may overlap. make_valid() of all of them would cut the overlap out."""
+    return shapely.union_all([shapely.make_valid(p) for p in getattr(geometry, "geoms", [geometry])])
+
+
 def moved_outside(before, after, changes):
     """The area of what a feature has gained or lost outside of the regions."""
     regions = shapely.union_all([shape(f["geometry"]) for f in read(changes) if f["geometry"] and f["properties"]["to"]])
@@ -133,7 +138,7 @@ class Repaired:
 
 
 def repair_row(title, programs, source, target, changes):
-    before = [shapely.make_valid(shape(f["geometry"])) if f["geometry"] else shapely.Polygon() for f in read(source)]
+    before = [covered(shape(f["geometry"])) if f["geometry"] else shapely.Polygon() for f in read(source)]
     results, times = [], []
     for command in programs(source, target, changes):
         seconds, printed = child_cpu(command, may_fail="--worker" in command)
