@@ -56,8 +56,7 @@ TEST(Layer, is_repaired_as_the_cells_of_a_grid_say) {
     const Layer layer = random_rectangles(dice);
     const GridCells cells(layer);
     const bool fills_gaps = seed % 3 != 0;
-    const LayerRepairOptions options{kRules[seed % kRules.size()], fills_gaps ? 100.0 : 0.0,
-                                     false};
+    const LayerRepairOptions options{kRules[seed % kRules.size()], fills_gaps ? 100.0 : 0.0, false};
     const RepairedLayer repaired = repair_layer(layer, options);
     expect_regions(cells, repaired.report);
     expect_owners(cells, repaired.layer, fills_gaps);
