@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "generate/mesh_solid.h"
 #include "generate/meshes.h"
@@ -435,17 +437,35 @@ TEST(MeshArrangement, ComponentsInsideOutAreTurned) {
   }
 }
 
-// The volumes of one closed surface, read off its jumps, held against the search for volumes.
+/// An octahedron whose facets are three triangles each, in one plane.
+PolygonMesh split_octahedron() {
+  std::vector<Point3> points{{3, 0, 0}, {-3, 0, 0}, {0, 3, 0}, {0, -3, 0}, {0, 0, 3}, {0, 0, -3}};
+  std::vector<Face> faces;
+  for (std::uint32_t octant = 0; octant < 8; ++octant) {
+    const std::uint32_t x = octant & 1U, y = octant >> 1U & 1U, z = octant >> 2U;
+    std::array<std::uint32_t, 3> tip{x, 2 + y, 4 + z};
+    if ((x + y + z) % 2 == 1) std::swap(tip[0], tip[1]);
+    const auto middle = static_cast<std::uint32_t>(points.size());
+    points.push_back({x == 0 ? 1. : -1., y == 0 ? 1. : -1., z == 0 ? 1. : -1.});
+    for (std::size_t i = 0; i < 3; ++i) faces.push_back({tip[i], tip[(i + 1) % 3], middle});
+  }
+  return make_mesh(std::move(points), faces);
+}
+
+// The volumes of one closed surface, read off its jumps if all its vertices have fans, held against
+// the search for volumes.
 TEST(MeshArrangement, OneShellHasTheVolumesOfTheSearch) {
   Context context;
   const PolygonMesh sphere = icosphere_mesh(2, 1, {}), cube = grid_cube_mesh(3, {0, 0, 0});
   const PolygonMesh star = prism_mesh({{0, 0}, {4, 0}, {1, 1}, {0, 4}}, 0, 3);
-  for (const PolygonMesh& outwards : {sphere, cube, star, fanned(star), joined(cube, cube)}) {
+  int with_fans = 0;
+  for (const PolygonMesh& outwards :
+       {sphere, split_octahedron(), joined(sphere, sphere), cube, star}) {
     for (const bool is_reversed : {false, true}) {
       for (const bool joins_coplanar : {false, true}) {
         const PolygonMesh mesh = is_reversed ? reversed(outwards) : outwards;
         MeshComplex made = complex_of_mesh(mesh, {.joins_coplanar = joins_coplanar}, context);
-        ASSERT_TRUE(std::ranges::all_of(made.has_fan, [](auto fan) { return fan != 0; }));
+        with_fans += std::ranges::count(made.has_fan, 0) == 0 ? 1 : 0;
         SpaceComplex searched = made.complex;
         label_volumes(searched, context);
         arrange(made, context);
@@ -459,6 +479,7 @@ TEST(MeshArrangement, OneShellHasTheVolumesOfTheSearch) {
       }
     }
   }
+  EXPECT_EQ(with_fans, 12);  // Those of the first three meshes.
 }
 
 TEST(MeshArrangement, FacetsOfFractions) {

@@ -21,7 +21,6 @@
 
 #include "plumb/base/internal/box_tree.h"
 #include "plumb/space/bounds/oriented_boxes.h"
-#include "plumb/space/bounds/packed_boxes.h"
 #include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/mesh/triangle_crossing.h"
 #include "plumb/space/planar/facet_triangles.h"
