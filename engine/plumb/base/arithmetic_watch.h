@@ -27,7 +27,7 @@ class ArithmeticWatch {
  public:
   /// Requires that the context outlives the watch.
   explicit ArithmeticWatch(const Context& context);
-  /// Restores the watch that was active before.
+  /// Restores the watch that was active before this watch was constructed.
   ~ArithmeticWatch();
   ArithmeticWatch(const ArithmeticWatch&) = delete;
   ArithmeticWatch& operator=(const ArithmeticWatch&) = delete;
@@ -36,7 +36,7 @@ class ArithmeticWatch {
   static bool is_active();
 
  private:
-  // The check that was active before, and its argument.
+  // The check that was active before this watch was constructed, and the argument of this check.
   void (*check_before_)(const void*);
   const void* context_before_;
 };

@@ -11,8 +11,8 @@
 //                  reflex corner needs (Hertel and Mehlhorn)
 //       optimal    (optimal_cuts.h) finds the fewest parts that diagonals between vertices can
 //                  make, by a dynamic program
-//  3. pieces    (region_cuts.h) takes the region inside each remaining loop, and makes a set from
-//               this region and the boundary cells assigned to it
+//  3. pieces    (region_cuts.h) takes each region that the boundary and the added edges now
+//               enclose, and makes a set from this region and the boundary cells assigned to it
 // Then each marked edge or vertex that is not on the boundary of a marked face becomes a separate
 // part.
 //

@@ -64,11 +64,11 @@ namespace plumb {
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options = {},
                                 Context& context = unlimited_context());
 
-/// Cuts one bounded volume by walls and merges neighbours. Returns the convex parts if there are
-/// fewer than `most` parts. Otherwise returns an empty list. If more than 32 edges are reflex,
-/// choose_vertical() first estimates the number of parts. If the estimate is too large, the
-/// function returns an empty list without cutting. The estimate takes O(r^2) steps for r reflex
-/// edges. Throws what the context throws.
+/// Cuts one bounded volume by walls, and merges neighbouring parts whose union is convex. Returns
+/// the convex parts if there are fewer than `most` parts. Otherwise returns an empty list. If more
+/// than 32 edges are reflex, choose_vertical() first estimates the number of parts. If the estimate
+/// is too large, the function returns an empty list without cutting. The estimate takes O(r^2)
+/// steps for r reflex edges. Throws what the context throws.
 std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most,
                                         Context& context = unlimited_context());
 

@@ -338,7 +338,7 @@ class Dcel {
   /// Removes a face. Requires that the face has no loops.
   void remove_face(FaceId f);
 
-  /// Adds an isolated vertex with a new loop of f, and returns the vertex.
+  /// Adds an isolated vertex to face f, together with its loop, and returns the vertex.
   VertexId add_vertex(FaceId f);
   /// Removes a vertex and its loop. Requires that the vertex is isolated.
   void remove_vertex(VertexId v);

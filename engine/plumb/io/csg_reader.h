@@ -17,7 +17,7 @@
 //
 // Imports: a model can name other files, which are then imported. By default, an imported file must
 // lie in the folder of the model or in a folder below it. Symbolic links are resolved before this
-// is checked. A file that lies elsewhere is refused before any of its contents are read.
+// is checked. A file outside this folder is refused before any of its contents are read.
 //
 // Cost: O(bytes), plus the cost of the readers of imported files. Errors have the form
 // FILE:LINE:COLUMN: message. They are:

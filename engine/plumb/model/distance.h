@@ -16,15 +16,16 @@
 //                candidates are compared exactly
 //  3. contained  looks for a set that lies inside the other one. If the boundaries do not meet, the
 //                distance is 0 only if a connected part of one boundary lies in the other set. To
-//                find out, the step locates one vertex of each such part in the other set. It omits
-//                parts whose boxes already show that they lie outside
+//                find out, the step takes one vertex of each connected part of each boundary, and
+//                locates this vertex in the other set. It omits parts whose boxes already show that
+//                they lie outside the other set
 //
 // Cost: building the trees takes O(n log n). The search usually takes O(log n). For two balls of
-// 20,480 triangles, the function takes some 10 ms. If the lower bound of a pair of triangles is not
-// greater than the distance, the pair is compared exactly, which takes about 10 us. There are many
-// such pairs if many facets of the sets are parallel and equally far apart. Errors:
-// Error{BadArgument} if a set is empty, or if both sets are unbounded. Functions also throw what
-// the context throws.
+// 20,480 triangles, the function takes some 10 ms. A pair of triangles is compared exactly, in
+// about 10 us, if the lower bound for the distance between the triangles is not greater than the
+// distance between the sets. There are many such pairs if many facets of the sets are parallel and
+// equally far apart. Errors: Error{BadArgument} if a set is empty, or if both sets are unbounded.
+// Functions also throw what the context throws.
 #pragma once
 
 #include <memory>
@@ -41,7 +42,7 @@ namespace plumb {
 struct SpaceDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint3 at_a;  ///< A point of the closure of A.
-  RationalPoint3 at_b;  ///< A point of the closure of B; the distance of the two is least.
+  RationalPoint3 at_b;  ///< A point of the closure of B, at the least distance from `at_a`.
   /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a volume.
   SpaceLocation cell_a;
   SpaceLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
@@ -51,7 +52,7 @@ struct SpaceDistance {
 struct PlaneDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint2 at_a;  ///< A point of the closure of A.
-  RationalPoint2 at_b;  ///< A point of the closure of B; the distance of the two is least.
+  RationalPoint2 at_b;  ///< A point of the closure of B, at the least distance from `at_a`.
   /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a face.
   PlaneLocation cell_a;
   PlaneLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
