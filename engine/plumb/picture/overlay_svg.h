@@ -25,7 +25,7 @@ struct OverlaySvgOptions {
 };
 
 /// Writes the picture of an overlay. The file takes at most 20 MB. If parts of the overlay are left
-/// out for this reason, the picture names these parts. The output is deterministic. Cost:
+/// out to stay below this size, the picture names these parts. The output is deterministic. Cost:
 /// O(n log n). Exceptions of `out` reach the caller.
 void write_overlay_svg(std::ostream& out, const MapOverlay& overlay,
                        const OverlaySvgOptions& options = {});

@@ -1,5 +1,5 @@
-// Makes flat scenes (scene.h) of maps and of sets of the plane. They are used for pictures without
-// text, and for files that pass triangles to other programs.
+// Makes flat scenes (scene.h) of maps and of sets of the plane. Flat scenes are used for pictures
+// without text, and for files that pass triangles to other programs.
 #pragma once
 
 #include "plumb/base/context.h"

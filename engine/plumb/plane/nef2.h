@@ -120,7 +120,7 @@ class Nef2;
 /// (PlaneParts::filled). O(n).
 [[nodiscard]] bool closure_fills_inside(const Nef2& set);
 
-/// The counts of the ordinary cells. Cells of the frame are not counted.
+/// The counts of the cells of a set. Cells of the frame are not counted.
 struct PlaneCounts {
   std::size_t vertices = 0;      ///< Corners, ends and isolated vertices.
   std::size_t edges = 0;         ///< Segments, rays and lines.
@@ -206,7 +206,7 @@ class Nef2 {
   /// is Closed. Throws Error{BadArgument} if line.a equals line.b.
   [[nodiscard]] static Nef2 ray(const Line2& line, Boundary boundary);
 
-  /// Returns the set that closed chains of points bound. Chain c has the points
+  /// Returns the set that is bounded by closed chains of points. Chain c has the points
   /// corners[chain_begin[c]], ..., corners[chain_begin[c + 1] - 1]. The last point of a chain is
   /// joined to its first point. The chains divide the plane into faces. A face belongs to the set
   /// if `rule` accepts its winding number. `boundary` decides which edges and vertices on the
@@ -225,8 +225,9 @@ class Nef2 {
                                      std::span<const std::uint32_t> corners,
                                      std::span<const std::uint32_t> chain_begin, WindingRule rule,
                                      Boundary boundary, Context& context = unlimited_context());
-  /// Returns the set that one closed chain bounds under WindingRule::NonZero. The direction of the
-  /// chain does not matter. If there are no points, the set is empty.
+  /// Returns the set that is bounded by one closed chain of points, according to
+  /// WindingRule::NonZero. The direction of the chain does not matter. If there are no points, the
+  /// set is empty.
   [[nodiscard]] static Nef2 polygon(std::span<const Point2> points,
                                     Boundary boundary = Boundary::Closed,
                                     Context& context = unlimited_context());

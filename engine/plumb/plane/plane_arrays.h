@@ -5,8 +5,8 @@
 //           ...) and arrange(points, ...) take such a table. map_of_cycles(xy, cycle_begin,
 //           corners) makes a map for check_map().
 //   output  coordinates_of(points) makes an array of coordinates. The indices in a Map, and in the
-//           shapes of a set (plumb/io/plane_shapes.h), refer to the points of this array. Point i
-//           has the entries 2 i and 2 i + 1.
+//           shapes of a set (PlaneShapes in plumb/io/plane_io.h), refer to the points of this
+//           array. Point i has the entries 2 i and 2 i + 1.
 //
 // All functions of the library that take indices, including Dcel::from_cycles(), take them as
 // spans. Each function copies the data once into its result. The result does not refer to the

@@ -11,8 +11,8 @@
 namespace plumb {
 
 /// Returns the area of face f, or nullopt if f is unbounded. The area of the holes is not included.
-/// Requires that f is an ordinary face. Cost: O(b) additions of rational numbers for a boundary of
-/// b edges.
+/// Requires that f is not the face beyond the frame. Cost: O(b) additions of rational numbers for a
+/// boundary of b edges.
 std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f);
 
 /// Returns the total area of the marked faces, or nullopt if a marked face is unbounded. Throws

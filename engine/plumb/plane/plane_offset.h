@@ -19,9 +19,10 @@
 // If the distance is negative, the complement is grown in the same way, and the result contains the
 // points of the set that do not lie in the grown complement.
 //
-// Numbers: each moved edge is exactly parallel to its edge. Its distance from the edge is the given
-// distance, up to a relative error of 2^-50. The error is needed because the length of an edge is
-// in general not a rational number. All further steps are exact.
+// Numbers: each moved edge is exactly parallel to the edge of the set from which it was made. Its
+// distance from this edge is the given distance, up to a relative error of 2^-50. The error cannot
+// be avoided, because the length of an edge is in general not a rational number. All further steps
+// are exact.
 //
 // Cost: O((n + k) log(n + k)) for n corners of the chains and k crossings of their edges. Source:
 // A. Johnson's Clipper library also computes offsets by winding numbers. The kinds of joins are

@@ -21,10 +21,11 @@
 //                      interpolated with barycentric weights
 //
 // Rules:
-// - If several source triangles cover a piece, one of them is chosen. Triangles with the same
-//   orientation as the piece are preferred to triangles with the opposite orientation. Among these,
-//   a triangle of the first source in Nef3::sources() is chosen, which belongs to the first
-//   operand. Among several faces of this source, the face with the least index is chosen.
+// - A piece gets its attributes from one source triangle. If several source triangles cover the
+//   piece, one of them is chosen as follows. Triangles with the same orientation as the piece are
+//   preferred to triangles with the opposite orientation. Among these, a triangle of the first
+//   source in Nef3::sources() is chosen, which belongs to the first operand. Among several faces of
+//   this source, the face with the least index is chosen.
 // - A piece is flipped if its orientation is opposite to that of its source triangle. For example,
 //   this holds for the boundary of a subtracted set. The values of channels named "normal" are
 //   negated on flipped pieces. If the source has a map, these values are also transformed by the

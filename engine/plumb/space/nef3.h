@@ -188,7 +188,7 @@ class Nef3 {
 
   // --- conversion from and to meshes -----------------------------------------------------------
 
-  /// Returns the set that triangles bound. The set consists of the volumes that are inside
+  /// Returns the set that is bounded by triangles. The set consists of the volumes that are inside
   /// according to options.rule, and of the boundaries of these volumes. Triangle t has the corners
   /// triangles[3 t], ..., triangles[3 t + 2], counter-clockwise seen from outside. Point i is
   /// (xyz[3 i], xyz[3 i + 1], xyz[3 i + 2]). The mesh must be closed, unless options.surface is
@@ -202,8 +202,8 @@ class Nef3 {
                                       std::span<const std::uint32_t> triangles,
                                       const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Returns the set that polygons bound, as the function above does for triangles. The polygons
-  /// may have any number of corners. A view of the caller's arrays describes them.
+  /// Returns the set that is bounded by polygons, as the function above does for triangles. The
+  /// polygons may have any number of corners. A view of the caller's arrays describes them.
   [[nodiscard]] static Nef3 from_mesh(const MeshView& mesh, const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
   /// Does the same as the function above for a mesh that owns its arrays.

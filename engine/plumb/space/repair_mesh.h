@@ -13,9 +13,9 @@
 //                      component
 //
 // A step is taken only if the options ask for it. All changes are reported. Only step 1 compares
-// distances, and the caller gives the largest distance. The functions of this header change a mesh
-// and make no set. Nef3::from_mesh() makes a set from a mesh. If the mesh is closed, this function
-// does not need any of these steps.
+// distances, and the caller gives the largest distance of two points that are merged. The functions
+// of this header change a mesh and make no set. Nef3::from_mesh() makes a set from a mesh. A closed
+// mesh can be passed to Nef3::from_mesh() without any of these steps.
 //
 // Cost: O(n log n) for n corners. In addition, a hole of k <= 100 edges takes O(k^3). Step 5 has
 // the cost of complex_of_mesh(), plus the cost of arrange() if the mesh crosses itself. Memory:

@@ -20,8 +20,9 @@
 //  5. locate       uses a grid (volume_grid.h) if the point has double coordinates. The grid is
 //                  made at the first query. For every grid cell that no box of an item meets, the
 //                  grid stores the volume that contains the grid cell. If the box of an item meets
-//                  the grid cell of the point, the locator searches from the point to the left. The
-//                  search ends at the latest at a point whose volume is stored in the grid
+//                  the grid cell of the point, the locator searches from the point in the direction
+//                  of -x. The search ends at the latest at a point whose volume is stored in the
+//                  grid
 //
 // All functions require vertices, edges, uses, and facets with their cycles. The functions
 // volume_of and locate require volumes, too. Marks are used only to recognize the frame. Several
@@ -83,9 +84,9 @@ class SpaceLocator {
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;
   std::optional<SpaceItemHit> shoot(const Point3& origin, const Point3& direction) const;
-  /// Shoots a ray towards -x from a point of the complex's tables. Returns the first item that the
-  /// ray meets strictly after this point, or an invalid item. The result may be an item of the
-  /// frame.
+  /// Shoots a ray towards -x from an input point or a constructed point of the complex. Returns the
+  /// first item that the ray meets strictly after this point, or an invalid item. The result may be
+  /// an item of the frame.
   SpaceItem shoot_left(SpacePoint origin) const;
 
  private:

@@ -176,8 +176,9 @@ Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Cros
 /// Returns the sign of p - q if |p - q| is greater than `radius` (with a small safety margin).
 /// Otherwise returns Unsure. Requires radius >= 2^-300. Also requires |p| < 2^303 or radius = +inf.
 /// In any rounding mode, the relative error of the computed difference is at most 2^-52.
-/// Flush-to-zero or denormals-are-zero may add an error of at most 2^-1020. The factor 1.0001 in
-/// the code covers both errors, and the rounding of `radius`.
+/// Flush-to-zero or denormals-are-zero may add an error of at most 2^-1020. Therefore the
+/// difference is compared with 1.0001 `radius`. The factor covers the relative error, the error of
+/// flushing, and the rounding of the product.
 inline FilteredSign compare_apart(double p, double q, double radius) {
   const double difference = p - q;
   if (!(std::fabs(difference) > 1.0001 * radius)) return FilteredSign::Unsure;
