@@ -104,7 +104,7 @@ struct SweepCurve {
 enum class SweepPlace : std::uint8_t {
   LeftInfinity,   ///< All curves from the left infinity start, as outgoing bundles.
   VerticalStart,  ///< Coincident vertical curves from infinity below start, as one bundle.
-  Point,          ///< An end point, a stop or a crossing.
+  Point,          ///< An end point, a stop (see sweep()) or a crossing.
   VerticalEnd,    ///< Coincident vertical curves to infinity above end, as one bundle.
   RightInfinity,  ///< All curves to the right infinity end, as incoming bundles.
 };

@@ -61,22 +61,22 @@ class ShortestStripFinder {
   struct Window {
     HalfedgeId into;       // The side, in the face behind it.
     double begin, end;     // The part of the side, as distances from its origin.
-    Point2 source;         // The position of the seat after unfolding.
-    std::uint32_t seat;    // The seat from which the lines come.
-    std::uint32_t before;  // The window before it; kNone if it is the first after the seat.
+    Point2 source;         // The position of the source after unfolding.
+    std::uint32_t seat;    // The source of the lines (a Seat).
+    std::uint32_t before;  // The window before this window; kNone if it is the first after `seat`.
   };
   /// A source of windows: the start, or a vertex together with a path from the start to it.
   struct Seat {
     VertexId vertex;       // Invalid for the start.
     double distance;       // The length of the path from the start.
     std::uint32_t window;  // The window through which the vertex was reached, or kNone.
-    std::uint32_t seat;    // If there is no window: the seat before it,
-    FaceId face;           // and a face that contains both seats.
+    std::uint32_t seat;    // If there is no window: the source before this one,
+    FaceId face;           // and a face that contains both sources.
   };
   /// The last step of a path that reaches the end point.
   struct Arrival {
     std::uint32_t window = kNone;  // The last window, or kNone.
-    std::uint32_t seat = kNone;    // If there is no window: the last seat,
+    std::uint32_t seat = kNone;    // If there is no window: the last source,
     FaceId face;                   // and a face that contains it and the end point.
   };
   struct Entry {
@@ -84,7 +84,8 @@ class ShortestStripFinder {
     std::uint32_t index;  // Of a window or a seat.
     bool is_seat;
   };
-  /// The best distance of a vertex, in the search with the number `round`.
+  /// The length of the shortest path to a vertex that the search has found so far. The entry counts
+  /// only if `round` is the number of the current search (round_).
   struct Reached {
     std::uint32_t round = 0;
     double distance = 0;
@@ -121,7 +122,7 @@ class ShortestStripFinder {
   const StripEnd* from_ = nullptr;
   const StripEnd* to_ = nullptr;
   VertexId goal_;    // The end point, if it is a vertex.
-  double best_ = 0;  // The length of the best path, or the bound.
+  double best_ = 0;  // The length of the best path found, or the argument `bound` of find().
   Arrival arrival_;
 };
 
