@@ -17,9 +17,10 @@
 //  3. make_delaunay  flips sides until every side that is not an edge of the set is locally
 //                    Delaunay
 //
-// Cost: the sweep takes O(n log n). The number of flips is O(n^2) in the worst case, and usually
-// O(n). Sources: B. Delaunay, Sur la sphere vide, 1934; C. L. Lawson, Software for C1 surface
-// interpolation, 1977; L. P. Chew, Constrained Delaunay triangulations, Algorithmica 4 (1989).
+// Cost: the sweep over n points takes O(n log n). The number of flips is O(n^2) in the worst case,
+// and usually O(n). Sources: B. Delaunay, Sur la sphere vide, 1934; C. L. Lawson, Software for C1
+// surface interpolation, 1977; L. P. Chew, Constrained Delaunay triangulations, Algorithmica 4
+// (1989).
 #pragma once
 
 #include <array>

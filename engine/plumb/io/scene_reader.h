@@ -85,7 +85,7 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options = {},
 
 /// Returns the surface of a mesh in which each polygon is cut into a fan of triangles. The
 /// triangles are in the order of the polygons. Throws the errors of the constructor of SurfaceMesh.
-/// Cost: O(n).
+/// Cost: O(n) for n corners of polygons.
 SurfaceMesh fanned_surface(const PolygonMesh& mesh);
 
 }  // namespace plumb

@@ -29,7 +29,7 @@
 //
 // Cost: binary operations take O((n + k) log n) for n edges and k crossings. Unary operations take
 // O(n). locate() takes O(log^2 n). The first call of locate() for a set also builds an index, in
-// O(n log^2 n). Memory is O(n).
+// O(n log^2 n). Memory is O(n). In the comments of members, n is the number of edges, too.
 //
 // Errors: all functions throw Error{NotFinite} for coordinates that are not finite. All functions
 // throw ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested.

@@ -17,7 +17,7 @@ std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f);
 
 /// Returns the total area of the marked faces, or nullopt if a marked face is unbounded. Throws
 /// ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested. Cost:
-/// O(n) additions of rational numbers.
+/// O(n) additions of rational numbers for n edges.
 std::optional<Rational> marked_area(const PlaneComplex& complex,
                                     Context& context = unlimited_context());
 

@@ -40,8 +40,8 @@
 //  3. number points   adds the points to the new table, vertex by vertex
 //  4. write arrays    writes each array in its new order
 //
-// Cost: O(n log n). In addition, one greatest common divisor is computed for each plane, and the
-// exact coordinates are computed for each vertex that is not an input point.
+// Cost: O(n log n) for n cells. In addition, one greatest common divisor is computed for each
+// plane, and the exact coordinates are computed for each vertex that is not an input point.
 #pragma once
 
 #include "plumb/base/context.h"

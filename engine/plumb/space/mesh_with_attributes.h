@@ -38,10 +38,9 @@
 //   Negative weights are replaced by 0.
 // - A triangle that a repair makes gets the attributes of one of the pieces from which it was made.
 //
-// Cost: the cost of valid_mesh(), O(n) for the triangles of the sources, and O(m log m) for m
-// corners and crossings in planes in which a facet is cut. Errors: Error{BadArgument} if a marked
-// volume is unbounded, what valid_mesh() throws, and what the context throws. Source:
-// docs/attributes.md.
+// Cost: the cost of valid_mesh(), O(n) for n triangles of the sources, and O(m log m) for m corners
+// and crossings in planes in which a facet is cut. Errors: Error{BadArgument} if a marked volume is
+// unbounded, what valid_mesh() throws, and what the context throws. Source: docs/attributes.md.
 #pragma once
 
 #include <cstdint>

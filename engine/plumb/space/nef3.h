@@ -29,11 +29,12 @@
 // Booleans.
 //
 // Cost: a Boolean of two sets of sizes n and m takes O((n + m + c) log(n + m + c)), where c is the
-// number of pairs of cells whose boxes meet. Unary operations take O(n). Errors: functions throw
-// Error{NotFinite} and Error{BadArgument} where their comments say so. Functions with a Context
-// also throw ResourceLimit and Cancelled when the Context demands it. Source: W. Bieri and W. Nef,
-// Elementary set operations with d-dimensional polyhedra, LNCS 333 (1988); P. Hachenberger, L.
-// Kettner, K. Mehlhorn, Computational Geometry 38 (2007) 64-99; docs/design/boolean.md.
+// number of pairs of cells whose boxes meet. Unary operations take O(n). In the comments of
+// members, n is the number of cells of the set. Errors: functions throw Error{NotFinite} and
+// Error{BadArgument} where their comments say so. Functions with a Context also throw ResourceLimit
+// and Cancelled when the Context demands it. Source: W. Bieri and W. Nef, Elementary set operations
+// with d-dimensional polyhedra, LNCS 333 (1988); P. Hachenberger, L. Kettner, K. Mehlhorn,
+// Computational Geometry 38 (2007) 64-99; docs/design/boolean.md.
 #pragma once
 
 #include <array>
@@ -397,7 +398,7 @@ class Nef3 {
                                                  Context& context = unlimited_context()) const;
 
   /// Returns the exact volume, or nothing if the volume is infinite. Cost: a sum of O(n) rational
-  /// numbers.
+  /// numbers for n edges of facets.
   [[nodiscard]] std::optional<Rational> volume(Context& context = unlimited_context()) const;
   /// Returns volume(). Nef2 has a function of the same name, so that generic code can handle both
   /// dimensions.

@@ -28,9 +28,9 @@
 // volume_of and locate require volumes, too. Marks are used only to recognize the frame. Several
 // threads may call const members at the same time.
 //
-// Cost: building takes O(n log n) time. For each item, the tree needs 76 bytes and the grid needs
-// 16 bytes. If the boxes of facets are small and few of the boxes overlap, a query visits O(log n)
-// nodes and a few facets.
+// Cost: building takes O(n log n) time for n items. For each item, the tree needs 76 bytes and the
+// grid needs 16 bytes. If the boxes of facets are small and few of the boxes overlap, a query
+// visits O(log n) nodes and a few facets.
 #pragma once
 
 #include <memory>
@@ -53,7 +53,7 @@ struct SpaceItemHit {
 class SpaceLocator {
  public:
   /// Builds the index. The complex must outlive the locator. The arrays of the complex that the
-  /// head of this file names must not change. O(n log n).
+  /// head of this file names must not change. O(n log n) for n items.
   explicit SpaceLocator(const SpaceComplex& complex);
   ~SpaceLocator();
   SpaceLocator(const SpaceLocator&) = delete;

@@ -24,7 +24,7 @@ namespace plumb {
 /// - Error{NotFinite} with the index of the vertex, if a coordinate is not finite,
 /// - what the constructor of SurfaceMesh throws.
 ///
-/// Cost: O(n).
+/// Cost: O(n) for n triangles.
 SurfaceMesh surface_of(const MeshView& mesh);
 
 /// Returns a view of the vertices and faces of a surface, with the same indices. The surface must

@@ -59,7 +59,7 @@ inline std::int32_t entry_value(std::int64_t sum) {
 //               opposite directions
 //  4. fans      checks that the faces around each vertex are one fan or one closed ring
 //
-// Cost: O(n). Memory: 60 bytes for each face. Design: docs/design/surface.md.
+// Cost: O(n) for n faces. Memory: 60 bytes for each face. Design: docs/design/surface.md.
 
 /// A triangle, given by the point indices of its three corners.
 using SurfaceTriangle = std::array<std::uint32_t, 3>;
@@ -74,7 +74,7 @@ class SurfaceMesh {
   /// faces of the component have consistent orientations. There are two ways to do this. The
   /// constructor chooses the way in which fewer faces are flipped; in case of a tie, the first face
   /// of the component is not flipped. If a face is flipped, its last two corners are exchanged, and
-  /// is_flipped() returns true for the face. O(n). Throws:
+  /// is_flipped() returns true for the face. O(n) for n faces. Throws:
   /// - Error{BadIndex} if a corner is not the index of a point,
   /// - Error{DegenerateFace} if a face has a repeated corner,
   /// - Error{BadShape} if the triangles are not an orientable manifold; the error lists up to ten

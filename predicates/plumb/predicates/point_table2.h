@@ -53,7 +53,7 @@ class PointTable2 {
   /// O(size of other).
   void append(const PointTable2& other);
   /// Returns a table of the points whose entry in `keep` is not 0. The order of the points is kept.
-  /// Requires that `keep` has one entry for each point. Cost: O(n).
+  /// Requires that `keep` has one entry for each point. Cost: O(n) for n points.
   PointTable2 subset(std::span<const std::uint8_t> keep) const;
 
   std::size_t size() const { return points_.size(); }  ///< Returns the number of points.

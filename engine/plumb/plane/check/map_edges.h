@@ -58,10 +58,10 @@ struct MapEdges {
 
 /// Returns the edges of a map. The function sorts the directed edges into buckets by the lesser of
 /// their two vertex ids. In each bucket, it finds the directed edges of the same undirected edge.
-/// Cost: O(n), plus sorting the edges in each bucket. A MapReport does not keep the edges, because
-/// they would take 12 bytes for each corner. Instead, to_dcel() and the writer of half-edges call
-/// this function again. This takes only a small part of the time of the check. The order of
-/// MapEdges::ends depends only on the set of undirected edges.
+/// Cost: O(n) for n corners, plus sorting the edges in each bucket. A MapReport does not keep the
+/// edges, because they would take 12 bytes for each corner. Instead, to_dcel() and the writer of
+/// half-edges call this function again. This takes only a small part of the time of the check. The
+/// order of MapEdges::ends depends only on the set of undirected edges.
 MapEdges match_twins(const Map& map);
 
 /// The connected components of the edge graph.

@@ -66,8 +66,8 @@ struct OrderedMesh {
 ///
 /// Meshes with faces other than triangles keep their order for the following reason. A polygon that
 /// is not planar is triangulated. The choice of its triangles, and the report about them, depend on
-/// the indices of the polygon's points. Cost: O(n); 30 to 40 ns for each triangle of a mesh of
-/// 60,000 to 300,000 triangles.
+/// the indices of the polygon's points. Cost: O(n) for n triangles; 30 to 40 ns for each triangle
+/// of a mesh of 60,000 to 300,000 triangles.
 OrderedMesh ordered_in_space(const MeshView& mesh);
 
 }  // namespace plumb

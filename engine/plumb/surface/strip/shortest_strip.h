@@ -47,8 +47,8 @@ class ShortestStripFinder {
   /// `bound`. Returns no value if no path is shorter than `bound` by more than 2^-40 of `bound`.
   /// Requires that no face contains both ends. Cost: O(w log w) for w windows. On usual meshes, w
   /// is a small multiple of the number of sides in an ellipsoid, whose foci are the two ends and
-  /// whose longest axis has the length `bound`. In the worst case, w is O(n^2). Throws what the
-  /// context throws.
+  /// whose longest axis has the length `bound`. In the worst case, w is O(n^2) for n vertices.
+  /// Throws what the context throws.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, double bound,
                                 Context& context);
 
