@@ -36,12 +36,12 @@
 // wall could reach to infinity. Unbounded volumes are cut by planes instead, as in the first method
 // of decompose().
 //
-// Cost: O((n + c) log(n + c)), where c is the number of intersections of walls with each other and
-// with the set. In addition, each reflex edge is tested against every facet whose vertical
-// projection is near the projection of the edge. Proofs: docs/design/walls.md. Sources: P.
-// Hachenberger, Exact Minkowski sums of polyhedra and exact and efficient decomposition of
-// polyhedra into convex pieces, Algorithmica 55 (2009) 329-345; B. Chazelle, Convex partitions of
-// polyhedra, SIAM Journal on Computing 13 (1984).
+// Cost: O((n + c) log(n + c)), where n is the number of cells of the set, and c is the number of
+// intersections of walls with each other and with the set. In addition, each reflex edge is tested
+// against every facet whose vertical projection is near the projection of the edge. Proofs:
+// docs/design/walls.md. Sources: P. Hachenberger, Exact Minkowski sums of polyhedra and exact and
+// efficient decomposition of polyhedra into convex pieces, Algorithmica 55 (2009) 329-345; B.
+// Chazelle, Convex partitions of polyhedra, SIAM Journal on Computing 13 (1984).
 #pragma once
 
 #include <array>

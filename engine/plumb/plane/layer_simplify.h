@@ -9,9 +9,9 @@
 //  4. layer_of_labels                traces the polygons of each feature
 //
 // A border that two features share is stored only once, so both features get the same simplified
-// border. Let u, v and w be consecutive corners of a border. The corner v may be removed, so that
-// the segment u w replaces the segments u v and v w, under two conditions: the closed triangle u v
-// w contains no other corner, and no edge joins u and w already. Both conditions are decided
+// border. Let u, v and w be consecutive corners of a border. The corner v may be removed if two
+// conditions hold: the closed triangle u v w contains no other corner, and no edge joins u and w
+// already. The segment u w then replaces the segments u v and v w. Both conditions are decided
 // exactly. The removal then makes no borders cross or touch. By the first condition, no other edge
 // ends in the triangle. An edge without an end in the triangle that crosses u w would also cross u
 // v or v w. This is impossible, because edges of borders do not cross. So no polygon or hole

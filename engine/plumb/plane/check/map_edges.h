@@ -92,7 +92,7 @@ struct OpenChain {
 
 /// Returns all chains, in the order of their least half-edges. If several chains meet at a vertex,
 /// a chain that arrives along some faces continues along the same faces. Requires that no half-edge
-/// is listed twice. This requirement ensures that every chain closes. O(n).
+/// is listed twice. This requirement ensures that every chain closes. O(n) for n half-edges.
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges);
 
 /// Returns the vertices of a chain in order, in the form of a cycle of a map.

@@ -61,7 +61,7 @@ class RecordError : public Error {
   std::size_t index_;
 };
 
-/// Returns the records of a complex. O(n).
+/// Returns the records of a complex. O(n) for n cells.
 PlaneRecords to_records(const PlaneComplex& complex);
 /// Returns the record of one vertex.
 PlaneRecords::Vertex record_of(const PlaneComplex& complex, VertexId v);

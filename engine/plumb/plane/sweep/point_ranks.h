@@ -20,7 +20,8 @@ struct PointRanks {
   std::vector<std::uint32_t> rank;
 };
 
-/// Returns the ranks of the used points. Point i is used if used[i] is not 0. O(n log n).
+/// Returns the ranks of the used points. Point i is used if used[i] is not 0. O(n log n) for n
+/// points.
 PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used);
 
 }  // namespace plumb

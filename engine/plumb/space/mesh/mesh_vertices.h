@@ -24,11 +24,11 @@ struct MeshVertices {
 
 /// Returns the vertices of a mesh and adds their points to the tables. The coordinates -0 and 0
 /// count as equal. Throws Error{BadIndex} if a corner is not the index of a point, and
-/// Error{NotFinite} if a coordinate is not finite. O(n) expected.
+/// Error{NotFinite} if a coordinate is not finite. O(n) expected for n corners.
 MeshVertices merge_equal_points(const MeshView& mesh, SpaceTables& tables);
 
 /// Drops the points that no face uses. The other points keep their order. Returns the new index of
-/// each point, which is kNone for a dropped point. O(n).
+/// each point, which is kNone for a dropped point. O(n) for n corners.
 std::vector<std::uint32_t> drop_unused_points(PolygonMesh& mesh);
 
 // Sorting by position in space.

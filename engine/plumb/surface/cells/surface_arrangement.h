@@ -3,8 +3,9 @@
 // A face is divided if a node lies in it or on its boundary. Each divided face is stored as a
 // planar subdivision with half-edges. In the numbering of a divided face, the half-edges along the
 // boundary of the face come first. Each of them runs from a node to the next node, and its twin
-// belongs to the adjacent face. The half-edges of arcs inside the face come after them, in pairs of
-// twins. All other faces remain whole, and nothing is stored for them.
+// belongs to the adjacent face. The half-edges of arcs inside the face come after the half-edges
+// along the boundary, in pairs of twins. All other faces remain whole, and nothing is stored for
+// them.
 //
 // Main flow of slice():
 //  1. nodes      replaces all equal points by one node. To find equal points, it sorts the points
@@ -78,10 +79,11 @@ struct SurfaceArrangement {
   // number is called the slot of the face.
   std::vector<FaceId> slot_face;
   IdVector<FaceId, std::uint32_t> slot_of_face;  ///< Slot of each face; kNone if it is not divided.
-  /// Four entries for each slot: the first half-edge of side 0, of side 1 and of side 2, and the
-  /// first half-edge of the arcs inside the face.
+  /// Four entries for each divided face, in the order of slots: the first half-edge of side 0, of
+  /// side 1 and of side 2, and the first half-edge of the arcs inside the face.
   std::vector<std::uint32_t> side_begin;
-  /// The first piece of each slot. The last entry is the number of pieces.
+  /// The first piece of each divided face, in the order of slots. The last entry is the number of
+  /// pieces.
   std::vector<PieceId> piece_begin;
 
   IdVector<HalfedgeId, NodeId> origin;  ///< Origin of each half-edge.

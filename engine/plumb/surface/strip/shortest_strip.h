@@ -6,11 +6,12 @@
 //  1. start      makes a window on each side of the faces that contain the start, except for sides
 //                on which the start lies. A window is a part of a side through which straight lines
 //                from the start pass
-//  2. spread     takes the window or vertex with the least bound from a heap. The bound is a lower
-//                bound for the length of paths through it. From a window, the step makes new
-//                windows on the two other sides of the face behind the window, and computes a
-//                distance for the vertex between these sides. From a vertex, the step makes windows
-//                around the vertex if shortest paths can bend there
+//  2. spread     takes the window or vertex with the least bound from a heap. This bound is a lower
+//                bound for the lengths of all paths from the start to the end that pass through the
+//                window or vertex. From a window, the step makes new windows on the two other sides
+//                of the face behind the window, and computes a distance for the vertex between
+//                these sides. From a vertex, the step makes windows around the vertex if shortest
+//                paths can bend there
 //  3. reach      is taken if a window or a vertex reaches a face that contains the end. The path to
 //                the end through this window or vertex becomes a candidate
 //  4. stop       ends the search if no bound is less than the length of the best path found so far
