@@ -10,8 +10,8 @@
 //             other marked cells must lie on the boundary of f, so that S contains f and is
 //             contained in the closure of f
 //  2. sides   checks the sides of f. A side of f can consist of several edges and vertices on one
-//             line. Those of them that are marked must be consecutive, because S must contain the
-//             segment between any two of its points on this side
+//             line. The marked ones among these edges and vertices must be consecutive, because S
+//             must contain the segment between any two of its points on this side
 //  3. none    examines a set without a marked face. Two marked edges on different lines span a
 //             triangle that is not in S. Two marked edges on the same line would be a single edge
 //             if S were convex. So S is convex in three cases only: S is empty, S is one point, or

@@ -2,9 +2,9 @@
 // square of the distance, a pair of nearest points, and the cells that contain these points.
 //
 // The distance between two sets is the distance between their closures. So it does not matter
-// whether the sets contain their boundaries: two sets that touch have the distance 0, even if they
-// have no common point. The coordinates of sets are rational. Therefore the square of a distance is
-// rational, and there are nearest points with rational coordinates.
+// whether the sets contain their boundaries. For example, two sets that touch each other have the
+// distance 0, even if they have no common point. The coordinates of sets are rational. Therefore
+// the square of a distance is rational, and there are nearest points with rational coordinates.
 //
 // Main flow of distance():
 //  1. clip       replaces an unbounded set by its part in a box around the other set. The box is

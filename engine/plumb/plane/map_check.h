@@ -57,7 +57,7 @@ enum class OuterRule {
   Listed,  ///< The outer boundary of every component must be listed, clockwise.
   /// If an outer boundary is not listed, its edges form a clockwise chain of open edges. Such a
   /// chain is added as an outer cycle, and a warning reports this. A chain that bounds an overlap
-  /// of regions is not added if no edges cross; its edges are reported as open.
+  /// of regions is not added if no edges cross. The edges of this chain are reported as open.
   Infer,
   /// An open edge is not a defect. But if a component lies inside a listed face, the outer boundary
   /// of the component must be listed. If it is not listed, the component is a Nested defect.

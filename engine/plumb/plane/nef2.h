@@ -218,7 +218,7 @@ class Nef2 {
   ///   Open    Usually no edge on a chain belongs to the set. The exception is an edge at which no
   ///           chain separates inside from outside. To test an edge, start at the winding number of
   ///           the face on one side, and cross the chains that run over the edge one after the
-  ///           other. The edge belongs to the set if the rule accepts the winding number before and
+  ///           other. The edge belongs to the set if `rule` accepts the winding number before and
   ///           after each crossing, for every order of the chains. A vertex belongs to the set if
   ///           all edges and faces around it belong to the set.
   [[nodiscard]] static Nef2 polygons(const PointTable2& points,

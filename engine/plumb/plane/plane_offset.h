@@ -65,10 +65,10 @@ struct OffsetOptions {
   /// The angle of each chord of an arc in radians. If it is not 0, chord_error and circle_segments
   /// are ignored, and arcs are divided as in OpenSCAD. An arc with the angle alpha has alpha /
   /// arc_step chords, where this quotient is rounded to the nearest integer, but to at least 1.
-  /// Walk around the set with the set to the left: then the first chords of an arc have the angle
-  /// arc_step, and the last chord has the remaining angle. An isolated point becomes a regular
-  /// polygon with 2 pi / arc_step corners, rounded up. The value must be 0, or at least 2 pi /
-  /// kMostCircleSegments and at most pi.
+  /// Walk around the set with the set to the left. On this walk, the first chords of an arc have
+  /// the angle arc_step, and the last chord has the remaining angle. An isolated point becomes a
+  /// regular polygon with 2 pi / arc_step corners, rounded up. The value must be 0, or at least 2
+  /// pi / kMostCircleSegments and at most pi.
   double arc_step = 0;
 };
 

@@ -26,10 +26,10 @@
 //   preferred to triangles with the opposite orientation. Among these, a triangle of the first
 //   source in Nef3::sources() is chosen, which belongs to the first operand. Among several faces of
 //   this source, the face with the least index is chosen.
-// - A piece is flipped if its orientation is opposite to that of its source triangle. For example,
-//   this holds for the boundary of a subtracted set. The values of channels named "normal" are
-//   negated on flipped pieces. If the source has a map, these values are also transformed by the
-//   inverse transpose of the map, and keep their length.
+// - A piece is flipped if its orientation is opposite to that of its source triangle. An example is
+//   a piece of the boundary of a subtracted set. The values of channels named "normal" are negated
+//   on flipped pieces. If the source has a map, these values are also transformed by the inverse
+//   transpose of the map, and keep their length.
 // - A piece that no source triangle covers has no source. An example is a piece in the plane of a
 //   half-space. Its ids are MeshAttributes::kNone, and its numbers are 0.
 // - The weights are computed exactly from the exact point and then rounded to the nearest doubles.

@@ -12,7 +12,7 @@
 // A direction is given by a vector other than zero. The length of the vector has no meaning, so
 // coordinates never need square roots. A great circle is given by a normal. The positive side of
 // the circle is the open half-sphere that contains the normal. Walk along the circle
-// counter-clockwise about the normal: seen from outside the sphere, the positive side lies to the
+// counter-clockwise about the normal. Seen from outside the sphere, the positive side lies to the
 // left of this walk.
 //
 // Main flow of every Boolean operation:

@@ -95,9 +95,8 @@ class SurfaceMesh {
   const SurfaceTriangle& corners(FaceId f) const { return corners_[f]; }
   /// Returns corner i of the face. Requires that i < 3.
   VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f][i]); }
-  /// Whether the face was flipped. If it was flipped, the second corner in this mesh is the third
-  /// corner in the input, and the other way round. So the weights of these two corners are
-  /// exchanged, too.
+  /// Whether the face was flipped. If it was flipped, this mesh has the second and the third corner
+  /// of the input in exchanged order. So the weights of these two corners are exchanged, too.
   bool is_flipped(FaceId f) const { return is_flipped_[f] != 0; }
   /// Returns the index of the face's component. Components are in the order of the lowest face
   /// index in each component.
@@ -130,7 +129,7 @@ class SurfaceMesh {
   EdgeId edge(HalfedgeId h) const { return edge_[h]; }
   /// Returns one half-edge of the edge: the one in the face with the lower index.
   HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
-  /// Whether the half-edge starts at the vertex of its edge with the lower index.
+  /// Whether the half-edge starts at that end of its edge which has the lower vertex index.
   bool is_upward(HalfedgeId h) const { return origin(h) < target(h); }
   VertexId lower(EdgeId e) const;  ///< Returns the end with the lower index.
   VertexId upper(EdgeId e) const;  ///< Returns the end with the higher index.

@@ -75,8 +75,8 @@ struct SurfaceArrangement {
   /// The node of each entry of SurfacePolygons::point.
   std::vector<NodeId> node_of_entry;
 
-  // The face of each slot. The divided faces are numbered in ascending order of their ids; this
-  // number is called the slot of the face.
+  // The divided faces, in ascending order of their ids. The index of a face in this list is called
+  // the slot of the face.
   std::vector<FaceId> slot_face;
   IdVector<FaceId, std::uint32_t> slot_of_face;  ///< Slot of each face; kNone if it is not divided.
   /// Four entries for each divided face, in the order of slots: the first half-edge of side 0, of

@@ -82,7 +82,7 @@ class ShortestStripFinder {
   };
   struct Entry {
     double bound;
-    std::uint32_t index;  // Of a window or a seat.
+    std::uint32_t index;  // The index of a window or of a source.
     bool is_seat;
   };
   /// The length of the shortest path to a vertex that the search has found so far. The entry counts

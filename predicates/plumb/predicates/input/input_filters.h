@@ -112,7 +112,7 @@ struct Evaluation {
 };
 
 /// Returns the sign of the determinant if its magnitude exceeds the bound. Otherwise returns
-/// Unsure. If the gate does not hold, infinities and then a NaN can arise; the result for a NaN is
+/// Unsure. If the range test fails, infinities and then a NaN can arise. The result for a NaN is
 /// Unsure. A determinant whose magnitude exceeds the bound is not subnormal, so its sign bit is
 /// right.
 inline FilteredSign certify(const Evaluation& e, double error, double floor) {

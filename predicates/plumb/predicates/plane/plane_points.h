@@ -23,9 +23,9 @@ Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t>
 Rational twice_polygon_area(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
 // The points of an arrangement are numbered as follows: input point i has the index i, and crossing
-// k has the index inputs.size() + k. Such an index is called dense. A line is always given by two
-// input points, never by crossings. Therefore the degree of a predicate does not grow with the
-// number of constructions.
+// k has the index inputs.size() + k. Such an index is called a dense index. A line is always given
+// by two input points, never by crossings. Therefore the degree of a predicate does not grow with
+// the number of constructions.
 
 /// Input points, and crossings of lines through input points.
 struct PlanePoints {
