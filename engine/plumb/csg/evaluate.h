@@ -6,8 +6,8 @@
 //  2. equal nodes  numbers the nodes so that equal subtrees have equal numbers. Of several equal
 //                  subtrees, only the first one is evaluated
 //  3. regions      rewrites Booleans. Each maximal connected part of the tree that consists of
-//                  Booleans only is rewritten as a whole (base/set_tree.h). It is then evaluated
-//                  with unions and differences of many sets
+//                  Booleans only is rewritten as a whole (base/set_tree.h). The rewritten part is
+//                  then evaluated with unions and differences of many sets
 //  4. nodes        computes all other nodes from their children. These nodes are primitives
 //                  (primitives.h), maps, hulls, extrusions, slices and Minkowski sums
 //

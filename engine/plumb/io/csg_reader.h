@@ -20,7 +20,7 @@
 // is checked. A file outside this folder is refused before any of its contents are read.
 //
 // Cost: O(bytes), plus the cost of the readers of imported files. Errors have the form
-// FILE:LINE:COLUMN: message. They are:
+// FILE:LINE:COLUMN: message. The errors are:
 //   - Syntax, NotText and NumberOutOfRange for the text
 //   - BadArgument and BadIndex for parameters
 //   - UnknownFormat for nodes that are not supported, and for imports in other formats

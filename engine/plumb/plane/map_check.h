@@ -27,8 +27,9 @@
 //  5. nest_components   finds the face that contains each component. Step 2 found the edge below
 //                       the first vertex of the component. The component lies in the face above
 //                       this edge.
-//  6. settle_touching_rings  finds regions whose rings touch each other at vertices. Their faces
-//                       are not mixed. This step is taken only if step 4 found mixed faces.
+//  6. settle_touching_rings  finds regions whose rings touch each other at vertices. The faces of
+//                       these regions are not mixed. This step is taken only if step 4 found mixed
+//                       faces.
 //  7. describe_defects  describes the defects in a fixed order. A description has the exact point
 //                       of the defect and a hint for the user. To find out for the hints which
 //                       regions overlap, the step computes the arrangement of all edges

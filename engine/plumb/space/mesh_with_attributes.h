@@ -110,9 +110,10 @@ struct MeshWithAttributes {
 
 /// Returns the boundary of regularization() with the attributes of the sources of the set. The list
 /// of materials of the result consists of the materials of the first source, then those of the
-/// second source, and so on. The same holds for groups. Channels of different sources that have the
-/// same name become one channel. Its width is the greatest of their widths. Values that a source
-/// lacks are set to 1 in a channel named "color", and to 0 in all other channels.
+/// second source, and so on. The list of groups is made in the same way. Channels of different
+/// sources that have the same name become one channel. The width of this channel is the greatest of
+/// the widths of the joined channels. Values that a source lacks are set to 1 in a channel named
+/// "color", and to 0 in all other channels.
 [[nodiscard]] MeshWithAttributes mesh_with_attributes(const Nef3& set,
                                                       const AttributeOptions& options = {},
                                                       Context& context = unlimited_context());

@@ -74,8 +74,8 @@ class SurfacePointTable {
   /// Appends to the table `to` the parameters (u, v) that the point has in the face f. This
   /// function and the next two functions require is_in(p, f).
   void append_local(SurfacePointId p, FaceId f, PointTable2& to) const;
-  /// Returns the parameters (u, v) that the point has in the face f. Both have an error of at most
-  /// 2^-52.
+  /// Returns the parameters (u, v) that the point has in the face f. Both parameters have an error
+  /// of at most 2^-52.
   Point2 approx_in(SurfacePointId p, FaceId f) const;
   /// Returns the exact parameters (u, v) that the point has in the face f.
   RationalPoint2 exact_in(SurfacePointId p, FaceId f) const;

@@ -60,8 +60,8 @@ struct MapEdges {
 /// their two vertex ids. In each bucket, it finds the directed edges of the same undirected edge.
 /// Cost: O(n) for n corners, plus sorting the edges in each bucket. A MapReport does not keep the
 /// edges, because they would take 12 bytes for each corner. Instead, to_dcel() and the writer of
-/// half-edges call this function again. This takes only a small part of the time of the check. The
-/// order of MapEdges::ends depends only on the set of undirected edges.
+/// half-edges call this function again. These calls take only a small part of the time of
+/// check_map(). The order of MapEdges::ends depends only on the set of undirected edges.
 MapEdges match_twins(const Map& map);
 
 /// The connected components of the edge graph.
