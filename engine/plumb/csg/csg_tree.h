@@ -61,7 +61,7 @@ enum class CsgKind : std::uint8_t {
   RotateExtrude,
   /// A box. Four numbers: the three sizes; 1 if the box is centred at the origin, else 0.
   Cube,
-  Sphere,  ///< Four numbers: radius; division.
+  Sphere,  ///< A ball. Four numbers: the radius; the division.
   /// A cylinder or cone. Seven numbers: the height; the radii at the bottom and at the top; 1 if it
   /// is centred, else 0; the division.
   Cylinder,
@@ -72,7 +72,7 @@ enum class CsgKind : std::uint8_t {
   /// A rectangle. Three numbers: the two sizes; 1 if the rectangle is centred at the origin, else
   /// 0.
   Square,
-  Circle,  ///< Four numbers: radius; division.
+  Circle,  ///< A disk. Four numbers: the radius; the division.
   /// A set of the plane bounded by listed paths. The numbers are the coordinates of the points. The
   /// indices are as in Polyhedron, with paths instead of faces. A point belongs to the set if it
   /// lies inside an odd number of paths.

@@ -69,8 +69,8 @@ enum class CsgWork : std::uint8_t {
 
 /// A report about one node of an evaluated tree.
 struct CsgNodeReport {
-  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of its value.
-  CsgWork work = CsgWork::LeftOut;                 ///< How its value was found.
+  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of the node's value.
+  CsgWork work = CsgWork::LeftOut;                 ///< How the node's value was found.
   /// If `work` is Shared, the index of the node whose value was taken. Otherwise the index of this
   /// node.
   std::uint32_t same_as = 0;

@@ -72,7 +72,7 @@ using Colour = std::array<std::uint8_t, 3>;  ///< Red, green and blue.
 struct PaintStyle {
   Colour colour;             ///< The colour before lighting.
   std::string_view name;     ///< The name in a legend; empty if a legend omits the paint.
-  std::string_view meaning;  ///< A few words of explanation.
+  std::string_view meaning;  ///< A few words that explain the paint.
 };
 const PaintStyle& style_of(Paint paint);  ///< Returns the style of a paint.
 /// Returns a colour as a text such as "#a9c8e6".
@@ -127,7 +127,7 @@ struct Scene {
   static constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};  ///< The invalid index into patches.
 
   std::vector<Point3> points;       ///< Points within [-1, 1]^3.
-  std::vector<Patch> patches;       ///< Flat parts.
+  std::vector<Patch> patches;       ///< The flat parts of the scene.
   std::vector<Triangle> triangles;  ///< Triangles of all patches.
   std::vector<Line> lines;          ///< Edges and curves.
   std::vector<Dot> dots;            ///< Vertices and points.

@@ -104,7 +104,7 @@ enum class OwnerRule : std::uint8_t {
 
 /// Options of repair_layer().
 struct LayerRepairOptions {
-  OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners are selected.
+  OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners of regions are selected.
   /// An enclosed region that no feature covers is a gap if its width is less than this value.
   /// Otherwise it is a hole, such as a lake, and stays as it is. If there is no value, the bound
   /// for the width of a gap is D / 10000, where D is the diagonal of the bounding box of the layer.

@@ -64,7 +64,7 @@ struct Plane3 {
   Rational a;  ///< First coordinate of the normal.
   Rational b;  ///< Second coordinate of the normal.
   Rational c;  ///< Third coordinate of the normal.
-  Rational d;  ///< Offset.
+  Rational d;  ///< The constant term of the equation.
 };
 
 /// The points below a plane, together with the plane if `boundary` is Closed.

@@ -139,8 +139,8 @@ struct PlaneSlot {
 /// c_second * first - c_first * second. Here `first` and `second` stand for the coefficients that
 /// PlaneTable::coefficients() returns for the two planes.
 struct Pencil {
-  PlaneId first;     ///< One plane of the pencil.
-  PlaneId second;    ///< The other plane of the pencil.
+  PlaneId first;     ///< One of the two planes that define the pencil.
+  PlaneId second;    ///< The other of these two planes.
   Integer c_first;   ///< The value of the equation of `first` at a point or direction of the wall.
   Integer c_second;  ///< The value of the equation of `second` at the same point or direction.
 };
