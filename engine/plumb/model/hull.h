@@ -10,7 +10,7 @@
 //                     is visible from a point if the point lies strictly in front of the face. All
 //                     faces visible from the inserted point are replaced by triangles that have
 //                     this point as a corner. Each point in front of a removed face is assigned to
-//                     a new triangle, or dropped if it is not in front of any
+//                     a new triangle, or dropped if it is not in front of any new triangle
 //  3. from_mesh       joins coplanar triangles
 // Only faces that are visible from the inserted point are removed. Therefore every new triangle has
 // a positive area. All decisions depend on exact signs of determinants (input_predicates.h).

@@ -34,8 +34,8 @@ namespace plumb {
 
 // --- sets of curves ---------------------------------------------------------------------------
 
-/// A family of sets of curves that share memory. An arrangement has one such set for each edge,
-/// which contains the curves that run along the edge. The sets are persistent balanced trees
+/// A family of sets of curves that share memory. An arrangement has one such set for each edge.
+/// This set contains the curves that run along the edge. The sets are persistent balanced trees
 /// (treaps: R. Seidel, C. R. Aragon, Randomized search trees, Algorithmica 16, 1996).
 ///
 /// An id (Set) names a set. There are three forms of ids:

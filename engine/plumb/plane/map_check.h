@@ -31,9 +31,9 @@
 //                       these regions are not mixed. This step is taken only if step 4 found mixed
 //                       faces.
 //  7. describe_defects  describes the defects in a fixed order. A description has the exact point
-//                       of the defect and a hint for the user. To find out for the hints which
-//                       regions overlap, the step computes the arrangement of all edges
-//                       (check/map_claims.h).
+//                       of the defect and a hint for the user. Some hints name the regions that
+//                       overlap. To find these regions, the step computes the arrangement of all
+//                       edges (check/map_claims.h).
 //
 // Cost: O((n + k) log n) time and O(n + d) memory for n corners, k crossings and d described
 // defects.
