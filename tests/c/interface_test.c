@@ -1151,8 +1151,9 @@ static void test_attributes_of_solids(void) {
     CHECK(report.rounded_vertices == 0 && report.dropped == 0);
     check_painted(mesh, 5.25, 0.75);
     if (options.pieces == PLUMB_PIECES_SAME_FACE && options.polygons) {
-      /* The squares that nothing touches stay as they were. */
-      CHECK(plumb_mesh_corner_count(mesh) == 3 * plumb_mesh_face_count(mesh) + 3);
+      /* Three whole squares, three squares of the cut, and three squares without a quarter. */
+      CHECK(plumb_mesh_face_count(mesh) == 9);
+      CHECK(plumb_mesh_corner_count(mesh) == 3 * 4 + 3 * 4 + 3 * 6);
     }
     plumb_mesh_free(mesh);
   }

@@ -20,14 +20,14 @@ namespace plumb {
 
 /// While the object exists, arithmetic of the calling thread on long fractions throws
 /// Error{Cancelled} if a stop of `context` was requested, and Error{ResourceLimit} if its time
-/// limit is exceeded. This holds for the operations of plumb, for the threads that these operations
-/// start, and for fractions that the caller adds, multiplies or compares. Watches of one thread
-/// must be destroyed in the reverse order of their construction.
+/// limit is exceeded. Such errors can come from the operations of plumb, from the threads that
+/// these operations start, and from fractions that the caller adds, multiplies or compares. Watches
+/// of one thread must be destroyed in the reverse order of their construction.
 class ArithmeticWatch {
  public:
   /// Requires that the context outlives the watch.
   explicit ArithmeticWatch(const Context& context);
-  /// Restores the watch that was active before.
+  /// Restores the watch that was active before this watch was constructed.
   ~ArithmeticWatch();
   ArithmeticWatch(const ArithmeticWatch&) = delete;
   ArithmeticWatch& operator=(const ArithmeticWatch&) = delete;
@@ -36,7 +36,7 @@ class ArithmeticWatch {
   static bool is_active();
 
  private:
-  // The check that was active before, and its argument.
+  // The check that was active before this watch was constructed, and the argument of this check.
   void (*check_before_)(const void*);
   const void* context_before_;
 };

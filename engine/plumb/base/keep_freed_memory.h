@@ -14,11 +14,12 @@ void keep_freed_memory();
 
 /// Reserves 64 MB of memory for later calls of malloc. If the system grants huge pages on request,
 /// the function requests them for this memory. The first access to a page interrupts the program.
-/// One page of 2 MB causes one interrupt, whereas 512 small pages cause 512 interrupts. With this
-/// setting, the first union of two fandisk meshes with 12,946 triangles takes 0.9 times as long as
-/// without this setting. Requires that keep_freed_memory() was called before. Otherwise malloc
-/// would release the reserved memory. The function reserves nothing if malloc still has more than 1
-/// MB of free memory, or if the process may use less than 1 GB of address space.
+/// If 2 MB of memory are one huge page, there is one such interrupt. If they are 512 small pages,
+/// there are 512. With this setting, the first union of two fandisk meshes with 12,946 triangles
+/// takes 0.9 times as long as without this setting. Requires that keep_freed_memory() was called
+/// before. Otherwise malloc would release the reserved memory. The function reserves nothing if
+/// malloc still has more than 1 MB of free memory, or if the process may use less than 1 GB of
+/// address space.
 void use_huge_pages();
 
 }  // namespace plumb

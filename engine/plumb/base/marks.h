@@ -73,7 +73,7 @@ class MarkTable {
     return table;
   }
 
-  /// Returns the value for two marks.
+  /// Returns the value of the extended function for two marks.
   constexpr Mark operator()(Mark first, Mark second) const { return table_[first * 3U + second]; }
 
  private:

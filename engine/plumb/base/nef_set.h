@@ -91,8 +91,8 @@ template <NefSet Set>
                                     Context& context = unlimited_context()) {
   return boolean_op(a, b, kUnion, context).regularization(context);
 }
-/// Returns the closure of the interior of the intersection. The result is empty for sets that only
-/// touch.
+/// Returns the closure of the interior of the intersection. The result is empty if the two sets
+/// only touch each other.
 template <NefSet Set>
 [[nodiscard]] Set regularized_intersection(const Set& a, const Set& b,
                                            Context& context = unlimited_context()) {

@@ -16,8 +16,8 @@
 //  3. evaluate_tree() calls functions that compute the union, the intersection or the difference of
 //                     many sets. Each of these functions can choose the order in which it combines
 //                     the sets (an example is union_of() in nef3.h)
-// All rewriting steps are identities of Boolean algebra. So the value is exactly the value of the
-// expression from left to right, for every class of sets.
+// All rewriting steps are identities of Boolean algebra. So the tree has exactly the value of the
+// original expression, for every class of sets.
 //
 // Cost: O(n) for n operators, plus the cost of the operations on sets. No function recurses, so
 // expressions may be nested to any depth.

@@ -23,8 +23,8 @@
 // Numbers. The plane of each cut contains an edge of the set. In addition, either the plane passes
 // through a vertex of the set, or its equation is an integer combination of the equations of the
 // two facet planes at the edge. No plane is defined by a point that an earlier cut constructed. So
-// the lengths of the numbers in cuts do not grow with the depth of the recursion. Walls are made in
-// rounds (walls.h), and the lengths of the numbers in walls grow with the number of rounds. More
+// the lengths of the numbers in cuts do not grow if parts are cut again and again. Walls are made
+// in rounds (walls.h), and the lengths of the numbers in walls grow with the number of rounds. More
 // than one round is needed only if some vertical line meets one cell in several segments. The
 // equation of the plane of a later wall is a combination of the equations of two earlier walls.
 //
@@ -89,7 +89,7 @@ struct ConvexPieces {
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options = {},
                        Context& context = unlimited_context());
 
-/// Whether the facet lies on a cut but not in a facet of the set. O(1).
+/// Whether facet `f` of a piece lies on a cut but not in a facet of the decomposed set. O(1).
 inline bool is_wall(const SpaceComplex& piece, FacetId f) {
   return piece.facet_origin[f] == kWallOrigin;
 }

@@ -10,16 +10,17 @@
 //             other marked cells must lie on the boundary of f, so that S contains f and is
 //             contained in the closure of f
 //  2. sides   checks the sides of f. A side of f can consist of several edges and vertices on one
-//             line. Those of them that are marked must be consecutive, because S must contain the
-//             segment between any two of its points on this side
+//             line. The marked ones among these edges and vertices must be consecutive, because S
+//             must contain the segment between any two of its points on this side
 //  3. none    examines a set without a marked face. Two marked edges on different lines span a
 //             triangle that is not in S. Two marked edges on the same line would be a single edge
 //             if S were convex. So S is convex in three cases only: S is empty, S is one point, or
 //             S is one edge. Each end of this edge may or may not belong to S
 //
 // The convexity test in space uses the same argument in each plane. The evidence consists of the
-// reflex corners and the number of connected components. Cost: O(n). Proof: docs/design/walls.md.
-// Source: H. Tietze, Über Konvexheit im kleinen und im großen, Mathematische Zeitschrift 28
+// reflex corners and the number of connected components. Cost: O(n) for n cells. Proof:
+// docs/design/walls.md. Source: H. Tietze, Über Konvexheit im kleinen und im großen, Mathematische
+// Zeitschrift 28
 // (1928).
 #pragma once
 

@@ -26,15 +26,15 @@
 // Then p lies in v + B, and the copy adds 1 to the winding number at p. With these copies, the
 // winding number is positive exactly at the points p for which A meets p - B.
 //
-// Cost: let the closed operands have n and m vertices, and let one of them consist of k convex
-// pieces. The convolution with one piece has at most n (1 + m) segments. If the border of the other
-// operand has few reflex corners, the convolution has about n + m segments. The sweep over a
-// convolution with s segments and c crossings takes O((s + c) log s). For operands that are not
-// closed, the number of sums is the product of the numbers of cells of the two operands. Numbers:
-// each vertex of the result is a sum of two vertices, or a crossing of two lines through such sums.
-// Sources: L. Guibas, L. Ramshaw, J. Stolfi, A kinetic framework for computational geometry, FOCS
-// 1983, 100-111; R. Wein, Exact and efficient construction of planar Minkowski sums using the
-// convolution method, ESA 2006, LNCS 4168, 829-840.
+// Cost: let the closed operands have n and m vertices, and let one of them be split into k convex
+// pieces. The convolution of one piece with the other operand has at most n (1 + m) segments. If
+// the border of the other operand has few reflex corners, the convolution has about n + m segments.
+// The sweep over a convolution with s segments and c crossings takes O((s + c) log s). For operands
+// that are not closed, the number of sums is the product of the numbers of cells of the two
+// operands. Numbers: each vertex of the result is a sum of two vertices, or a crossing of two lines
+// through such sums. Sources: L. Guibas, L. Ramshaw, J. Stolfi, A kinetic framework for
+// computational geometry, FOCS 1983, 100-111; R. Wein, Exact and efficient construction of planar
+// Minkowski sums using the convolution method, ESA 2006, LNCS 4168, 829-840.
 #pragma once
 
 #include "plumb/base/context.h"

@@ -11,8 +11,8 @@
 //                  reflex corner needs (Hertel and Mehlhorn)
 //       optimal    (optimal_cuts.h) finds the fewest parts that diagonals between vertices can
 //                  make, by a dynamic program
-//  3. pieces    (region_cuts.h) takes the region inside each remaining loop, and makes a set from
-//               this region and the boundary cells assigned to it
+//  3. pieces    (region_cuts.h) takes each region that the boundary and the added edges now
+//               enclose, and makes a set from this region and the boundary cells assigned to it
 // Then each marked edge or vertex that is not on the boundary of a marked face becomes a separate
 // part.
 //
@@ -35,11 +35,11 @@
 // are no holes, the two bounds differ by a factor of at most 2. Method diagonals makes at most 2 r
 // + 1 - h parts. The proofs are in docs/convex.md.
 //
-// Cost: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal. Method diagonals constructs
-// no points. Method cuts constructs only points that are intersections of two lines of the set.
-// Sources: S. Hertel and K. Mehlhorn, Fast triangulation of simple polygons, FCT 1983; M. Keil and
-// J. Snoeyink, On the time bound for convex decomposition of simple polygons, International Journal
-// of Computational Geometry and Applications 12 (2002) 181-192.
+// Cost for a face with n corners: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal.
+// Method diagonals constructs no points. Method cuts constructs only points that are intersections
+// of two lines of the set. Sources: S. Hertel and K. Mehlhorn, Fast triangulation of simple
+// polygons, FCT 1983; M. Keil and J. Snoeyink, On the time bound for convex decomposition of simple
+// polygons, International Journal of Computational Geometry and Applications 12 (2002) 181-192.
 #pragma once
 
 #include <cstddef>

@@ -5,9 +5,10 @@
 // Let s be the common side of two triangles. The side s is locally Delaunay if the circle through
 // the corners of one triangle does not contain the corner of the other triangle that is opposite to
 // s. Every common side is locally Delaunay, except sides that are edges of the set. Therefore the
-// smallest angle is as large as in any triangulation with the same corners and edges. If four or
-// more points lie on an empty circle, several triangulations have this property. The function
-// chooses the diagonals that end at the point with the lowest index, so the result is unique.
+// smallest angle of all triangles is at least as large as in any other triangulation with the same
+// corners and edges. If four or more points lie on a circle with no point inside, several
+// triangulations have these properties. The function then chooses the diagonals that end at the
+// point with the lowest index, so the result is unique.
 //
 // Main flow of delaunay():
 //  1. edges          lists the edges of the set, directed so that the set lies to their left. For
@@ -16,9 +17,10 @@
 //  3. make_delaunay  flips sides until every side that is not an edge of the set is locally
 //                    Delaunay
 //
-// Cost: the sweep takes O(n log n). The number of flips is O(n^2) in the worst case, and usually
-// O(n). Sources: B. Delaunay, Sur la sphere vide, 1934; C. L. Lawson, Software for C1 surface
-// interpolation, 1977; L. P. Chew, Constrained Delaunay triangulations, Algorithmica 4 (1989).
+// Cost: the sweep over n points takes O(n log n). The number of flips is O(n^2) in the worst case,
+// and usually O(n). Sources: B. Delaunay, Sur la sphere vide, 1934; C. L. Lawson, Software for C1
+// surface interpolation, 1977; L. P. Chew, Constrained Delaunay triangulations, Algorithmica 4
+// (1989).
 #pragma once
 
 #include <array>

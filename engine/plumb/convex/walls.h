@@ -36,12 +36,12 @@
 // wall could reach to infinity. Unbounded volumes are cut by planes instead, as in the first method
 // of decompose().
 //
-// Cost: O((n + c) log(n + c)), where c is the number of intersections of walls with each other and
-// with the set. In addition, each reflex edge is tested against every facet whose vertical
-// projection is near the projection of the edge. Proofs: docs/design/walls.md. Sources: P.
-// Hachenberger, Exact Minkowski sums of polyhedra and exact and efficient decomposition of
-// polyhedra into convex pieces, Algorithmica 55 (2009) 329-345; B. Chazelle, Convex partitions of
-// polyhedra, SIAM Journal on Computing 13 (1984).
+// Cost: O((n + c) log(n + c)), where n is the number of cells of the set, and c is the number of
+// intersections of walls with each other and with the set. In addition, each reflex edge is tested
+// against every facet whose vertical projection is near the projection of the edge. Proofs:
+// docs/design/walls.md. Sources: P. Hachenberger, Exact Minkowski sums of polyhedra and exact and
+// efficient decomposition of polyhedra into convex pieces, Algorithmica 55 (2009) 329-345; B.
+// Chazelle, Convex partitions of polyhedra, SIAM Journal on Computing 13 (1984).
 #pragma once
 
 #include <array>
@@ -64,11 +64,11 @@ namespace plumb {
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options = {},
                                 Context& context = unlimited_context());
 
-/// Cuts one bounded volume by walls and merges neighbours. Returns the convex parts if there are
-/// fewer than `most` parts. Otherwise returns an empty list. If more than 32 edges are reflex,
-/// choose_vertical() first estimates the number of parts. If the estimate is too large, the
-/// function returns an empty list without cutting. The estimate takes O(r^2) steps for r reflex
-/// edges. Throws what the context throws.
+/// Cuts one bounded volume by walls, and merges neighbouring parts whose union is convex. Returns
+/// the convex parts if there are fewer than `most` parts. Otherwise returns an empty list. If more
+/// than 32 edges are reflex, choose_vertical() first estimates the number of parts. If the estimate
+/// is too large, the function returns an empty list without cutting. The estimate takes O(r^2)
+/// steps for r reflex edges. Throws what the context throws.
 std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most,
                                         Context& context = unlimited_context());
 

@@ -42,9 +42,9 @@ enum class CsgKind : std::uint8_t {
   Minkowski,     ///< The Minkowski sum of all children.
   Multmatrix,    ///< The image of the union of the children. Twelve numbers: three rows of a map.
   /// The union of the children, scaled along the axes. Six numbers. The first three are the sizes
-  /// of the result along the axes; 0 means that no size is given. The last three belong to the
-  /// axes, too. They matter only for an axis without a size: 1 means that its factor is the
-  /// greatest factor of the other axes, and 0 means that its factor is 1.
+  /// of the result along the axes; 0 means that no size is given. The last three state the factor
+  /// of each axis without a size: 1 stands for the greatest factor of the other axes, and 0 stands
+  /// for the factor 1.
   Resize,
   /// The union of the children, grown by a distance. Five numbers: the distance; 0 for round joins,
   /// 1 for mitres, or 2 for square joins; the division.
@@ -61,7 +61,7 @@ enum class CsgKind : std::uint8_t {
   RotateExtrude,
   /// A box. Four numbers: the three sizes; 1 if the box is centred at the origin, else 0.
   Cube,
-  Sphere,  ///< Four numbers: radius; division.
+  Sphere,  ///< A ball. Four numbers: the radius; the division.
   /// A cylinder or cone. Seven numbers: the height; the radii at the bottom and at the top; 1 if it
   /// is centred, else 0; the division.
   Cylinder,
@@ -72,7 +72,7 @@ enum class CsgKind : std::uint8_t {
   /// A rectangle. Three numbers: the two sizes; 1 if the rectangle is centred at the origin, else
   /// 0.
   Square,
-  Circle,  ///< Four numbers: radius; division.
+  Circle,  ///< A disk. Four numbers: the radius; the division.
   /// A set of the plane bounded by listed paths. The numbers are the coordinates of the points. The
   /// indices are as in Polyhedron, with paths instead of faces. A point belongs to the set if it
   /// lies inside an odd number of paths.

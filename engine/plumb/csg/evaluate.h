@@ -6,8 +6,8 @@
 //  2. equal nodes  numbers the nodes so that equal subtrees have equal numbers. Of several equal
 //                  subtrees, only the first one is evaluated
 //  3. regions      rewrites Booleans. Each maximal connected part of the tree that consists of
-//                  Booleans only is rewritten as a whole (base/set_tree.h). It is then evaluated
-//                  with unions and differences of many sets
+//                  Booleans only is rewritten as a whole (base/set_tree.h). The rewritten part is
+//                  then evaluated with unions and differences of many sets
 //  4. nodes        computes all other nodes from their children. These nodes are primitives
 //                  (primitives.h), maps, hulls, extrusions, slices and Minkowski sums
 //
@@ -17,20 +17,20 @@
 // computed exactly. Twisted, scaled and rotational extrusions have corners that are rounded to
 // doubles.
 //
-// The following rules are those of OpenSCAD. A node that is neither a Boolean nor a hull or sum
-// operates on the union of its children. A node without geometry below it has the value "nothing".
-// The first child whose value is not "nothing" decides whether a node is a set of the plane or of
-// space. Children of the other dimension are left out, and a note reports this. The value of a
-// difference is "nothing" if the value of its first child is "nothing". The value of an
+// The following rules are those of OpenSCAD. A node that is neither a Boolean nor a hull nor a
+// Minkowski sum operates on the union of its children. A node without geometry below it has the
+// value "nothing". The first child whose value is not "nothing" decides whether a node is a set of
+// the plane or of space. Children of the other dimension are left out, and a note reports this. The
+// value of a difference is "nothing" if the value of its first child is "nothing". The value of an
 // intersection is "nothing" if the value of any child is "nothing". Hulls and sums ignore children
 // with the value "nothing". The value of a map with a singular matrix is "nothing", and a note
 // reports this.
 //
 // Colours. The colours of a set of space are stored in its sources (source_mesh.h), as materials of
-// faces. The faces are those of primitives, extrusions, hulls and sums. If colours are nested, the
-// outermost colour is used. This colour also replaces the colours of imported files. A hull, a sum
-// or an extrusion does not keep the colours of its children, and a note reports this. Sets of the
-// plane have no colours. Colours never change the set.
+// faces. The faces come from primitives, extrusions, hulls and Minkowski sums. If colours are
+// nested, the outermost colour is used. This colour also replaces the colours of imported files. A
+// hull, a sum or an extrusion does not keep the colours of its children, and a note reports this.
+// Sets of the plane have no colours. Colours never change the set.
 //
 // Cost: the sum of the costs of all operations. Errors: Error{BadArgument}, Error{NotFinite},
 // Error{ResourceLimit}, OpenMesh and the other errors of the operations. If the tree states lines
@@ -69,8 +69,8 @@ enum class CsgWork : std::uint8_t {
 
 /// A report about one node of an evaluated tree.
 struct CsgNodeReport {
-  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of its value.
-  CsgWork work = CsgWork::LeftOut;                 ///< How its value was found.
+  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of the node's value.
+  CsgWork work = CsgWork::LeftOut;                 ///< How the node's value was found.
   /// If `work` is Shared, the index of the node whose value was taken. Otherwise the index of this
   /// node.
   std::uint32_t same_as = 0;

@@ -35,9 +35,10 @@
 //
 // Removed cells leave holes in the numbering until compact() is called. The ids of all cells that
 // are not removed stay valid. A new cell gets the next id after all ids of its kind. So the owner
-// adds an entry to its parallel array by push_back. All operations take O(1) time unless stated
-// otherwise. If an operator finds that a precondition is violated, the operator reports a broken
-// invariant (PLUMB_CHECK in error.h).
+// can append the entry of the new cell to its parallel array by push_back. All operations take O(1)
+// time unless stated otherwise. In the comments on costs, n is the number of half-edges, vertices
+// and faces together. If an operator finds that a precondition is violated, the operator reports a
+// broken invariant (PLUMB_CHECK in error.h).
 //
 // The half-edges that leave a vertex form a ring in counter-clockwise order. A pinch is a vertex
 // whose half-edges form several rings. A pinch arises if listed cycles touch at a vertex without
@@ -338,7 +339,7 @@ class Dcel {
   /// Removes a face. Requires that the face has no loops.
   void remove_face(FaceId f);
 
-  /// Adds an isolated vertex with a new loop of f, and returns the vertex.
+  /// Adds an isolated vertex to face f, together with its loop, and returns the vertex.
   VertexId add_vertex(FaceId f);
   /// Removes a vertex and its loop. Requires that the vertex is isolated.
   void remove_vertex(VertexId v);

@@ -20,10 +20,10 @@
 //
 // Imports: a model can name other files, which are then imported. By default, an imported file must
 // lie in the folder of the model or in a folder below it. Symbolic links are resolved before this
-// is checked. A file that lies elsewhere is refused before any of its contents are read.
+// is checked. A file outside this folder is refused before any of its contents are read.
 //
 // Cost: O(bytes), plus the cost of the readers of imported files. Errors have the form
-// FILE:LINE:COLUMN: message. They are:
+// FILE:LINE:COLUMN: message. The errors are:
 //   - Syntax, NotText and NumberOutOfRange for the text
 //   - BadArgument and BadIndex for parameters
 //   - UnknownFormat for nodes that are not supported, and for imports in other formats, and for

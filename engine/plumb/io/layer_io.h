@@ -4,8 +4,8 @@
 //
 // Main flow of read_layer():
 //  1. JsonValues     lists the JSON values of the text. If the input is a sequence of JSON texts,
-//                    the step does so for each text. The texts of a sequence are separated as in
-//                    RFC 8142, or stand on separate lines
+//                    the step lists the values of each text. The texts of a sequence are separated
+//                    as in RFC 8142, or stand on separate lines
 //  2. LayerReader    reads the features of a GeoJSON text, or the arcs and geometries of one object
 //                    of a TopoJSON text. The texts of ids and properties are kept unchanged
 //
@@ -35,7 +35,7 @@ namespace plumb {
 /// Options of reading a layer.
 struct LayerReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
-  /// The name of the object of a TopoJSON file that is read. If the name is empty, the first object
+  /// In a TopoJSON file: the name of the object to be read. If the name is empty, the first object
   /// is read.
   std::string object;
 };

@@ -35,8 +35,8 @@ struct FeatureGroups {
   std::size_t count = 0;             ///< The number of groups.
 };
 
-/// Returns groups such that two features are in the same group if they have the same value of
-/// `property`. All features that lack the property form one group. Throws Error{BadArgument} if
+/// Returns groups such that two features are in the same group exactly if they have the same value
+/// of `property`. All features that lack the property form one group. Throws Error{BadArgument} if
 /// there are features and none of them has the property.
 FeatureGroups group_features(const Layer& layer, const std::string& property,
                              Context& context = unlimited_context());
@@ -67,8 +67,8 @@ Layer with_group_properties(Layer shapes, const Layer& layer, const FeatureGroup
 /// layer and a feature of the second layer, and gets the properties of both. If both layers have a
 /// property called NAME, the two properties are renamed to NAME_1 and NAME_2. The ids of the two
 /// features become the properties id_1 and id_2. If the overlay has areas, the double nearest to
-/// the exact area becomes the property area. If one of these names is taken already, underscores
-/// are appended to it.
+/// the exact area becomes the property area. If a new name is already the name of another property,
+/// underscores are appended to the new name.
 Layer with_pair_properties(LayerOverlay overlay, const Layer& first, const Layer& second,
                            Context& context = unlimited_context());
 

@@ -48,7 +48,7 @@ Map read_map_file(const std::string& path, ReadOptions options = {},
 /// ring of polygon k, counter-clockwise. After all outer rings come the holes of all polygons,
 /// clockwise. A ring that runs in the other direction is reversed. Lines and single points are left
 /// out. A hole with fewer than three different corners is left out. Throws Error{DegenerateFace} if
-/// an outer ring has fewer than three different corners. Cost: O(n log n).
+/// an outer ring has fewer than three different corners. Cost: O(n log n) for n corners.
 Map map_of_polygons(const PlaneShapes& shapes, Context& context = unlimited_context());
 
 /// The result of read_map_or_polygons().

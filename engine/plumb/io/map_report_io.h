@@ -27,12 +27,12 @@ std::string_view name_of(WarningKind kind);
 /// Writes the report as text. For a valid map, the text is the DCEL listing (docs/formats.md, "DCEL
 /// listing"). Half-edge k of this listing belongs to the k-th corner of the listed cycles. For any
 /// other map, the text consists of the headline (see headline()) and one line for each described
-/// defect. Cost: O(n).
+/// defect. Cost: O(n) for n corners of the map.
 void write_map_report_text(std::ostream& out, const MapReport& report);
 
 /// Writes the report as one line of JSON, followed by a line break. Exact coordinates are written
 /// as strings "p/q". The JSON text is written piece by piece, so the function needs the same memory
-/// for every size of the report. Cost: O(n).
+/// for every size of the report. Cost: O(n) for n corners of the map.
 void write_map_report_json(std::ostream& out, const MapReport& report);
 
 /// Writes the defects as a GeoJSON FeatureCollection. The collection has one feature for each

@@ -155,8 +155,9 @@ void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                      std::optional<MeshFormat> format = {});
 
 /// Writes a PolygonMesh with attributes to a file, as write_mesh() does. If the format is Obj and
-/// there are materials, the file `path` with the extension .mtl gets the material library. The
-/// format, the replacement of the files, and the errors are the same as for the functions above.
+/// there are materials, the material library is written to a second file. Its path is `path` with
+/// the extension replaced by .mtl. The format, the replacement of the files, and the errors are the
+/// same as for the functions above.
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      const MeshAttributes& attributes, std::optional<MeshFormat> format = {});
 

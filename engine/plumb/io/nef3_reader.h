@@ -13,7 +13,7 @@
 // lie where they should, or that edges leave a vertex in the right order. The audit (space_audit.h)
 // checks all invariants.
 //
-// Cost: O(n).
+// Cost: O(n) for n bytes.
 //
 // Errors of steps 1 and 2 name the file, line and column. These errors are:
 //   - NotText, Syntax, NumberOutOfRange, CountMismatch, BadIndex and ResourceLimit

@@ -20,7 +20,8 @@ namespace plumb {
 /// Within each of these groups, planes or points keep the order of their ids. The output is
 /// deterministic: equal complexes whose tables of planes and points are equal give equal bytes. The
 /// writer calls Context::checkpoint() after each 64 kB. Exceptions of `out` reach the caller. Cost:
-/// O(n), plus the computation of one greatest common divisor for each plane.
+/// O(n) for n cells, planes and points, plus the computation of one greatest common divisor for
+/// each plane.
 void write_nef3(std::ostream& out, const SpaceComplex& complex,
                 Context& context = unlimited_context());
 

@@ -188,7 +188,7 @@ struct PlaneLosses {
 
   /// Whether rounding changes the shape of the set.
   bool is_reshaped() const { return plumb::is_reshaped(rounding, options); }
-  /// Whether anything is lost.
+  /// Whether the written file loses any property of the set.
   bool any() const { return unbounded || open || thin || is_reshaped(); }
   /// Returns a sentence for a human reader, which states that the closure was written instead of
   /// the set. Returns an empty string if the set is closed. This sentence is not among sentences(),

@@ -38,7 +38,7 @@ struct ReadOptions {
   /// is rounded to the nearest double.
   bool exact_decimals = false;
   NamedFiles named_files = NamedFiles::Below;  ///< Which other files the file may name.
-  /// The rule for polygons of the plane. All other contents ignore it.
+  /// The rule for polygons of the plane. For all other contents of files, the rule has no effect.
   RingRule rings = RingRule::Odd;
   /// The largest allowed distance of a curve from the chords that replace it, in the unit of the
   /// result. It is used for drawings (SVG, DXF) that are read as sets of the plane. Requires a

@@ -24,9 +24,9 @@
 //                trace is straight. If "paths" is "shortest", traces are shortest paths.
 //  5. draw       reads the drawings with svg_reader.h. The member "svg" is one drawing or a list of
 //                drawings. Each point of a drawing is put onto the surface along a straight line
-//                that starts at the member "center" (exponential_map.h). Traces join consecutive
-//                points of a drawing. Each element of a drawing becomes a shape. These shapes are
-//                numbered after the member "shapes".
+//                that starts at the point given by the member "center" (exponential_map.h). Traces
+//                join consecutive points of a drawing. Each element of a drawing becomes a shape.
+//                These shapes are numbered after the member "shapes".
 //
 // Exact decisions: the exact values of the written numbers decide where a point lies, even if the
 // numbers are decimals. For example, [f, 0.3, 0.7] lies on an edge of face f, because
@@ -85,7 +85,7 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options = {},
 
 /// Returns the surface of a mesh in which each polygon is cut into a fan of triangles. The
 /// triangles are in the order of the polygons. Throws the errors of the constructor of SurfaceMesh.
-/// Cost: O(n).
+/// Cost: O(n) for n corners of polygons.
 SurfaceMesh fanned_surface(const PolygonMesh& mesh);
 
 }  // namespace plumb

@@ -2,9 +2,9 @@
 // square of the distance, a pair of nearest points, and the cells that contain these points.
 //
 // The distance between two sets is the distance between their closures. So it does not matter
-// whether the sets contain their boundaries: two sets that touch have the distance 0, even if they
-// have no common point. The coordinates of sets are rational. Therefore the square of a distance is
-// rational, and there are nearest points with rational coordinates.
+// whether the sets contain their boundaries. For example, two sets that touch each other have the
+// distance 0, even if they have no common point. The coordinates of sets are rational. Therefore
+// the square of a distance is rational, and there are nearest points with rational coordinates.
 //
 // Main flow of distance():
 //  1. clip       replaces an unbounded set by its part in a box around the other set. The box is
@@ -16,15 +16,16 @@
 //                candidates are compared exactly
 //  3. contained  looks for a set that lies inside the other one. If the boundaries do not meet, the
 //                distance is 0 only if a connected part of one boundary lies in the other set. To
-//                find out, the step locates one vertex of each such part in the other set. It omits
-//                parts whose boxes already show that they lie outside
+//                find out, the step takes one vertex of each connected part of each boundary, and
+//                locates this vertex in the other set. It omits parts whose boxes already show that
+//                they lie outside the other set
 //
-// Cost: building the trees takes O(n log n). The search usually takes O(log n). For two balls of
-// 20,480 triangles, the function takes some 10 ms. If the lower bound of a pair of triangles is not
-// greater than the distance, the pair is compared exactly, which takes about 10 us. There are many
-// such pairs if many facets of the sets are parallel and equally far apart. Errors:
-// Error{BadArgument} if a set is empty, or if both sets are unbounded. Functions also throw what
-// the context throws.
+// Cost: building the trees takes O(n log n) for n cells of both sets. The search usually takes
+// O(log n). For two balls of 20,480 triangles, the function takes some 10 ms. A pair of triangles
+// is compared exactly, in about 10 us, if the lower bound for the distance between the triangles is
+// not greater than the distance between the sets. There are many such pairs if many facets of the
+// sets are parallel and equally far apart. Errors: Error{BadArgument} if a set is empty, or if both
+// sets are unbounded. Functions also throw what the context throws.
 #pragma once
 
 #include <memory>
@@ -41,7 +42,7 @@ namespace plumb {
 struct SpaceDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint3 at_a;  ///< A point of the closure of A.
-  RationalPoint3 at_b;  ///< A point of the closure of B; the distance of the two is least.
+  RationalPoint3 at_b;  ///< A point of the closure of B, at the least distance from `at_a`.
   /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a volume.
   SpaceLocation cell_a;
   SpaceLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
@@ -51,7 +52,7 @@ struct SpaceDistance {
 struct PlaneDistance {
   Rational squared;     ///< The square of the distance; 0 if the closures meet.
   RationalPoint2 at_a;  ///< A point of the closure of A.
-  RationalPoint2 at_b;  ///< A point of the closure of B; the distance of the two is least.
+  RationalPoint2 at_b;  ///< A point of the closure of B, at the least distance from `at_a`.
   /// The cell of the complex of A that contains `at_a`. If the distance is 0, this may be a face.
   PlaneLocation cell_a;
   PlaneLocation cell_b;  ///< The cell of the complex of B that contains `at_b`.
@@ -80,7 +81,7 @@ struct PlaneDistance {
 class DistanceIndex {
  public:
   /// Builds the tree of the set. Throws Error{BadArgument} if the set is empty or unbounded. O(n
-  /// log n).
+  /// log n) for n cells.
   explicit DistanceIndex(const Nef3& set, Context& context = unlimited_context());
   DistanceIndex(const DistanceIndex&);             ///< Copies share the tree.
   DistanceIndex& operator=(const DistanceIndex&);  ///< Copies share the tree.

@@ -10,14 +10,14 @@
 //                     is visible from a point if the point lies strictly in front of the face. All
 //                     faces visible from the inserted point are replaced by triangles that have
 //                     this point as a corner. Each point in front of a removed face is assigned to
-//                     a new triangle, or dropped if it is not in front of any
+//                     a new triangle, or dropped if it is not in front of any new triangle
 //  3. from_mesh       joins coplanar triangles
 // Only faces that are visible from the inserted point are removed. Therefore every new triangle has
 // a positive area. All decisions depend on exact signs of determinants (input_predicates.h).
 //
-// Cost: in space, O(n log n) for usual input and O(n^2) in the worst case. In the plane, O(n log
-// n). Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for convex hulls,
-// ACM Transactions on Mathematical Software 22 (1996) 469-483.
+// Cost for n points: in space, O(n log n) for usual input and O(n^2) in the worst case. In the
+// plane, O(n log n). Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, The Quickhull algorithm for
+// convex hulls, ACM Transactions on Mathematical Software 22 (1996) 469-483.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // Computes sets of the plane from sets of space: slices of a set at a given height, and the shadow
-// of a set, which is its projection along the z-axis. Both are exact.
+// of a set, which is its projection along the z-axis. Slices and shadows are exact.
 //
 // Main flow of slice(): a Boolean intersects the set with the plane at the given height. The result
 // is a flat set of space. Its cells become the cells of a subdivision of the plane and keep their

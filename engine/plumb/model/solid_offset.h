@@ -7,13 +7,13 @@
 // around the origin with radius |distance|, except that their coordinates are rounded to doubles.
 // The distance of each facet of P from the origin is at least inner_radius(rounds) * |distance|.
 // With this polyhedron, the result is computed exactly:
-//   distance > 0   The result is the Minkowski sum of P and the closure of the set. It lies in the
-//                  offset with an exact ball of radius `distance`. It contains the offset with an
-//                  exact ball of radius inner_radius(rounds) * distance
+//   distance > 0   The result is the Minkowski sum of P and the closure of the set. The result lies
+//                  in the offset of the set with an exact ball of radius `distance`. The result
+//                  contains the offset with an exact ball of radius inner_radius(rounds) * distance
 //   distance < 0   The result is the erosion of the closure by P, that is, the set of all points p
-//                  for which P, translated by p, lies in the closure. It contains the erosion by an
-//                  exact ball of radius |distance|. It lies in the erosion by an exact ball of
-//                  radius inner_radius(rounds) * |distance|
+//                  for which P, translated by p, lies in the closure. The result contains the
+//                  erosion by an exact ball of radius |distance|. The result lies in the erosion by
+//                  an exact ball of radius inner_radius(rounds) * |distance|
 //   distance = 0   The result is the closure of the set
 // So the result lies between two exact offsets whose distances differ by (1 - inner_radius(rounds))
 // * |distance|.

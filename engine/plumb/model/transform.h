@@ -38,14 +38,14 @@ struct BoundingBox3 {
 };
 
 /// Returns the bounding box of the closure of a set, or nullopt if the set is empty. Throws
-/// Error{BadArgument} if the set is unbounded. O(n).
+/// Error{BadArgument} if the set is unbounded. O(n) for n vertices.
 [[nodiscard]] std::optional<BoundingBox3> bounding_box(const Nef3& set);
 
 /// Returns the scaling about the origin that scales `box` to the given size. Along an axis whose
 /// entry in `size` is 0, the factor is 1. If the entry of this axis in `is_automatic` is true, the
 /// factor is instead the greatest factor of the other axes. Throws Error{BadArgument} if a size is
-/// negative. Also throws Error{BadArgument} if a size is positive but the box has the length 0
-/// along this axis.
+/// negative. Also throws Error{BadArgument} if the size along an axis is positive, but the box has
+/// the length 0 along this axis.
 [[nodiscard]] AffineMap3 resizing(const BoundingBox3& box, const std::array<Rational, 3>& size,
                                   const std::array<bool, 3>& is_automatic = {});
 

@@ -21,10 +21,10 @@ struct LayerSvgOptions {
   std::size_t max_close_ups = 200;  ///< The largest number of close-ups in the HTML file.
 };
 
-/// Writes the picture of a layer and of the overlaps, gaps and holes that its report lists. Those
+/// Writes the picture of a layer and of the overlaps, gaps and holes that its report lists. Regions
 /// that are too small to be seen are marked by circles. The file takes at most 20 MB. If features
-/// are left out for this reason, a note in the picture says so. The output is deterministic. Cost:
-/// O(n) for n corners. Exceptions of `out` reach the caller.
+/// are left out to stay below this size, a note in the picture says so. The output is
+/// deterministic. Cost: O(n) for n corners. Exceptions of `out` reach the caller.
 void write_layer_svg(std::ostream& out, const Layer& layer, const LayerReport& report,
                      const LayerSvgOptions& options = {});
 

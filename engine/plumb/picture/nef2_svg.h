@@ -36,9 +36,9 @@ struct Nef2SvgOptions {
 };
 
 /// Writes the picture of a set. The set may have any exact coordinates and any number of faces. The
-/// file is always smaller than 20 MB. If parts of the set are left out for this reason, the picture
-/// names these parts. The output is deterministic. Cost: O(n log n). Exceptions of `out` and of
-/// the Context reach the caller.
+/// file is always smaller than 20 MB. If parts of the set are left out to stay below this size, the
+/// picture names these parts. The output is deterministic. Cost: O(n log n) for n cells. Exceptions
+/// of `out` and of the Context reach the caller.
 void write_nef2_svg(std::ostream& out, const Nef2& set, const Nef2SvgOptions& options = {});
 
 }  // namespace plumb

@@ -25,8 +25,8 @@ struct OverlaySvgOptions {
 };
 
 /// Writes the picture of an overlay. The file takes at most 20 MB. If parts of the overlay are left
-/// out for this reason, the picture names these parts. The output is deterministic. Cost:
-/// O(n log n). Exceptions of `out` reach the caller.
+/// out to stay below this size, the picture names these parts. The output is deterministic. Cost:
+/// O(n log n) for n cells. Exceptions of `out` reach the caller.
 void write_overlay_svg(std::ostream& out, const MapOverlay& overlay,
                        const OverlaySvgOptions& options = {});
 
@@ -42,7 +42,7 @@ struct OverlayColour {
 };
 inline constexpr std::size_t kShades = 4;  ///< Number of shades of each tint.
 
-/// Returns the colour of each face of the complex. Cost: O(n log n).
+/// Returns the colour of each face of the complex. Cost: O(n log n) for n cells.
 IdVector<FaceId, OverlayColour> colour_cells(const MapOverlay& overlay);
 
 }  // namespace plumb

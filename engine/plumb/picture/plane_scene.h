@@ -1,5 +1,5 @@
-// Makes flat scenes (scene.h) of maps and of sets of the plane. They are used for pictures without
-// text, and for files that pass triangles to other programs.
+// Makes flat scenes (scene.h) of maps and of sets of the plane. Flat scenes are used for pictures
+// without text, and for files that pass triangles to other programs.
 #pragma once
 
 #include "plumb/base/context.h"
@@ -13,8 +13,8 @@ namespace plumb {
 /// Returns the scene of a set. The scene shows the marked faces, all edges, and some of the
 /// vertices. Vertices are left out if the edges alone show where they are and whether they belong
 /// to the set. The set is intersected with a window, as in write_nef2_svg(). Faces are triangulated
-/// with exact coordinates. Throws what the context throws. Cost: O(n log n), about 10 us for each
-/// vertex.
+/// with exact coordinates. Throws what the context throws. Cost: O(n log n) for n cells, about 10
+/// us for each vertex.
 Scene scene_of(const Nef2& set, Context& context = unlimited_context());
 
 /// Returns the scene of a report. The scene of a valid map shows its regions. The scene of a

@@ -72,7 +72,7 @@ using Colour = std::array<std::uint8_t, 3>;  ///< Red, green and blue.
 struct PaintStyle {
   Colour colour;             ///< The colour before lighting.
   std::string_view name;     ///< The name in a legend; empty if a legend omits the paint.
-  std::string_view meaning;  ///< A few words of explanation.
+  std::string_view meaning;  ///< A few words that explain the paint.
 };
 const PaintStyle& style_of(Paint paint);  ///< Returns the style of a paint.
 /// Returns a colour as a text such as "#a9c8e6".
@@ -127,7 +127,7 @@ struct Scene {
   static constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};  ///< The invalid index into patches.
 
   std::vector<Point3> points;       ///< Points within [-1, 1]^3.
-  std::vector<Patch> patches;       ///< Flat parts.
+  std::vector<Patch> patches;       ///< The flat parts of the scene.
   std::vector<Triangle> triangles;  ///< Triangles of all patches.
   std::vector<Line> lines;          ///< Edges and curves.
   std::vector<Dot> dots;            ///< Vertices and points.
@@ -140,11 +140,11 @@ struct Scene {
   /// Half the side lengths of the box around all points of the scene. The centre of the box is the
   /// origin.
   Point3 half = {1, 1, 1};
-  /// A quarter of the centre. A point p of the scene represents the point `centre + scale * p` of
-  /// the set. Instead of the centre and the scale, a quarter of each is stored, because differences
-  /// of large doubles could overflow.
+  /// A quarter of the vector `centre`. A point p of the scene represents the point `centre + scale
+  /// * p` of the set. Instead of `centre` and `scale`, a quarter of each is stored, because
+  /// differences of large doubles could overflow.
   Point3 quarter_centre = {0, 0, 0};
-  double quarter_scale = .25;  ///< A quarter of the scale.
+  double quarter_scale = .25;  ///< A quarter of the number `scale`.
 
   /// Whether a line or dot is in a layer that is shown.
   template <class Item>

@@ -6,7 +6,8 @@
 //                 so each vertex has the normal of its facet.
 //  2. primitives  writes one primitive for each paint of facets, with the triangles and the
 //                 material of this paint. If the scene has groups, the step writes one mesh for
-//                 each group instead. Then the step writes one primitive for each paint of lines.
+//                 each group instead. In both cases, the step then writes one primitive for each
+//                 paint of lines.
 //  3. node        writes the rotation that makes the y-axis point upwards. It also writes the scale
 //                 and the translation that map coordinates of the scene to coordinates of the set,
 //                 if floats can represent these numbers.
@@ -20,8 +21,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Writes the scene. Facets where a window cuts a set (Paint::Cut) are left out. Cost: O(n). Passes
-/// on exceptions of `out`.
+/// Writes the scene. Facets where a window cuts a set (Paint::Cut) are left out. Cost: O(n) for n
+/// triangles and lines. Exceptions of `out` reach the caller.
 void write_scene_glb(std::ostream& out, const Scene& scene, const std::string& title);
 
 }  // namespace plumb

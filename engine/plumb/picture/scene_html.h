@@ -18,8 +18,8 @@ struct SceneText {
   std::string facts;  ///< Facts such as counts, in one line.
 };
 
-/// Writes the page. Cost: O(n). The page has about 170 bytes for each triangle. Exceptions of
-/// `out` reach the caller.
+/// Writes the page. Cost: O(n) for n triangles, lines and dots. The page has about 170 bytes for
+/// each triangle. Exceptions of `out` reach the caller.
 void write_scene_html(std::ostream& out, const Scene& scene, const SceneText& text);
 
 }  // namespace plumb

@@ -21,7 +21,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Returns the scene of a set. Cost: O(n log n).
+/// Returns the scene of a set. Cost: O(n log n) for n cells.
 Scene scene_of(const Nef3& set, Context& context = unlimited_context());
 
 /// Whether a set has a source with colours: a material with a colour, or a channel "color".
@@ -39,7 +39,8 @@ Scene coloured_scene(const Nef3& set, Context& context = unlimited_context());
 /// is moved away from the middle of all sets. The distance of this move is `apart` times the
 /// distance between the middle of the set and the middle of all sets. If `apart` is 0, the sets are
 /// not moved. Throws Error{BadArgument} if a set is unbounded, if `apart` is negative or not
-/// finite, or if a point would be moved beyond the largest double. Cost: O(n log n).
+/// finite, or if a point would be moved beyond the largest double. Cost: O(n log n) for n cells of
+/// all sets.
 Scene exploded_scene(std::span<const Nef3> sets, double apart,
                      Context& context = unlimited_context());
 

@@ -39,12 +39,12 @@ std::string layer_name(SurfaceLayer layer);
 
 /// Returns the scene of a division with all its layers. The layer SurfaceLayer::Result exists only
 /// if `result` is not null. The patches of a cell form a group. The caller sets Scene::shown to
-/// select the layers that are shown. Cost: O(n log n).
+/// select the layers that are shown. Cost: O(n log n) for n triangles.
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result);
 /// Returns the scene of a division in which cells with equal labels have equal colours. If `result`
 /// is not a null pointer, the scene contains only the selected cells and the borders of the result.
-/// Cost: O(n log n).
+/// Cost: O(n log n) for n triangles.
 Scene labelled_scene(const SurfaceDivision& division, const SurfaceResult* result,
                      Context& context = unlimited_context());
 

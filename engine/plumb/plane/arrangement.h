@@ -14,8 +14,8 @@
 //
 // Cost: O((n + k) log n) for n curves and k crossings. This bound also holds if curves overlap. For
 // example, suppose that n segments on one line contain each other, like the intervals [-i, i]. Then
-// there are about n^2 pairs of an edge and a curve that contains it. The bound holds because the
-// class SegmentSets does not store each pair separately.
+// there are about n^2 pairs of an edge and a curve that contains it. The bound O((n + k) log n)
+// holds all the same, because the class SegmentSets does not store each pair separately.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +34,8 @@ namespace plumb {
 
 // --- sets of curves ---------------------------------------------------------------------------
 
-/// A family of sets of curves that share memory. An arrangement has one such set for each edge,
-/// which contains the curves that run along the edge. The sets are persistent balanced trees
+/// A family of sets of curves that share memory. An arrangement has one such set for each edge.
+/// This set contains the curves that run along the edge. The sets are persistent balanced trees
 /// (treaps: R. Seidel, C. R. Aragon, Randomized search trees, Algorithmica 16, 1996).
 ///
 /// An id (Set) names a set. There are three forms of ids:
@@ -124,10 +124,11 @@ struct Arrangement {
   /// curve on the same line.
   PlaneComplex complex;
   SegmentSets origin_sets;  ///< Sets of curves, shared by all edges.
-  /// For each ordinary edge, the set of the curves that contain it. The set belongs to origin_sets.
+  /// For each edge that is not a frame edge (plane_complex.h), the set of the curves that contain
+  /// the edge. The set belongs to origin_sets.
   std::vector<SegmentSets::Set> origins;
 
-  /// Returns the curves that contain edge e, in ascending order. Requires that e is an ordinary
+  /// Returns the curves that contain edge e, in ascending order. Requires that e is not a frame
   /// edge. O(number of these curves).
   std::vector<SegmentId> origins_of(EdgeId e) const {
     std::vector<SegmentId> curves;

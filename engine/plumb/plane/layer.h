@@ -113,12 +113,12 @@ struct OwnerPreference {
 
 /// Options of repair_layer().
 struct LayerRepairOptions {
-  OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners are selected.
+  OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners of regions are selected.
   /// An enclosed region that no feature covers is a gap if its width is less than this value.
-  /// Otherwise it is a hole, such as a lake, and stays as it is. If there is no value, the bound is
-  /// D / 10000, where D is the diagonal of the bounding box of the layer. In this case, a region
-  /// that is narrower than the bound is nevertheless a hole if it looks like a small lake. A region
-  /// looks like a small lake if it meets three conditions:
+  /// Otherwise it is a hole, such as a lake, and stays as it is. If there is no value, the bound
+  /// for the width of a gap is D / 10000, where D is the diagonal of the bounding box of the layer.
+  /// In this case, a region that is narrower than the bound is nevertheless a hole if it looks like
+  /// a small lake. A region looks like a small lake if it meets three conditions:
   ///   - At most two features lie along its boundary.
   ///   - It is less than about 100 times as long as it is wide: 4 A / p^2 >= 1/100 for its area A
   ///     and its perimeter p.
@@ -204,13 +204,14 @@ struct RepairedLayer {
 LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = {},
                         Context& context = unlimited_context());
 
-/// Returns the layer without overlaps and gaps, and a report. There is one exception to the rule
-/// for owners. If overlaps cover a feature completely, these overlaps are given to this feature.
-/// Otherwise the feature could vanish. It can still vanish if several features are equal. If an open
-/// gap was filled, the result is repaired again until nothing is left to do, and the report lists
-/// all regions. Throws Error{BadArgument} if ranks or preferences do not match the features,
-/// Error{NumberOutOfRange} if coordinates are too large to be rounded, ResourceLimit if a limit of
-/// the Context is exceeded, and Cancelled if a stop is requested.
+/// Returns the layer without overlaps and gaps, and a report. The owners of overlaps and gaps
+/// are selected by options.rule, with one exception. If overlaps cover a feature completely, these
+/// overlaps are given to this feature. Otherwise the feature could vanish. It can still vanish if
+/// several features are equal. If an open gap was filled, the result is repaired again until
+/// nothing is left to do, and the report lists all regions. Throws Error{BadArgument} if ranks or
+/// preferences do not match the features, Error{NumberOutOfRange} if coordinates are too large to
+/// be rounded, ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is
+/// requested.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
                            Context& context = unlimited_context());
 

@@ -9,7 +9,7 @@
 //                      the list of the features that cover it.
 //  2. pairs            assigns each face to a pair. The partners are the first feature of the first
 //                      layer that covers the face, and the first feature of the second layer that
-//                      covers it. One of them may be missing
+//                      covers it. One of the two partners may be missing
 //  3. rounded_labels   leaves out the edges between faces of the same pair, and rounds all
 //                      crossings to doubles. All crossings are rounded together, so that the
 //                      features of the result form a coverage

@@ -9,18 +9,20 @@
 //  4. layer_of_labels                traces the polygons of each feature
 //
 // A border that two features share is stored only once, so both features get the same simplified
-// border. Let u, v and w be consecutive corners of a border. The corner v may be removed, so that
-// the segment u w replaces the segments u v and v w, under two conditions: the closed triangle u v
-// w contains no other corner, and no edge joins u and w already. Both conditions are decided
-// exactly. The removal then makes no borders cross or touch: an edge that crosses u w, but has no
-// end in the triangle, would also cross u v or v w, and edges of borders do not cross. So no
-// polygon or hole vanishes, features have the same neighbours as before, and every ring keeps at
-// least three corners. A corner where three or more borders meet is never removed.
+// border. Let u, v and w be consecutive corners of a border. The corner v may be removed if two
+// conditions hold: the closed triangle u v w contains no other corner, and no edge joins u and w
+// already. The segment u w then replaces the segments u v and v w. Both conditions are decided
+// exactly. The removal then makes no borders cross or touch. By the first condition, no other edge
+// ends in the triangle. An edge without an end in the triangle that crosses u w would also cross u
+// v or v w. This is impossible, because edges of borders do not cross. So no polygon or hole
+// vanishes, features have the same neighbours as before, and every ring keeps at least three
+// corners. A corner where three or more borders meet is never removed.
 //
 // Areas of triangles are computed in doubles. These areas only decide in which order corners are
 // removed, and when the removal stops.
 //
-// Cost: O(n log n) for n corners if triangles contain few corners, and O(n) memory.
+// Cost: O(n log n) for n corners if the triangle of each corner contains few other corners, and
+// O(n) memory.
 #pragma once
 
 #include <cstddef>
@@ -62,8 +64,8 @@ struct SimplifiedLayer {
   /// The number of corners that the options allow to remove, but that are kept for another reason:
   /// their triangle contains a corner, or a ring would collapse.
   std::size_t blocked = 0;
-  /// An upper bound for the distance between the borders before and after (Hausdorff distance).
-  /// Movements by rounding are not included.
+  /// An upper bound for the distance between the original borders and the simplified borders
+  /// (Hausdorff distance). Movements by rounding are not included.
   double borders_moved = 0;
   /// The number of regions that several features cover. Such a region is assigned to the first of
   /// these features.

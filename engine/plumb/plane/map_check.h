@@ -27,12 +27,13 @@
 //  5. nest_components   finds the face that contains each component. Step 2 found the edge below
 //                       the first vertex of the component. The component lies in the face above
 //                       this edge.
-//  6. settle_touching_rings  finds regions whose rings touch each other at vertices. Their faces
-//                       are not mixed. This step is taken only if step 4 found mixed faces.
+//  6. settle_touching_rings  finds regions whose rings touch each other at vertices. The faces of
+//                       these regions are not mixed. This step is taken only if step 4 found mixed
+//                       faces.
 //  7. describe_defects  describes the defects in a fixed order. A description has the exact point
-//                       of the defect and a hint for the user. To find out for the hints which
-//                       regions overlap, the step computes the arrangement of all edges
-//                       (check/map_claims.h).
+//                       of the defect and a hint for the user. Some hints name the regions that
+//                       overlap. To find these regions, the step computes the arrangement of all
+//                       edges (check/map_claims.h).
 //
 // Cost: O((n + k) log n) time and O(n + d) memory for n corners, k crossings and d described
 // defects.
@@ -57,7 +58,7 @@ enum class OuterRule {
   Listed,  ///< The outer boundary of every component must be listed, clockwise.
   /// If an outer boundary is not listed, its edges form a clockwise chain of open edges. Such a
   /// chain is added as an outer cycle, and a warning reports this. A chain that bounds an overlap
-  /// of regions is not added if no edges cross; its edges are reported as open.
+  /// of regions is not added if no edges cross. The edges of this chain are reported as open.
   Infer,
   /// An open edge is not a defect. But if a component lies inside a listed face, the outer boundary
   /// of the component must be listed. If it is not listed, the component is a Nested defect.

@@ -7,7 +7,8 @@
 // The label is a pair: the region of the first map and the region of the second map that contain
 // the face. At every event, the sweep visits the edges from bottom to top. It computes the label of
 // the face above an edge from the label of the face below this edge (plane_builder.h,
-// docs/design/sweep.md). Cost: O((n + k) log n) time for n edges and k crossings.
+// docs/design/sweep.md). Cost: O((n + k) log n) time for n edges of both maps together and k
+// crossings.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +66,8 @@ struct OverlayAreas {
 
 /// Returns the exact areas of the faces and of the regions. Requires that `overlay` is
 /// overlay_maps(first, second). Throws ResourceLimit if a limit of the Context is exceeded, and
-/// Cancelled if a stop is requested. Cost: O(n) additions of rational numbers.
+/// Cancelled if a stop is requested. Cost: O(n) operations on rational numbers, for n edges of the
+/// overlay and of both maps together.
 OverlayAreas measure(const MapOverlay& overlay, const MapReport& first, const MapReport& second,
                      Context& context = unlimited_context());
 

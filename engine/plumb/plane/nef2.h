@@ -29,7 +29,7 @@
 //
 // Cost: binary operations take O((n + k) log n) for n edges and k crossings. Unary operations take
 // O(n). locate() takes O(log^2 n). The first call of locate() for a set also builds an index, in
-// O(n log^2 n). Memory is O(n).
+// O(n log^2 n). Memory is O(n). In the comments of members, n is the number of edges, too.
 //
 // Errors: all functions throw Error{NotFinite} for coordinates that are not finite. All functions
 // throw ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested.
@@ -120,7 +120,7 @@ class Nef2;
 /// (PlaneParts::filled). O(n).
 [[nodiscard]] bool closure_fills_inside(const Nef2& set);
 
-/// The counts of the ordinary cells. Cells of the frame are not counted.
+/// The counts of the cells of a set. Cells of the frame are not counted.
 struct PlaneCounts {
   std::size_t vertices = 0;      ///< Corners, ends and isolated vertices.
   std::size_t edges = 0;         ///< Segments, rays and lines.
@@ -206,7 +206,7 @@ class Nef2 {
   /// is Closed. Throws Error{BadArgument} if line.a equals line.b.
   [[nodiscard]] static Nef2 ray(const Line2& line, Boundary boundary);
 
-  /// Returns the set that closed chains of points bound. Chain c has the points
+  /// Returns the set that is bounded by closed chains of points. Chain c has the points
   /// corners[chain_begin[c]], ..., corners[chain_begin[c + 1] - 1]. The last point of a chain is
   /// joined to its first point. The chains divide the plane into faces. A face belongs to the set
   /// if `rule` accepts its winding number. `boundary` decides which edges and vertices on the
@@ -218,15 +218,16 @@ class Nef2 {
   ///   Open    Usually no edge on a chain belongs to the set. The exception is an edge at which no
   ///           chain separates inside from outside. To test an edge, start at the winding number of
   ///           the face on one side, and cross the chains that run over the edge one after the
-  ///           other. The edge belongs to the set if the rule accepts the winding number before and
+  ///           other. The edge belongs to the set if `rule` accepts the winding number before and
   ///           after each crossing, for every order of the chains. A vertex belongs to the set if
   ///           all edges and faces around it belong to the set.
   [[nodiscard]] static Nef2 polygons(const PointTable2& points,
                                      std::span<const std::uint32_t> corners,
                                      std::span<const std::uint32_t> chain_begin, WindingRule rule,
                                      Boundary boundary, Context& context = unlimited_context());
-  /// Returns the set that one closed chain bounds under WindingRule::NonZero. The direction of the
-  /// chain does not matter. If there are no points, the set is empty.
+  /// Returns the set that is bounded by one closed chain of points, according to
+  /// WindingRule::NonZero. The direction of the chain does not matter. If there are no points, the
+  /// set is empty.
   [[nodiscard]] static Nef2 polygon(std::span<const Point2> points,
                                     Boundary boundary = Boundary::Closed,
                                     Context& context = unlimited_context());

@@ -5,8 +5,8 @@
 //           ...) and arrange(points, ...) take such a table. map_of_cycles(xy, cycle_begin,
 //           corners) makes a map for check_map().
 //   output  coordinates_of(points) makes an array of coordinates. The indices in a Map, and in the
-//           shapes of a set (plumb/io/plane_shapes.h), refer to the points of this array. Point i
-//           has the entries 2 i and 2 i + 1.
+//           shapes of a set (PlaneShapes in plumb/io/plane_io.h), refer to the points of this
+//           array. Point i has the entries 2 i and 2 i + 1.
 //
 // All functions of the library that take indices, including Dcel::from_cycles(), take them as
 // spans. Each function copies the data once into its result. The result does not refer to the
@@ -25,21 +25,21 @@ namespace plumb {
 
 /// Returns the points (xy[2 i], xy[2 i + 1]), in order. Throws Error{BadArgument} if the number of
 /// coordinates is odd or there are more than 2^32 - 2 points. Throws Error{NotFinite}, with the
-/// index of the point, if a coordinate is not finite. O(n).
+/// index of the point, if a coordinate is not finite. O(n) for n points.
 PointTable2 points_of(std::span<const double> xy);
 
 /// Returns the map of these points and cycles. Cycle c consists of corners[cycle_begin[c]], ...,
 /// corners[cycle_begin[c + 1] - 1]. So cycle_begin has one entry more than there are cycles. Throws
 /// Error{BadArgument} if cycle_begin does not ascend from 0 to the number of corners. Also throws
 /// the errors of points_of(). This function does not check the corners. check_map() checks them.
-/// O(n).
+/// O(n) for n points and corners.
 Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cycle_begin,
                   std::span<const std::uint32_t> corners);
 
 /// Returns the coordinates x y x y ... of all points. A coordinate that is not a double is rounded
 /// to the nearest double. The function repairs nothing, so segments between rounded points may
 /// cross. To avoid this, first round the set with round_to_doubles() (plane_rounding.h). The
-/// coordinates of the rounded set are doubles. O(n).
+/// coordinates of the rounded set are doubles. O(n) for n points.
 std::vector<double> coordinates_of(const PointTable2& points);
 
 }  // namespace plumb

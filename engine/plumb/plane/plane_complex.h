@@ -51,11 +51,12 @@ struct PlaneLine {
   friend bool operator==(const PlaneLine&, const PlaneLine&) = default;
 };
 
-/// One mark for each ordinary vertex, edge and face: 1 if the cell belongs to the set, 0 if not.
+/// The marks of all cells that do not belong to the frame. A mark is 1 if the cell belongs to the
+/// set, and 0 if not.
 struct PlaneMarks {
-  IdVector<VertexId, std::uint8_t> vertex;  ///< One mark for each ordinary vertex.
-  IdVector<EdgeId, std::uint8_t> edge;      ///< One mark for each ordinary edge.
-  IdVector<FaceId, std::uint8_t> face;      ///< One mark for each ordinary face.
+  IdVector<VertexId, std::uint8_t> vertex;  ///< The mark of each vertex, except frame vertices.
+  IdVector<EdgeId, std::uint8_t> edge;      ///< The mark of each edge, except frame edges.
+  IdVector<FaceId, std::uint8_t> face;      ///< The mark of each face, except is_beyond() faces.
   friend bool operator==(const PlaneMarks&, const PlaneMarks&) = default;
 };
 
@@ -72,18 +73,20 @@ struct PlaneLocation {
 struct PlaneComplex {
   PlanePoints points;  ///< Input points and crossings.
   Dcel dcel;           ///< Incidences of all vertices, edges and faces, including the frame.
-  /// For each ordinary vertex, the index of its point. An index i less than points.inputs.size()
-  /// stands for input point i. The index points.inputs.size() + k stands for crossing k.
+  /// For each vertex that is not a frame vertex, the index of its point. An index i less than
+  /// points.inputs.size() stands for input point i. The index points.inputs.size() + k stands for
+  /// crossing k.
   IdVector<VertexId, std::uint32_t> vertex_point;
-  /// For each ordinary edge, its line. The indices a and b of a line refer to points.inputs.
+  /// For each edge that is not a frame edge, its line. The indices a and b of a line refer to
+  /// points.inputs.
   IdVector<EdgeId, PlaneLine> line;
-  PlaneMarks marks;  ///< The marks of all ordinary cells.
+  PlaneMarks marks;  ///< The marks of all cells, except cells of the frame.
 
-  /// Returns the number of ordinary vertices.
+  /// Returns the number of vertices, without frame vertices.
   std::size_t vertex_count() const { return vertex_point.size(); }
-  /// Returns the number of ordinary edges.
+  /// Returns the number of edges, without frame edges.
   std::size_t edge_count() const { return line.size(); }
-  /// Returns the number of ordinary faces.
+  /// Returns the number of faces, without the face beyond the frame.
   std::size_t face_count() const { return dcel.face_count() - (has_frame() ? 1 : 0); }
 
   /// Whether the subdivision has a frame. A subdivision has a frame if and only if an edge is
@@ -98,17 +101,17 @@ struct PlaneComplex {
   /// Whether f is the face beyond the frame.
   bool is_beyond(FaceId f) const { return f.value() >= face_count(); }
 
-  /// Returns the next ordinary half-edge after h along the boundary of its face. If h ends at
-  /// infinity, a half-edge of the frame follows h. The function then skips this half-edge. O(1).
+  /// Returns the next half-edge after h along the boundary of its face. If h ends at infinity, the
+  /// half-edge after h belongs to the frame, and the function skips it. O(1).
   HalfedgeId next(HalfedgeId h) const {
     const HalfedgeId n = dcel.next(h);
     return is_frame(n) ? dcel.next(n) : n;
   }
-  /// Whether an ordinary vertex belongs to the set.
+  /// Whether a vertex belongs to the set. Requires that the vertex is not a frame vertex.
   bool mark(VertexId v) const { return marks.vertex[v] != 0; }
-  /// Whether an ordinary edge belongs to the set.
+  /// Whether an edge belongs to the set. Requires that the edge is not a frame edge.
   bool mark(EdgeId e) const { return marks.edge[e] != 0; }
-  /// Whether an ordinary face belongs to the set.
+  /// Whether a face belongs to the set. Requires a face other than the face beyond the frame.
   bool mark(FaceId f) const { return marks.face[f] != 0; }
 };
 

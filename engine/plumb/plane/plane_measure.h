@@ -11,13 +11,13 @@
 namespace plumb {
 
 /// Returns the area of face f, or nullopt if f is unbounded. The area of the holes is not included.
-/// Requires that f is an ordinary face. Cost: O(b) additions of rational numbers for a boundary of
-/// b edges.
+/// Requires that f is not the face beyond the frame. Cost: O(b) additions of rational numbers for a
+/// boundary of b edges.
 std::optional<Rational> face_area(const PlaneComplex& complex, FaceId f);
 
 /// Returns the total area of the marked faces, or nullopt if a marked face is unbounded. Throws
 /// ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested. Cost:
-/// O(n) additions of rational numbers.
+/// O(n) additions of rational numbers for n edges.
 std::optional<Rational> marked_area(const PlaneComplex& complex,
                                     Context& context = unlimited_context());
 

@@ -19,9 +19,10 @@
 // If the distance is negative, the complement is grown in the same way, and the result contains the
 // points of the set that do not lie in the grown complement.
 //
-// Numbers: each moved edge is exactly parallel to its edge. Its distance from the edge is the given
-// distance, up to a relative error of 2^-50. The error is needed because the length of an edge is
-// in general not a rational number. All further steps are exact.
+// Numbers: each moved edge is exactly parallel to the edge of the set from which it was made. Its
+// distance from this edge is the given distance, up to a relative error of 2^-50. The error cannot
+// be avoided, because the length of an edge is in general not a rational number. All further steps
+// are exact.
 //
 // Cost: O((n + k) log(n + k)) for n corners of the chains and k crossings of their edges. Source:
 // A. Johnson's Clipper library also computes offsets by winding numbers. The kinds of joins are
@@ -62,12 +63,12 @@ struct OffsetOptions {
   /// is ignored.
   std::uint32_t circle_segments = 0;
   /// The angle of each chord of an arc in radians. If it is not 0, chord_error and circle_segments
-  /// are ignored, and arcs are divided as in OpenSCAD. An arc of angle a has a / arc_step chords,
-  /// where this quotient is rounded to the nearest integer, but to at least 1. Walk around the set
-  /// with the set to the left: then the first chords of an arc have the angle arc_step, and the
-  /// last chord has the remaining angle. An isolated point becomes a regular polygon with 2 pi /
-  /// arc_step corners, rounded up. The value must be 0, or at least 2 pi / kMostCircleSegments and
-  /// at most pi.
+  /// are ignored, and arcs are divided as in OpenSCAD. An arc with the angle alpha has alpha /
+  /// arc_step chords, where this quotient is rounded to the nearest integer, but to at least 1.
+  /// Walk around the set with the set to the left. On this walk, the first chords of an arc have
+  /// the angle arc_step, and the last chord has the remaining angle. An isolated point becomes a
+  /// regular polygon with 2 pi / arc_step corners, rounded up. The value must be 0, or at least 2
+  /// pi / kMostCircleSegments and at most pi.
   double arc_step = 0;
 };
 

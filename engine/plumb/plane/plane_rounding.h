@@ -1,12 +1,13 @@
 // Rounds the vertices of a subdivision of the plane to doubles, and keeps the subdivision valid.
 // The vertices of a set or an overlay are exact points, but most formats store doubles. If each
 // coordinate were just replaced by the nearest double, edges could cross, coincide or pass through
-// vertices. The functions below round vertices to doubles, and repair such damage. The result has
+// vertices. The functions below round vertices to doubles, and repair these defects. The result has
 // the following properties:
 //   - Valid: edges meet only at common ends. No edge is degenerate or listed twice.
 //   - Near: every point of the new boundary is within PlaneRoundingReport::largest_move of the
 //     exact boundary. Every point of the exact boundary is within the same distance of the new
-//     boundary, unless it belongs to a part that the report counts as collapsed or folded.
+//     boundary, unless it belongs to a face or a piece of an edge that was left out
+//     (PlaneRoundingReport::collapsed and edges_folded).
 //   - Stable: a vertex whose coordinates are doubles does not move, unless the report counts it as
 //     moved. If all coordinates are doubles, the result is the input. So rounding is idempotent.
 //   - Reported: a report counts all changes of the shape.

@@ -14,7 +14,8 @@
 // edges cross or touch. No face, hole, line or isolated point vanishes, and every ring keeps at
 // least three corners. Only vertices at which exactly two edges meet are removed.
 //
-// Cost: O(n log n) for n corners if triangles contain few corners, and O(n) memory.
+// Cost: O(n log n) for n corners if the triangle of each corner contains few other corners, and
+// O(n) memory.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +37,8 @@ struct SimplifiedSet {
   /// The number of vertices that the options allow to remove, but that are kept for another reason:
   /// their triangle contains another vertex, or a ring would collapse.
   std::size_t blocked = 0;
-  /// An upper bound for the distance between the borders before and after (Hausdorff distance).
-  /// Movements by rounding are not included.
+  /// An upper bound for the distance between the original borders and the simplified borders
+  /// (Hausdorff distance). Movements by rounding are not included.
   double borders_moved = 0;
   PlaneRoundingReport rounding;  ///< What rounding has changed before corners were removed.
 };

@@ -4,9 +4,9 @@
 // into countries again, with their ids and properties.
 //
 // Operations on sets do not keep track of features. Instead, set_features() computes the exact
-// overlay of the set and the features. This finds the right feature for each part: a union,
-// intersection or difference contains only points of its operands, so a part of the result that
-// lies in a feature was made from this feature.
+// overlay of the set and the features. This finds the right feature for each part, for the
+// following reason. A union, intersection or difference contains only points of its operands. So a
+// part of the result that lies in a feature was made from this feature.
 //
 // Main flow of set_features():
 //  1. CoveredCells      arranges the rings of all features and the borders of the set exactly. Each

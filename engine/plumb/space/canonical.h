@@ -22,24 +22,26 @@
 //   planes     x = 0, y = 0 and z = 0 come first, then the planes of the frame. The other planes
 //              are in the order of their first occurrence in the lists of facets, edges and points.
 //              Each plane has primitive integer coefficients
-//   an edge    is defined by the first two planes of its facets. If its facets have fewer than two
-//              planes, the missing planes are planes that contain the edge and are parallel to the
-//              x, y or z axis; the first axis that is possible is used
+//   an edge    is defined by the first two planes of its facets. If its facets lie in fewer than
+//              two planes, further planes are added until there are two. The candidates contain the
+//              edge and are parallel to the x, y and z axis, in this order. An axis is skipped if
+//              the edge is parallel to it, or if the edge already has the plane of this axis
 //   a point    is an input point if its coordinates are doubles. Otherwise it is defined by three
-//              planes of facets and edges at the point: by the first three that have only this
-//              point in common. If there are no such planes, it is defined by planes perpendicular
-//              to the x, y and z axis
+//              planes. The planes of facets and edges at the point are tried in the order of their
+//              ids. A plane is chosen if its normal is linearly independent of the normals of the
+//              planes chosen before. If fewer than three planes are chosen, planes perpendicular to
+//              the x, y and z axis are tried next, in the same way
 //   ids of facets (facet_origin) are dropped, because the comparison of sets with == ignores them
 //
 // Main flow of canonical():
 //  1. order cells     canonical_order() sorts vertices by comparing coordinates. It sorts all other
 //                     cells by comparing the new ids of vertices
-//  2. name planes     makes a new table, and adds the planes of facets and then the planes of edges
-//  3. name points     adds the points to the new table, vertex by vertex
+//  2. number planes   makes a new table, and adds the planes of facets and then the planes of edges
+//  3. number points   adds the points to the new table, vertex by vertex
 //  4. write arrays    writes each array in its new order
 //
-// Cost: O(n log n). In addition, one greatest common divisor is computed for each plane, and the
-// exact coordinates are computed for each vertex that is not an input point.
+// Cost: O(n log n) for n cells. In addition, one greatest common divisor is computed for each
+// plane, and the exact coordinates are computed for each vertex that is not an input point.
 #pragma once
 
 #include "plumb/base/context.h"

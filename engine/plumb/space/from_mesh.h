@@ -28,7 +28,7 @@
 // The caller does the remaining steps:
 //  - arrange() (mesh_arrangement.h) cuts the facets along the lines in which they meet,
 //  - winding_numbers() computes winding numbers from the jumps,
-//  - a rule turns winding numbers into marks,
+//  - a winding rule turns winding numbers into marks,
 //  - simplification merges coplanar neighbours.
 //
 // If a mesh crosses itself, its facets overlap or cross before arrange(). So only after arrange()
@@ -73,8 +73,8 @@ struct MeshReport;
 
 /// Options of Nef3::from_mesh().
 struct FromMeshOptions {
-  /// The rule that determines which winding numbers are inside. If there is no value, the rule is
-  /// Positive. In this case, each component of negative volume that does not lie inside another
+  /// The rule that determines which winding numbers count as inside. If there is no value, the rule
+  /// is Positive. In this case, each component of negative volume that does not lie inside another
   /// component is flipped first. So a mesh whose faces are all oriented inwards also becomes a
   /// solid.
   std::optional<WindingRule> rule;

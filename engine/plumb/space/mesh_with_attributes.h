@@ -21,14 +21,15 @@
 //                      interpolated with barycentric weights
 //
 // Rules:
-// - If several source triangles cover a piece, one of them is chosen. Triangles with the same
-//   orientation as the piece are preferred to triangles with the opposite orientation. Among these,
-//   a triangle of the first source in Nef3::sources() is chosen, which belongs to the first
-//   operand. Among several faces of this source, the face with the least index is chosen.
-// - A piece is flipped if its orientation is opposite to that of its source triangle. For example,
-//   this holds for the boundary of a subtracted set. The values of channels named "normal" are
-//   negated on flipped pieces. If the source has a map, these values are also transformed by the
-//   inverse transpose of the map, and keep their length.
+// - A piece gets its attributes from one source triangle. If several source triangles cover the
+//   piece, one of them is chosen as follows. Triangles with the same orientation as the piece are
+//   preferred to triangles with the opposite orientation. Among these, a triangle of the first
+//   source in Nef3::sources() is chosen, which belongs to the first operand. Among several faces of
+//   this source, the face with the least index is chosen.
+// - A piece is flipped if its orientation is opposite to that of its source triangle. An example is
+//   a piece of the boundary of a subtracted set. The values of channels named "normal" are negated
+//   on flipped pieces. If the source has a map, these values are also transformed by the inverse
+//   transpose of the map, and keep their length.
 // - A piece that no source triangle covers has no source. An example is a piece in the plane of a
 //   half-space. Its ids are MeshAttributes::kNone, and its numbers are 0.
 // - The weights are computed exactly from the exact point and then rounded to the nearest doubles.
@@ -37,10 +38,9 @@
 //   Negative weights are replaced by 0.
 // - A triangle that a repair makes gets the attributes of one of the pieces from which it was made.
 //
-// Cost: the cost of valid_mesh(), O(n) for the triangles of the sources, and O(m log m) for m
-// corners and crossings in planes in which a facet is cut. Errors: Error{BadArgument} if a marked
-// volume is unbounded, what valid_mesh() throws, and what the context throws. Source:
-// docs/attributes.md.
+// Cost: the cost of valid_mesh(), O(n) for n triangles of the sources, and O(m log m) for m corners
+// and crossings in planes in which a facet is cut. Errors: Error{BadArgument} if a marked volume is
+// unbounded, what valid_mesh() throws, and what the context throws. Source: docs/attributes.md.
 #pragma once
 
 #include <cstdint>
@@ -110,9 +110,10 @@ struct MeshWithAttributes {
 
 /// Returns the boundary of regularization() with the attributes of the sources of the set. The list
 /// of materials of the result consists of the materials of the first source, then those of the
-/// second source, and so on. The same holds for groups. Channels of different sources that have the
-/// same name become one channel. Its width is the greatest of their widths. Values that a source
-/// lacks are set to 1 in a channel named "color", and to 0 in all other channels.
+/// second source, and so on. The list of groups is made in the same way. Channels of different
+/// sources that have the same name become one channel. The width of this channel is the greatest of
+/// the widths of the joined channels. Values that a source lacks are set to 1 in a channel named
+/// "color", and to 0 in all other channels.
 [[nodiscard]] MeshWithAttributes mesh_with_attributes(const Nef3& set,
                                                       const AttributeOptions& options = {},
                                                       Context& context = unlimited_context());

@@ -29,11 +29,12 @@
 // Booleans.
 //
 // Cost: a Boolean of two sets of sizes n and m takes O((n + m + c) log(n + m + c)), where c is the
-// number of pairs of cells whose boxes meet. Unary operations take O(n). Errors: functions throw
-// Error{NotFinite} and Error{BadArgument} where their comments say so. Functions with a Context
-// also throw ResourceLimit and Cancelled when the Context demands it. Source: W. Bieri and W. Nef,
-// Elementary set operations with d-dimensional polyhedra, LNCS 333 (1988); P. Hachenberger, L.
-// Kettner, K. Mehlhorn, Computational Geometry 38 (2007) 64-99; docs/design/boolean.md.
+// number of pairs of cells whose boxes meet. Unary operations take O(n). In the comments of
+// members, n is the number of cells of the set. Errors: functions throw Error{NotFinite} and
+// Error{BadArgument} where their comments say so. Functions with a Context also throw ResourceLimit
+// and Cancelled when the Context demands it. Source: W. Bieri and W. Nef, Elementary set operations
+// with d-dimensional polyhedra, LNCS 333 (1988); P. Hachenberger, L. Kettner, K. Mehlhorn,
+// Computational Geometry 38 (2007) 64-99; docs/design/boolean.md.
 #pragma once
 
 #include <array>
@@ -63,7 +64,7 @@ struct Plane3 {
   Rational a;  ///< First coordinate of the normal.
   Rational b;  ///< Second coordinate of the normal.
   Rational c;  ///< Third coordinate of the normal.
-  Rational d;  ///< Offset.
+  Rational d;  ///< The constant term of the equation.
 };
 
 /// The points below a plane, together with the plane if `boundary` is Closed.
@@ -188,7 +189,7 @@ class Nef3 {
 
   // --- conversion from and to meshes -----------------------------------------------------------
 
-  /// Returns the set that triangles bound. The set consists of the volumes that are inside
+  /// Returns the set that is bounded by triangles. The set consists of the volumes that are inside
   /// according to options.rule, and of the boundaries of these volumes. Triangle t has the corners
   /// triangles[3 t], ..., triangles[3 t + 2], counter-clockwise seen from outside. Point i is
   /// (xyz[3 i], xyz[3 i + 1], xyz[3 i + 2]). The mesh must be closed, unless options.surface is
@@ -202,8 +203,8 @@ class Nef3 {
                                       std::span<const std::uint32_t> triangles,
                                       const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
-  /// Returns the set that polygons bound, as the function above does for triangles. The polygons
-  /// may have any number of corners. A view of the caller's arrays describes them.
+  /// Returns the set that is bounded by polygons, as the function above does for triangles. The
+  /// polygons may have any number of corners. A view of the caller's arrays describes them.
   [[nodiscard]] static Nef3 from_mesh(const MeshView& mesh, const FromMeshOptions& options = {},
                                       Context& context = unlimited_context());
   /// Does the same as the function above for a mesh that owns its arrays.
@@ -397,7 +398,7 @@ class Nef3 {
                                                  Context& context = unlimited_context()) const;
 
   /// Returns the exact volume, or nothing if the volume is infinite. Cost: a sum of O(n) rational
-  /// numbers.
+  /// numbers for n edges of facets.
   [[nodiscard]] std::optional<Rational> volume(Context& context = unlimited_context()) const;
   /// Returns volume(). Nef2 has a function of the same name, so that generic code can handle both
   /// dimensions.

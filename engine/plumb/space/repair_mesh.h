@@ -13,9 +13,9 @@
 //                      component
 //
 // A step is taken only if the options ask for it. All changes are reported. Only step 1 compares
-// distances, and the caller gives the largest distance. The functions of this header change a mesh
-// and make no set. Nef3::from_mesh() makes a set from a mesh. If the mesh is closed, this function
-// does not need any of these steps.
+// distances, and the caller gives the largest distance of two points that are merged. The functions
+// of this header change a mesh and make no set. Nef3::from_mesh() makes a set from a mesh. A closed
+// mesh can be passed to Nef3::from_mesh() without any of these steps.
 //
 // Cost: O(n log n) for n corners. In addition, a hole of k <= 100 edges takes O(k^3). Step 5 has
 // the cost of complex_of_mesh(), plus the cost of arrange() if the mesh crosses itself. Memory:
@@ -128,7 +128,7 @@ std::vector<std::string> sentences(const RepairReport& report);
 /// corners of these triangles are corners of the face, and the triangles together have the boundary
 /// of the face. If the projection of the face along some coordinate axis is a simple polygon, the
 /// triangles form a constrained Delaunay triangulation. Otherwise they form a fan. Throws
-/// Error{BadIndex}, Error{NotFinite}, and what the context throws. O(n log n).
+/// Error{BadIndex}, Error{NotFinite}, and what the context throws. O(n log n) for n corners.
 PolygonMesh triangulated(const PolygonMesh& mesh, Context& context = unlimited_context());
 
 }  // namespace plumb

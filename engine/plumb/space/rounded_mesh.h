@@ -1,8 +1,9 @@
 // Checks whether rounding the vertices of a mesh to doubles has broken the mesh.
 //
 // Main flow of check_rounding():
-//  1. doubtful_faces  selects the faces that may be damaged (mesh/doubtful_faces.h). For all other
-//                     faces, a computation with doubles proves that rounding has not damaged them
+//  1. doubtful_faces  selects the faces that may be degenerate, reversed or crossed by other faces
+//                     after rounding (mesh/doubtful_faces.h). For all other faces, a computation
+//                     with doubles proves that they are none of these
 //  2. check_faces     calls complex_of_mesh() for the selected faces with rounded coordinates, and
 //                     takes the defects from the report of this call. Then it compares the normals
 //                     of the selected faces before and after rounding

@@ -35,8 +35,8 @@ struct SpaceFlaw {
 /// be removed without changing the set is a flaw, too. The complex of every Nef3 is minimal. Throws
 /// what the context throws.
 ///
-/// Cost: O(n log n + c), where c is the number of pairs of cells whose boxes meet. Two kinds of
-/// cells cost more:
+/// Cost: O(n log n + c), where n is the number of cells, and c is the number of pairs of cells
+/// whose boxes meet. Two kinds of cells cost more:
 /// - Let k be the number of vertices, edges and holes that lie inside a facet or in its box. The
 ///   facet costs O(k) times the number of cycles whose boxes contain these vertices, edges and
 ///   holes.

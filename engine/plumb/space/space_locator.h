@@ -20,16 +20,17 @@
 //  5. locate       uses a grid (volume_grid.h) if the point has double coordinates. The grid is
 //                  made at the first query. For every grid cell that no box of an item meets, the
 //                  grid stores the volume that contains the grid cell. If the box of an item meets
-//                  the grid cell of the point, the locator searches from the point to the left. The
-//                  search ends at the latest at a point whose volume is stored in the grid
+//                  the grid cell of the point, the locator searches from the point in the direction
+//                  of -x. The search ends at the latest at a point whose volume is stored in the
+//                  grid
 //
 // All functions require vertices, edges, uses, and facets with their cycles. The functions
 // volume_of and locate require volumes, too. Marks are used only to recognize the frame. Several
 // threads may call const members at the same time.
 //
-// Cost: building takes O(n log n) time. For each item, the tree needs 76 bytes and the grid needs
-// 16 bytes. If the boxes of facets are small and few of the boxes overlap, a query visits O(log n)
-// nodes and a few facets.
+// Cost: building takes O(n log n) time for n items. For each item, the tree needs 76 bytes and the
+// grid needs 16 bytes. If the boxes of facets are small and few of the boxes overlap, a query
+// visits O(log n) nodes and a few facets.
 #pragma once
 
 #include <memory>
@@ -52,7 +53,7 @@ struct SpaceItemHit {
 class SpaceLocator {
  public:
   /// Builds the index. The complex must outlive the locator. The arrays of the complex that the
-  /// head of this file names must not change. O(n log n).
+  /// head of this file names must not change. O(n log n) for n items.
   explicit SpaceLocator(const SpaceComplex& complex);
   ~SpaceLocator();
   SpaceLocator(const SpaceLocator&) = delete;
@@ -83,9 +84,9 @@ class SpaceLocator {
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;
   std::optional<SpaceItemHit> shoot(const Point3& origin, const Point3& direction) const;
-  /// Shoots a ray towards -x from a point of the complex's tables. Returns the first item that the
-  /// ray meets strictly after this point, or an invalid item. The result may be an item of the
-  /// frame.
+  /// Shoots a ray towards -x from an input point or a constructed point of the complex. Returns the
+  /// first item that the ray meets strictly after this point, or an invalid item. The result may be
+  /// an item of the frame.
   SpaceItem shoot_left(SpacePoint origin) const;
 
  private:

@@ -13,8 +13,8 @@
 // same shell, because the frame connects them. Cells of the frame and the volume outside the frame
 // are not listed.
 //
-// Cost: O(n alpha(n)). The cells of a shell are returned as spans, or are passed to a visitor by
-// visit().
+// Cost: O(n alpha(n)) for n cells, where alpha is the inverse Ackermann function. The cells of a
+// shell are returned as spans, or are passed to a visitor by visit().
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,8 @@ using ShellId = StrongId<struct ShellTag>;  ///< The id of a shell.
 /// The shells of all volumes of a complex.
 class SpaceShells {
  public:
-  /// Finds the shells. Requires volumes. The complex must outlive this object. O(n alpha(n)).
+  /// Finds the shells. Requires volumes. The complex must outlive this object. O(n alpha(n)) for n
+  /// cells.
   explicit SpaceShells(const SpaceComplex& complex);
 
   /// Returns the number of shells. Shells are ordered by volume. The shells of one volume are

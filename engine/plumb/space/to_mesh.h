@@ -12,8 +12,8 @@
 // The corners of triangles are vertices of the complex, and no vertex lies inside a side of a
 // triangle. So there are no T-junctions.
 //
-// Cost: O(n log n), plus about 5 us for each constructed vertex, whose coordinates must be rounded
-// correctly.
+// Cost: O(n log n) for n cells, plus about 5 us for each constructed vertex, whose coordinates must
+// be rounded correctly.
 #pragma once
 
 #include <cstdint>

@@ -9,15 +9,16 @@
 //  2. drop_flat_vertices()  removes a constructed vertex if all faces at the vertex lie in one
 //                           plane, or in two planes that meet in a line through the vertex, up to
 //                           some units of the last digit (mesh/drop_flat_vertices.h)
-//  3. find_damage           finds the faces that rounding has damaged. For most faces, a
-//                           computation with doubles proves that they are not damaged
-//                           (mesh/doubtful_faces.h). If no face is damaged, the mesh is finished
+//  3. find_damage           finds the damaged faces: the faces that cross, coincide, are flipped or
+//                           have no area after rounding. For most faces, a computation with doubles
+//                           proves that they are not damaged (mesh/doubtful_faces.h). If no face is
+//                           damaged, the mesh is finished
 //  4. RoundingRepairer      repairs damaged faces. First it tries to snap vertices and edges of
 //                           damaged faces to each other if they nearly touch (mesh/snap_near.h). If
 //                           this is not enough, it makes a new set from the boundaries of the
-//                           damaged solids: the set of all points with a positive winding number.
-//                           The boundary of this set replaces the damaged boundaries. The flow
-//                           continues with step 3
+//                           solids that have damaged faces: the set of all points with a positive
+//                           winding number. The boundary of this set replaces the boundaries of
+//                           these solids. The flow continues with step 3
 //
 // Step 2 is needed if results are written to files, and read again for the next operation. After
 // rounding, the triangles of one facet lie in slightly different planes. If the next operation cuts
@@ -28,7 +29,7 @@
 // - Faces meet only in common vertices and common edges. No face is degenerate, no two faces
 //   coincide, and the mesh is closed and oriented.
 // - Each point of the mesh lies within RoundingRepair::largest_move of the exact boundary.
-// - If rounding to the nearest numbers of the output type causes no damage, these nearest numbers
+// - If rounding to the nearest numbers of the output type damages no face, these nearest numbers
 //   are the coordinates of the result. Otherwise, a vertex whose exact coordinates are numbers of
 //   the output type moves only in two cases: if it is near a damaged face, or if its solid had to
 //   be rounded more coarsely (RoundingRepair::coarse_rounds).
@@ -37,8 +38,9 @@
 //
 // Cost: the cost of mesh_of_complex(), plus O(n log n) for the boxes of n faces with rounded
 // vertices, plus the cost of complex_of_mesh() for the faces that may be damaged. Each round of
-// step 4 adds the cost of checking the faces near the damage, and O(n) for a mesh of n corners. If
-// a round makes a new set from damaged solids, the cost of this is added, too.
+// step 4 adds the cost of checking the faces near damaged faces, and O(n) for a mesh of n corners.
+// If a round makes a new set from solids with damaged faces, the cost of making this set is added,
+// too.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +63,8 @@ struct RoundingRepair {
   /// The number of rounds of repair. It is 0 if the mesh was valid without repair.
   std::uint32_t rounds = 0;
   /// The number of times that the repair was started again on a coarser grid. In such a repair, the
-  /// damaged solids are snapped to a grid that is coarser than the numbers of the output type.
+  /// solids with damaged faces are snapped to a grid that is coarser than the numbers of the output
+  /// type.
   std::uint32_t coarse_rounds = 0;
   /// The number of faces that crossed, coincided, flipped or lost their area after rounding. A face
   /// can be counted in several rounds.

@@ -9,7 +9,7 @@
 // Distances are compared exactly. To find the nearest kept point, the function stores kept points
 // in the cells of a grid. The width of a cell is four times the tolerance. The distance between two
 // kept points is greater than the tolerance, so the number of kept points in a cell is bounded.
-// Expected cost: O(n).
+// Expected cost: O(n) for n points.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 // A direction is given by a vector other than zero. The length of the vector has no meaning, so
 // coordinates never need square roots. A great circle is given by a normal. The positive side of
 // the circle is the open half-sphere that contains the normal. Walk along the circle
-// counter-clockwise about the normal: seen from outside the sphere, the positive side lies to the
+// counter-clockwise about the normal. Seen from outside the sphere, the positive side lies to the
 // left of this walk.
 //
 // Main flow of every Boolean operation:
@@ -26,8 +26,8 @@
 // const members of the same set concurrently. Every operation gives the strong exception guarantee.
 //
 // Cost: a binary operation costs as much as SphereOverlay::boolean_op(). A unary operation takes
-// O(n). A point location or ray shooting takes O(n), and copies the table of planes. For many
-// queries in the same set, a SphereLocator is faster.
+// O(n) for n cells. A point location or ray shooting takes O(n), and copies the table of planes.
+// For many queries in the same set, a SphereLocator is faster.
 //
 // Errors: all functions throw Error{NotFinite} for coordinates that are not finite,
 // Error{BadArgument} for the zero vector, and ResourceLimit if a limit of the Context is exceeded,
@@ -306,7 +306,7 @@ class NefSphere {
   /// marked cell. The walk starts at `origin`, takes the shorter way to `towards`, and continues
   /// along the circle until it returns to `origin`. The first cell on the walk is the cell that
   /// contains `origin`. Throws Error{BadArgument} if `origin` and `towards` are equal or opposite
-  /// directions. Cost: O(n), plus sorting the cells on the circle.
+  /// directions. Cost: O(n) for n cells, plus sorting the cells on the circle.
   [[nodiscard]] std::optional<SphereHit> shoot(const SphereVector& origin,
                                                const SphereVector& towards,
                                                Context& context = unlimited_context()) const;

@@ -25,7 +25,7 @@ namespace plumb {
 ///     bound this face. Every face has a boundary.
 /// If `form` is AuditForm::Minimal, one more invariant is checked: no cell can be removed without
 /// changing the set. The audit costs as much as an overlay of the map with itself. For small maps
-/// this is O(n^2).
+/// with n cells this is O(n^2).
 std::optional<DcelFlaw> audit(const PlaneTable& planes, const SphereMap& map, AuditForm form);
 
 }  // namespace plumb

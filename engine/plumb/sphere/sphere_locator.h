@@ -21,15 +21,15 @@
 // The results are exact. They are equal to the results of the functions of NefSphere that have the
 // same names. Doubles are used only to select the points and arcs that are tested exactly.
 //
-// Cost: building a locator takes O(n log n) time. A locator needs about 330 bytes for each cell,
-// and a copy of the planes. A query descends the tree to the cells near its walk, and tests these
-// cells:
+// Cost: building a locator takes O(n log n) time for n cells. A locator needs about 330 bytes for
+// each cell, and a copy of the planes. A query descends the tree to the cells near its walk, and
+// tests these cells:
 //   - If small arcs are spread evenly over the sphere, a query takes O(log n).
 //   - A call of shoot() whose walk passes through many cells takes time for each of these cells.
 //   - A point on the walk takes time proportional to its degree.
 //   - If several cells are so close together that doubles cannot distinguish them, all of these
 //     cells are tested.
-//   - The worst case is O(n).
+//   - The worst case is O(n) for n cells.
 // Each query adds planes to the locator's copy of the table of planes. When the copy has reached
 // twice the size of the original table, it is replaced by a new copy of the original table. This
 // bounds the memory, and takes O(1) amortized time for each query.
@@ -48,8 +48,8 @@ namespace plumb {
 /// its own locator.
 class SphereLocator {
  public:
-  /// Builds a locator in O(n log n). The locator keeps a copy of the set and a copy of its planes.
-  /// The copy of the set takes O(1), because it shares the map.
+  /// Builds a locator in O(n log n) for n cells. The locator keeps a copy of the set and a copy of
+  /// its planes. The copy of the set takes O(1), because it shares the map.
   explicit SphereLocator(const NefSphere& set);
   ~SphereLocator();  ///< Releases the index.
   /// Takes over the index of `other`. A moved-from locator may only be destroyed or assigned to.

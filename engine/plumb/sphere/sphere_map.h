@@ -57,7 +57,7 @@ class SphereCell {
   enum class Kind : std::uint32_t { Point, Arc, Face };
 
   constexpr SphereCell() = default;
-  /// Makes the id of the cell of this kind with this index. Requires that `index` is less than
+  /// Makes the id of the cell that has the given kind and index. Requires that `index` is less than
   /// 2^30.
   constexpr SphereCell(Kind kind, std::uint32_t index)
       : code_((static_cast<std::uint32_t>(kind) << 30U) | index) {}

@@ -24,11 +24,12 @@
 //             before it. The third corner of the new face decides which side the line crosses next.
 //             If the line runs along a side, rounding decides which of the two faces at this side
 //             the line passes through
-//  3. pass    is taken if the line passes a vertex so closely that the directions differ by at most
-//             2^-40. It continues the line behind this vertex. If the full angle of an inner vertex
-//             is not a whole turn, the line is continued so that the angles on both of its sides
-//             are equal. Then the line is a straightest geodesic. At a vertex of the border, the
-//             line is continued so that the angle on one side is half a turn
+//  3. pass    is taken if the line passes a vertex so closely that the direction of the line and
+//             the direction towards the vertex differ by at most 2^-40. It continues the line
+//             behind this vertex. If the full angle of an inner vertex is not a whole turn, the
+//             line is continued so that the angles on both of its sides are equal. Then the line is
+//             a straightest geodesic. At a vertex of the border, the line is continued so that the
+//             angle on one side is half a turn
 //  4. land    computes the weights of the end of the line in the last face. Weights below 2^-40 are
 //             replaced by zero, so that the point lies on an edge or a vertex
 //
@@ -56,16 +57,16 @@ class ExponentialMap {
  public:
   /// Makes the map around `centre`, which is a row of `points`. The x axis is the direction of the
   /// first side of `face`, turned counter-clockwise by `angle` degrees. Requires that the centre
-  /// lies in `face` and that `angle` is finite. The mesh must outlive the map. O(n).
+  /// lies in `face` and that `angle` is finite. The mesh must outlive the map. O(n) for n vertices.
   ExponentialMap(const SurfacePointTable& points, SurfacePointId centre, FaceId face, double angle);
 
-  /// Appends the point at an offset to `points` and returns its row. Returns no value if the line
-  /// leaves the mesh at its border. The offset is in units of the mesh. Requires that the offset is
-  /// finite and that `points` is a table over the same mesh. The cost is linear in the number of
-  /// faces that the line crosses, plus the degrees of the vertices that it passes. If the centre is
-  /// a vertex, O(log degree) is added. Throws Error{ResourceLimit} if the line crosses too many
-  /// faces: the limit is several times the number of faces of the mesh. Throws what the context
-  /// throws.
+  /// Appends to `points` the point of the mesh that belongs to an offset, and returns the row of
+  /// this point. Returns no value if the line leaves the mesh at its border. The offset is in units
+  /// of the mesh. Requires that the offset is finite and that `points` is a table over the same
+  /// mesh. The cost is linear in the number of faces that the line crosses, plus the degrees of the
+  /// vertices that it passes. If the centre is a vertex, O(log degree) is added. Throws
+  /// Error{ResourceLimit} if the line crosses too many faces: the limit is several times the number
+  /// of faces of the mesh. Throws what the context throws.
   std::optional<SurfacePointId> add(Point2 offset, SurfacePointTable& points,
                                     Context& context = unlimited_context()) const;
 

@@ -4,8 +4,8 @@
 // of the surface after the polygons are removed. The label of a shape is a function that assigns an
 // integer to each cell. Just to the left of a polygon of the shape, the label is greater by 1 than
 // just to the right of the polygon. The label exists if and only if the shape is zero in the
-// homology of the surface relative to the border of the surface. If a shape has no label, a cycle
-// of cells proves that there is none.
+// homology of the surface relative to the border of the surface. If a shape has no label, a closed
+// walk from cell to cell proves that there is none (Separation::cycle).
 //
 // Main flow of SurfaceDivision:
 //  1. slice       computes the intersections of the polygons in every face that they touch
@@ -95,10 +95,10 @@ struct SurfaceCounts {
 struct Separation {
   bool over_z = true;  ///< Whether an integer label exists.
   bool mod_2 = true;   ///< Whether a label modulo 2 exists.
-  /// A cycle of cells that proves that no integer label exists. It is empty if over_z is true. Each
-  /// cell of the cycle is adjacent to the next cell, and the last cell is adjacent to the first. If
-  /// there were an integer label, its changes from cell to cell along the cycle would not add up to
-  /// zero. If mod_2 is false, the sum of these changes is odd.
+  /// A closed walk over cells that proves that no integer label exists. It is empty if over_z is
+  /// true. Each cell of the walk is adjacent to the next cell, and the last cell is adjacent to the
+  /// first. If there were an integer label, its changes from cell to cell along the walk would not
+  /// add up to zero. If mod_2 is false, the sum of these changes is odd.
   std::vector<CellId> cycle;
 };
 

@@ -24,11 +24,12 @@ namespace plumb {
 /// - Error{NotFinite} with the index of the vertex, if a coordinate is not finite,
 /// - what the constructor of SurfaceMesh throws.
 ///
-/// Cost: O(n).
+/// Cost: O(n) for n triangles.
 SurfaceMesh surface_of(const MeshView& mesh);
 
 /// Returns a view of the vertices and faces of a surface, with the same indices. The surface must
-/// outlive the view. While the view is used, the contents of the surface must not be moved.
+/// outlive the view. While the view is used, the contents of the surface must not be moved to
+/// another object.
 MeshView view_of(const SurfaceMesh& mesh);
 
 /// Returns a view of the points and triangles of a triangulation, with the same indices. The arrays

@@ -11,8 +11,8 @@
 //  5. cells     neighbouring pieces with different cells are separated by an arc; the graph of
 //               cells contains each pair of neighbouring cells
 //  6. labels    from one side of an arc to the other, labels change by the multiplicities of the
-//               arc. If a shape has no label, its Separation::cycle is a cycle of cells, and the
-//               multiplicities of the arcs along this cycle do not add up to zero
+//               arc. If a shape has no label, its Separation::cycle is a closed walk over cells,
+//               and the multiplicities of the arcs that this walk crosses do not add up to zero
 #pragma once
 
 #include <optional>

@@ -59,7 +59,7 @@ inline std::int32_t entry_value(std::int64_t sum) {
 //               opposite directions
 //  4. fans      checks that the faces around each vertex are one fan or one closed ring
 //
-// Cost: O(n). Memory: 60 bytes for each face. Design: docs/design/surface.md.
+// Cost: O(n) for n faces. Memory: 60 bytes for each face. Design: docs/design/surface.md.
 
 /// A triangle, given by the point indices of its three corners.
 using SurfaceTriangle = std::array<std::uint32_t, 3>;
@@ -74,7 +74,7 @@ class SurfaceMesh {
   /// faces of the component have consistent orientations. There are two ways to do this. The
   /// constructor chooses the way in which fewer faces are flipped; in case of a tie, the first face
   /// of the component is not flipped. If a face is flipped, its last two corners are exchanged, and
-  /// is_flipped() returns true for the face. O(n). Throws:
+  /// is_flipped() returns true for the face. O(n) for n faces. Throws:
   /// - Error{BadIndex} if a corner is not the index of a point,
   /// - Error{DegenerateFace} if a face has a repeated corner,
   /// - Error{BadShape} if the triangles are not an orientable manifold; the error lists up to ten
@@ -95,9 +95,8 @@ class SurfaceMesh {
   const SurfaceTriangle& corners(FaceId f) const { return corners_[f]; }
   /// Returns corner i of the face. Requires that i < 3.
   VertexId corner(FaceId f, std::size_t i) const { return VertexId(corners_[f][i]); }
-  /// Whether the face was flipped. If it was flipped, the second corner in this mesh is the third
-  /// corner in the input, and the other way round. So the weights of these two corners are
-  /// exchanged, too.
+  /// Whether the face was flipped. If it was flipped, this mesh has the second and the third corner
+  /// of the input in exchanged order. So the weights of these two corners are exchanged, too.
   bool is_flipped(FaceId f) const { return is_flipped_[f] != 0; }
   /// Returns the index of the face's component. Components are in the order of the lowest face
   /// index in each component.
@@ -130,7 +129,7 @@ class SurfaceMesh {
   EdgeId edge(HalfedgeId h) const { return edge_[h]; }
   /// Returns one half-edge of the edge: the one in the face with the lower index.
   HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
-  /// Whether the half-edge starts at the vertex of its edge with the lower index.
+  /// Whether the half-edge starts at that end of its edge which has the lower vertex index.
   bool is_upward(HalfedgeId h) const { return origin(h) < target(h); }
   VertexId lower(EdgeId e) const;  ///< Returns the end with the lower index.
   VertexId upper(EdgeId e) const;  ///< Returns the end with the higher index.

@@ -42,8 +42,8 @@ class SurfacePointTable {
   SurfacePointId add_on_edge(EdgeId e, double t);  ///< Appends the point t on an edge.
   /// Appends the point t of an edge. Here t is an exact number.
   SurfacePointId add_on_edge(EdgeId e, const Rational& t);
-  /// Appends the point with the parameters (u, v) in a face. If the point lies on a side or at a
-  /// corner of the face, it is stored on this edge or vertex.
+  /// Appends the point with the parameters (u, v) in a face. A point on a side of the face is
+  /// stored on the edge of this side. A point at a corner is stored on the vertex of this corner.
   SurfacePointId add_in_face(FaceId f, double u, double v);
   /// Appends the point with the exact parameters (u, v) in a face.
   SurfacePointId add_in_face(FaceId f, const Rational& u, const Rational& v);
@@ -74,8 +74,8 @@ class SurfacePointTable {
   /// Appends to the table `to` the parameters (u, v) that the point has in the face f. This
   /// function and the next two functions require is_in(p, f).
   void append_local(SurfacePointId p, FaceId f, PointTable2& to) const;
-  /// Returns the parameters (u, v) that the point has in the face f. Both have an error of at most
-  /// 2^-52.
+  /// Returns the parameters (u, v) that the point has in the face f. Both parameters have an error
+  /// of at most 2^-52.
   Point2 approx_in(SurfacePointId p, FaceId f) const;
   /// Returns the exact parameters (u, v) that the point has in the face f.
   RationalPoint2 exact_in(SurfacePointId p, FaceId f) const;
@@ -129,7 +129,7 @@ struct SurfacePolygons {
   std::vector<std::uint8_t> is_control;
 
   std::size_t size() const { return begin.size() - 1; }  ///< Returns the number of polygons.
-  /// Returns the entry after i in polygon p, cyclically.
+  /// Returns the entry that follows entry i in polygon p. The first entry follows the last entry.
   std::uint32_t next(std::size_t p, std::uint32_t i) const {
     return i + 1 == begin[p + 1] ? begin[p] : i + 1;
   }
@@ -149,7 +149,7 @@ struct SurfacePolygons {
 };
 
 /// Throws Error{BadArgument} unless both ends of every segment lie in the face of the segment. The
-/// error contains the indices of the polygon and of the segment. O(n).
+/// error contains the indices of the polygon and of the segment. O(n) for n segments.
 void require_valid(const SurfacePolygons& polygons);
 
 }  // namespace plumb

@@ -19,11 +19,12 @@
 //                repeated until there are no such bends, or the path does not become shorter. If a
 //                shortest path is asked for, a second search looks for the strip of a path that is
 //                shorter than this one (shortest_strip.h)
-//  5. read off   appends the points of the path. These are the vertices where the path bends, and
-//                the vertices whose distance from the path is at most 2^-40 times the length of a
-//                side. Where the path crosses a side away from these vertices, the crossing point
-//                is appended. It is stored by its parameter t on the side. If the faces between two
-//                such vertices are coplanar, t is exact; otherwise t is a double (unfolded_strip.h)
+//  5. read off   appends the points of the path. First, these are the vertices where the path
+//                bends. Second, if the path crosses a side closer to one of its ends than 2^-40
+//                times the length of the side, this end is appended. Where the path crosses a side
+//                away from these vertices, the crossing point is appended. It is stored by its
+//                parameter t on the side. If the faces between two such vertices are coplanar, t is
+//                exact; otherwise t is a double (unfolded_strip.h)
 //
 // Steps 1 to 4 are computed in doubles. Rounding can only affect the choice of the path. From step
 // 5 on, the chosen path is represented exactly, and is never traced again. If several paths are
@@ -55,7 +56,7 @@ enum class PathChoice : std::uint8_t {
 /// Traces paths between points of a mesh.
 class Tracer {
  public:
-  /// Makes a tracer for the mesh. The mesh must outlive the tracer. O(n).
+  /// Makes a tracer for the mesh. The mesh must outlive the tracer. O(n) for n vertices.
   explicit Tracer(const SurfaceMesh& mesh, PathChoice choice = PathChoice::Local);
   /// A moved-from tracer may only be destroyed. There is no copy constructor, because finder_
   /// refers to positions_.

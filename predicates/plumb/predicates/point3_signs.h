@@ -40,8 +40,8 @@ Sign side(const Point3Table& points, SpacePoint x, PlaneId plane,
 bool is_known_on(const Point3Table& points, SpacePoint x, PlaneId plane,
                  std::span<const PlaneId> incident = {});
 
-/// Compares the coordinates of x and y on the given axis (0, 1 or 2): Negative if that of x is
-/// less. The degree in input coordinates is at most 13.
+/// Compares the coordinates of x and y on the given axis (0, 1 or 2): Negative if the coordinate of
+/// x is less. The degree in input coordinates is at most 13.
 Sign compare_axis(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
 /// Compares two points lexicographically (x, then y, then z). Swapping x and y flips the sign. The
@@ -57,7 +57,7 @@ bool equal(const Point3Table& points, SpacePoint x, SpacePoint y);
 /// Returns the sign of y - x in the direction n_p x n_q: Positive if y comes after x. The result is
 /// Zero if p and q are parallel. Requires that x and y lie on the line of p and q. If the boxes do
 /// not decide, the function chooses a plane that defines y and crosses the line. Then it computes
-/// on which side of this plane x lies. The degree in input coordinates is 9.
+/// on which side of this plane the point x lies. The degree in input coordinates is 9.
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y);
 
 /// Returns the fingerprint of a point. Equal points have equal fingerprints, even if their
@@ -131,8 +131,9 @@ FilteredSign compare_axis_fixed(const Point3Table& points, SpacePoint x, SpacePo
 Sign side_big(const Point3Table& points, SpacePoint x, PlaneId plane);
 Sign compare_axis_big(const Point3Table& points, SpacePoint x, SpacePoint y, std::size_t axis);
 
-/// Decides the side if side_filter returns Unsure. The remaining stages are the filter for points
-/// of the frame, the tests for further identities, fixed-width integers, and GMP integers.
+/// Decides on which side of the plane x lies, after side_filter has returned Unsure. The remaining
+/// stages are the filter for points of the frame, the tests for further identities, fixed-width
+/// integers, and GMP integers.
 Sign side_without_filter(const Point3Table& points, SpacePoint x, PlaneId plane,
                          std::span<const PlaneId> incident);
 

@@ -53,7 +53,7 @@ class PointTable2 {
   /// O(size of other).
   void append(const PointTable2& other);
   /// Returns a table of the points whose entry in `keep` is not 0. The order of the points is kept.
-  /// Requires that `keep` has one entry for each point. Cost: O(n).
+  /// Requires that `keep` has one entry for each point. Cost: O(n) for n points.
   PointTable2 subset(std::span<const std::uint8_t> keep) const;
 
   std::size_t size() const { return points_.size(); }  ///< Returns the number of points.
@@ -176,8 +176,9 @@ Sign compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Cros
 /// Returns the sign of p - q if |p - q| is greater than `radius` (with a small safety margin).
 /// Otherwise returns Unsure. Requires radius >= 2^-300. Also requires |p| < 2^303 or radius = +inf.
 /// In any rounding mode, the relative error of the computed difference is at most 2^-52.
-/// Flush-to-zero or denormals-are-zero may add an error of at most 2^-1020. The factor 1.0001 in
-/// the code covers both errors, and the rounding of `radius`.
+/// Flush-to-zero or denormals-are-zero may add an error of at most 2^-1020. Therefore the
+/// difference is compared with 1.0001 `radius`. The factor covers the relative error, the error of
+/// flushing, and the rounding of the product.
 inline FilteredSign compare_apart(double p, double q, double radius) {
   const double difference = p - q;
   if (!(std::fabs(difference) > 1.0001 * radius)) return FilteredSign::Unsure;

@@ -453,7 +453,7 @@ class Integer {
   }
 
   /// Calls set(result, a, b) and returns the result. If an operand is a temporary, the result is
-  /// computed in its memory.
+  /// computed in the memory of this operand.
   template <class A, class B, class Set>
   static Integer into(A& a, B& b, Set set) {
     if constexpr (std::same_as<A, Integer>) {
@@ -676,7 +676,7 @@ class Rational {
   }
 
   /// Calls set(result, a, b) and returns the result. If an operand is a temporary, the result is
-  /// computed in its memory.
+  /// computed in the memory of this operand.
   template <class A, class B>
   static Rational into(A& a, B& b, void (*set)(mpq_ptr, mpq_srcptr, mpq_srcptr)) {
     if constexpr (std::same_as<A, Rational>) {

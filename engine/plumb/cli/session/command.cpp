@@ -74,14 +74,14 @@ class Formatter : public CLI::Formatter {
 CommandApp::CommandApp(const Command& command)
     : app(std::string(command.summary), "plumb " + std::string(command.name)),
       body(command.make()) {
-  std::string footer = "JSON: docs/schema/" + std::string(command.schema) + ".schema.json\n";
-  footer += "Example:\n  " + std::string(command.example);
-  app.footer(footer);
+  app.footer("Example:\n  " + std::string(command.example));
   app.allow_windows_style_options(false);  // /tmp/a.off is a file there, too.
   app.formatter(std::make_shared<Formatter>());
   app.get_help_ptr()->group("");  // Who reads this page knows it.
   body->declare(app);
   common.declare(app);
+  app.get_option("--json")->description("Print JSON: docs/schema/" + std::string(command.schema) +
+                                        ".schema.json");
 }
 
 std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }

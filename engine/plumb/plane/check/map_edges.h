@@ -58,10 +58,10 @@ struct MapEdges {
 
 /// Returns the edges of a map. The function sorts the directed edges into buckets by the lesser of
 /// their two vertex ids. In each bucket, it finds the directed edges of the same undirected edge.
-/// Cost: O(n), plus sorting the edges in each bucket. A MapReport does not keep the edges, because
-/// they would take 12 bytes for each corner. Instead, to_dcel() and the writer of half-edges call
-/// this function again. This takes only a small part of the time of the check. The order of
-/// MapEdges::ends depends only on the set of undirected edges.
+/// Cost: O(n) for n corners, plus sorting the edges in each bucket. A MapReport does not keep the
+/// edges, because they would take 12 bytes for each corner. Instead, to_dcel() and the writer of
+/// half-edges call this function again. These calls take only a small part of the time of
+/// check_map(). The order of MapEdges::ends depends only on the set of undirected edges.
 MapEdges match_twins(const Map& map);
 
 /// The connected components of the edge graph.
@@ -92,7 +92,7 @@ struct OpenChain {
 
 /// Returns all chains, in the order of their least half-edges. If several chains meet at a vertex,
 /// a chain that arrives along some faces continues along the same faces. Requires that no half-edge
-/// is listed twice. This requirement ensures that every chain closes. O(n).
+/// is listed twice. This requirement ensures that every chain closes. O(n) for n half-edges.
 std::vector<OpenChain> trace_open_chains(const Map& map, const MapEdges& edges);
 
 /// Returns the vertices of a chain in order, in the form of a cycle of a map.

@@ -22,7 +22,7 @@ struct PlaneRecords {
 
   /// A vertex.
   struct Vertex {
-    std::uint32_t point;  ///< The dense index of the vertex's point (plane_points.h).
+    std::uint32_t point;  ///< The index of the vertex's point, as numbered in plane_points.h.
     bool mark;            ///< The mark of the vertex.
     friend bool operator==(const Vertex&, const Vertex&) = default;
   };
@@ -61,7 +61,7 @@ class RecordError : public Error {
   std::size_t index_;
 };
 
-/// Returns the records of a complex. O(n).
+/// Returns the records of a complex. O(n) for n cells.
 PlaneRecords to_records(const PlaneComplex& complex);
 /// Returns the record of one vertex.
 PlaneRecords::Vertex record_of(const PlaneComplex& complex, VertexId v);
@@ -74,7 +74,7 @@ PlaneRecords::Edge record_of(const PlaneComplex& complex, EdgeId e);
 ///   - an index out of range
 ///   - a line through two equal points, or a crossing of two parallel lines
 ///   - a vertex that does not lie on the line of its edge
-///   - edges that intersect elsewhere than at their common vertices
+///   - edges that intersect in points other than their common vertices
 ///   - different marks for the same face
 ///   - a cell that is not needed, because the set is the same without the cell
 ///   - a vertex or edge that is out of order

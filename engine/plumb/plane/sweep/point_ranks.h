@@ -22,7 +22,7 @@ struct PointRanks {
 };
 
 /// Returns the ranks of the used points. Point i is used if used[i] is not 0. The limits of
-/// `context`, which may be null, are checked meanwhile. O(n log n).
+/// `context`, which may be null, are checked meanwhile. O(n log n) for n points.
 PointRanks rank_points(const PlanePointsView& points, const std::vector<char>& used,
                        const Context* context = nullptr);
 

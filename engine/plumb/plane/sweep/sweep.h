@@ -104,7 +104,7 @@ struct SweepCurve {
 enum class SweepPlace : std::uint8_t {
   LeftInfinity,   ///< All curves from the left infinity start, as outgoing bundles.
   VerticalStart,  ///< Coincident vertical curves from infinity below start, as one bundle.
-  Point,          ///< An end point, a stop or a crossing.
+  Point,          ///< An end point, a stop (see sweep()) or a crossing.
   VerticalEnd,    ///< Coincident vertical curves to infinity above end, as one bundle.
   RightInfinity,  ///< All curves to the right infinity end, as incoming bundles.
 };
@@ -138,9 +138,9 @@ struct SweepEvent {
   // members.
   /// The result of came_from() for each outgoing bundle.
   std::span<const std::uint32_t> arrived_as;
-  /// For each incoming bundle, one past the last index in `ends` of a curve of this bundle.
+  /// For each incoming bundle, the index in `ends` just after the last curve of this bundle.
   std::span<const std::uint32_t> ends_end;
-  /// For each outgoing bundle, one past the last index in `starts` of a curve of this bundle.
+  /// For each outgoing bundle, the index in `starts` just after the last curve of this bundle.
   std::span<const std::uint32_t> starts_end;
 
   /// Returns the index of the incoming bundle that continues in outgoing bundle `out`, or kNew if

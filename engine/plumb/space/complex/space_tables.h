@@ -7,7 +7,7 @@
 // copy(), and adds the entries of the smaller table to the copy by merge(). The TableMap that
 // merge() returns has the new ids for the set with the smaller table. Finally compacted() drops the
 // planes and points that the result does not use. In a table, equal planes always have the same id.
-// Equal points may have different ids. This holds for input points and for constructed points. The
+// Equal points may have different ids, whether they are input points or constructed points. The
 // function equal() compares points by their coordinates.
 #pragma once
 

@@ -27,16 +27,17 @@ enum class PolygonShape : std::uint8_t {
 
 /// Returns the shape of a polygon. The polygon is given by indices of points. Requires that all
 /// points of `points` are different, and that no two consecutive corners of the polygon are the
-/// same point. O(n) for a convex polygon, otherwise O(n log n). Throws what the context throws.
+/// same point. For n corners, O(n) if the polygon is convex, otherwise O(n log n). Throws what the
+/// context throws.
 PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
                       Context& context);
 
 /// Returns the direction in which a polygon runs: Positive means counter-clockwise. Requires that
-/// the polygon is Simple and does not lie on one line. O(n).
+/// the polygon is Simple and does not lie on one line. O(n) for n corners.
 Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> polygon);
 
-/// Sorts directed edges. If the list contains an edge and its reverse, both are removed. O(n log
-/// n).
+/// Sorts directed edges. If the list contains an edge and its reverse, both are removed. O(n log n)
+/// for n edges.
 void cancel_reverses(std::vector<IndexEdge>& edges);
 
 /// Returns the directed edges of a polygon. If the polygon runs along an edge in both directions,
@@ -59,7 +60,8 @@ class FacetTriangles {
 
   /// Calls visit(a, b, c) with the vertices of each triangle, counter-clockwise seen from the
   /// positive side of the facet's plane. Vertices inside the facet become corners of triangles,
-  /// too. So no vertex lies inside a triangle or inside an edge of a triangle. O(n log n).
+  /// too. So no vertex lies inside a triangle or inside an edge of a triangle. O(n log n) for n
+  /// vertices of the facet.
   template <class Visit>
   void for_each(FacetId f, const Visit& visit) {
     const UseId a = complex_.cycles_of(f)[0];

@@ -139,14 +139,15 @@ using IndexTriangle = std::array<std::uint32_t, 3>;  ///< Three points, counter-
 /// are different, that edges meet each other only at common ends, and that no point lies inside an
 /// edge. An edge that occurs in both directions is a slit. If the edges do not bound a region to
 /// their left, the function appends nothing and returns false. This is the case if the edges wind
-/// around some part of the plane more than once or a negative number of times. O(n log n).
+/// around some part of the plane more than once or a negative number of times. O(n log n) for n
+/// edges and points.
 bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
                  std::vector<IndexTriangle>& triangles);
 
 /// Flips sides of triangles until every side that is not in `edges` is locally Delaunay. If the
 /// four corners of two adjacent triangles lie on a circle, the diagonal that ends at the point of
-/// lowest index is used. So the result is unique. The number of flips is O(n^2) in the worst case,
-/// and usually O(n).
+/// lowest index is used. So the result is unique. For n triangles, the number of flips is O(n^2) in
+/// the worst case, and usually O(n).
 void make_delaunay(const PlanarPoints& points, std::span<const IndexEdge> edges,
                    std::span<IndexTriangle> triangles);
 

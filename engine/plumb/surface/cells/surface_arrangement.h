@@ -1,10 +1,11 @@
 // The subdivision of a surface by polygons. Each face is subdivided separately.
 //
-// A face is touched if a node lies in it or on its boundary. Each touched face is stored as a
-// planar subdivision with half-edges. In the numbering of a touched face, the half-edges along the
+// A face is divided if a node lies in it or on its boundary. Each divided face is stored as a
+// planar subdivision with half-edges. In the numbering of a divided face, the half-edges along the
 // boundary of the face come first. Each of them runs from a node to the next node, and its twin
-// belongs to the adjacent face. The half-edges of arcs inside the face come after them, in pairs of
-// twins. Faces that are not touched are not divided.
+// belongs to the adjacent face. The half-edges of arcs inside the face come after the half-edges
+// along the boundary, in pairs of twins. All other faces remain whole, and nothing is stored for
+// them.
 //
 // Main flow of slice():
 //  1. nodes      replaces all equal points by one node. To find equal points, it sorts the points
@@ -14,7 +15,7 @@
 //  3. segments   does the same for all other segments: those with the same face and the same ends
 //                form a group, and the multiplicities in each group are added. Groups whose sum is
 //                zero are dropped
-//  4. faces      computes the arrangement of the segments in each touched face (face_arrangement.h)
+//  4. faces      computes the arrangement of the segments in each divided face (face_arrangement.h)
 //  5. sew        finds the twins of half-edges along mesh edges
 //
 // The multiplicity of a polygon along an arc is its coefficient in a chain, as in homology. It is
@@ -61,12 +62,12 @@ class SurfaceBundles {
   std::vector<SignedEntry> entries_;
 };
 
-/// The subdivision in flat arrays. The half-edges of each touched face have consecutive ids. The
-/// pieces of each touched face also have consecutive ids.
+/// The subdivision in flat arrays. The half-edges of each divided face have consecutive ids. The
+/// pieces of each divided face also have consecutive ids.
 struct SurfaceArrangement {
   std::size_t segments = 0;  ///< Number of input segments of nonzero length.
 
-  // The nodes are, in this order: input points, corners of touched faces that are not input points,
+  // The nodes are, in this order: input points, corners of divided faces that are not input points,
   // crossings.
   IdVector<NodeId, SurfacePointId> node_point;  ///< The input points, which are the first nodes.
   std::vector<VertexId> corner_vertex;          ///< The corners, which are the next nodes.
@@ -74,19 +75,20 @@ struct SurfaceArrangement {
   /// The node of each entry of SurfacePolygons::point.
   std::vector<NodeId> node_of_entry;
 
-  // Each touched face has an index among the touched faces, called its slot. Slots are in ascending
-  // order of face ids.
+  // The divided faces, in ascending order of their ids. The index of a face in this list is called
+  // the slot of the face.
   std::vector<FaceId> slot_face;
-  IdVector<FaceId, std::uint32_t> slot_of_face;  ///< Slot of each face, or kNone.
-  /// Four entries for each slot: the first half-edge of side 0, of side 1 and of side 2, and the
-  /// first half-edge of the arcs inside the face.
+  IdVector<FaceId, std::uint32_t> slot_of_face;  ///< Slot of each face; kNone if it is not divided.
+  /// Four entries for each divided face, in the order of slots: the first half-edge of side 0, of
+  /// side 1 and of side 2, and the first half-edge of the arcs inside the face.
   std::vector<std::uint32_t> side_begin;
-  /// The first piece of each slot. The last entry is the number of pieces.
+  /// The first piece of each divided face, in the order of slots. The last entry is the number of
+  /// pieces.
   std::vector<PieceId> piece_begin;
 
   IdVector<HalfedgeId, NodeId> origin;  ///< Origin of each half-edge.
   /// Twin of each half-edge. It is invalid at the mesh border, and where the adjacent face is not
-  /// touched.
+  /// divided.
   IdVector<HalfedgeId, HalfedgeId> twin;
   IdVector<HalfedgeId, HalfedgeId> next;  ///< Next half-edge around the piece of each half-edge.
   IdVector<HalfedgeId, PieceId> piece;    ///< Piece to the left of each half-edge.

@@ -33,7 +33,7 @@ struct CellEdge {
 struct SurfaceCells {
   IdVector<PieceId, CellId> of_piece;
   IdVector<FaceId, CellId>
-      of_face;  ///< The cell that contains each face; valid only for faces that are not touched.
+      of_face;  ///< The cell that contains each face; valid only for faces that are not divided.
   IdVector<CellId, double> area;  ///< The area of each cell, but at most the largest double.
   IdVector<CellId, std::uint32_t>
       component;  ///< The component of the mesh that contains each cell.

@@ -11,8 +11,8 @@
 //                as sparse vectors
 //  3. check      visits each edge of the graph that is not in the tree, and checks that the labels
 //                at its two ends differ by the jump of the edge. If this does not hold for a
-//                shape, the shape has no label. The edge and the tree then contain a cycle that
-//                proves that there is no label
+//                shape, the shape has no label. The edge and the tree then contain a closed walk
+//                over cells that proves that there is no label
 //  4. shift      adds a constant to the labels of a shape in each component of the mesh. If a level
 //                is given for the shape and the component, the constant is chosen so that the
 //                labels agree with this level. Otherwise it is chosen by the rules of SurfaceScene
@@ -75,10 +75,10 @@ struct CellLabels {
   }
 };
 
-/// Returns the labels. For each shape without a label, the result has a cycle that proves that
-/// there is no label. In the component of the cell `outside`, labels are zero in this cell;
-/// `outside` may be invalid. `levels` take precedence over `outside`. There is at most one level
-/// for each pair of a shape and a component. Throws what the context throws.
+/// Returns the labels. For each shape without a label, the result has a closed walk over cells that
+/// proves that there is no label. In the component of the cell `outside`, labels are zero in this
+/// cell; `outside` may be invalid. `levels` take precedence over `outside`. There is at most one
+/// level for each pair of a shape and a component. Throws what the context throws.
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
                        CellId outside, std::span<const CellLevel> levels, Context& context);
 

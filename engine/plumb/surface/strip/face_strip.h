@@ -106,8 +106,9 @@ class StripFinder {
 
   /// Returns a short strip from one end to the other, found by an A* search. The search measures
   /// the length of a strip along the centroids of its faces. Returns no value if no strip leads
-  /// from one end to the other. If two faces have the same bound, the face with the lower index is
-  /// visited first, so the result is the same on all platforms.
+  /// from one end to the other. If the search has the same lower bound for the lengths of strips
+  /// through two faces, the face with the lower index is visited first, so the result is the same
+  /// on all platforms.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
   /// Shortens a strip from `from` to `to`. The new strip begins at the last face of the strip that
@@ -118,7 +119,7 @@ class StripFinder {
 
  private:
   struct Visit {
-    std::uint32_t round = 0;  // Round of find() or shorten(); an older entry counts as absent.
+    std::uint32_t round = 0;  // Number of the call that made the entry; older entries are void.
     bool is_done = false;
     double cost = 0;
     HalfedgeId door;         // Half-edge through which the face was entered.

@@ -6,11 +6,12 @@
 //  1. start      makes a window on each side of the faces that contain the start, except for sides
 //                on which the start lies. A window is a part of a side through which straight lines
 //                from the start pass
-//  2. spread     takes the window or vertex with the least bound from a heap. The bound is a lower
-//                bound for the length of paths through it. From a window, the step makes new
-//                windows on the two other sides of the face behind the window, and computes a
-//                distance for the vertex between these sides. From a vertex, the step makes windows
-//                around the vertex if shortest paths can bend there
+//  2. spread     takes the window or vertex with the least bound from a heap. This bound is a lower
+//                bound for the lengths of all paths from the start to the end that pass through the
+//                window or vertex. From a window, the step makes new windows on the two other sides
+//                of the face behind the window, and computes a distance for the vertex between
+//                these sides. From a vertex, the step makes windows around the vertex if shortest
+//                paths can bend there
 //  3. reach      is taken if a window or a vertex reaches a face that contains the end. The path to
 //                the end through this window or vertex becomes a candidate
 //  4. stop       ends the search if no bound is less than the length of the best path found so far
@@ -47,8 +48,8 @@ class ShortestStripFinder {
   /// `bound`. Returns no value if no path is shorter than `bound` by more than 2^-40 of `bound`.
   /// Requires that no face contains both ends. Cost: O(w log w) for w windows. On usual meshes, w
   /// is a small multiple of the number of sides in an ellipsoid, whose foci are the two ends and
-  /// whose longest axis has the length `bound`. In the worst case, w is O(n^2). Throws what the
-  /// context throws.
+  /// whose longest axis has the length `bound`. In the worst case, w is O(n^2) for n vertices.
+  /// Throws what the context throws.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, double bound,
                                 Context& context);
 
@@ -61,30 +62,31 @@ class ShortestStripFinder {
   struct Window {
     HalfedgeId into;       // The side, in the face behind it.
     double begin, end;     // The part of the side, as distances from its origin.
-    Point2 source;         // The position of the seat after unfolding.
-    std::uint32_t seat;    // The seat from which the lines come.
-    std::uint32_t before;  // The window before it; kNone if it is the first after the seat.
+    Point2 source;         // The position of the source after unfolding.
+    std::uint32_t seat;    // The source of the lines (a Seat).
+    std::uint32_t before;  // The window before this window; kNone if it is the first after `seat`.
   };
   /// A source of windows: the start, or a vertex together with a path from the start to it.
   struct Seat {
     VertexId vertex;       // Invalid for the start.
     double distance;       // The length of the path from the start.
     std::uint32_t window;  // The window through which the vertex was reached, or kNone.
-    std::uint32_t seat;    // If there is no window: the seat before it,
-    FaceId face;           // and a face that contains both seats.
+    std::uint32_t seat;    // If there is no window: the source before this one,
+    FaceId face;           // and a face that contains both sources.
   };
   /// The last step of a path that reaches the end point.
   struct Arrival {
     std::uint32_t window = kNone;  // The last window, or kNone.
-    std::uint32_t seat = kNone;    // If there is no window: the last seat,
+    std::uint32_t seat = kNone;    // If there is no window: the last source,
     FaceId face;                   // and a face that contains it and the end point.
   };
   struct Entry {
     double bound;
-    std::uint32_t index;  // Of a window or a seat.
+    std::uint32_t index;  // The index of a window or of a source.
     bool is_seat;
   };
-  /// The best distance of a vertex, in the search with the number `round`.
+  /// The length of the shortest path to a vertex that the search has found so far. The entry counts
+  /// only if `round` is the number of the current search (round_).
   struct Reached {
     std::uint32_t round = 0;
     double distance = 0;
@@ -121,7 +123,7 @@ class ShortestStripFinder {
   const StripEnd* from_ = nullptr;
   const StripEnd* to_ = nullptr;
   VertexId goal_;    // The end point, if it is a vertex.
-  double best_ = 0;  // The length of the best path, or the bound.
+  double best_ = 0;  // The length of the best path found, or the argument `bound` of find().
   Arrival arrival_;
 };
 

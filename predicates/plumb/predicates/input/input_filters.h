@@ -84,14 +84,15 @@ inline constexpr double kOrient3dGate = 0x1p200;
 inline constexpr double kOrient3dFloor = 0x1p-612;
 
 // incircle: minor 4, lift 3+1 = 4, product 4+4+1 = 9, first sum 10: k = 10. T = 12, n = 4: F >= 96
-// 2^-1020 2^432. The gate is tested for the lifts, not for the differences d: d^2 (1 - eps) <=
-// lift' <= 2^(2m-1).
+// 2^-1020 2^432. The gate is tested for the computed lifts (lift'), not for the differences d. This
+// is enough: d^2 (1 - eps) <= lift' <= 2^(2m-1), so |d| <= 2^m = M.
 inline constexpr double kIncircleError = 12 * kEpsilon;
 inline constexpr double kIncircleLiftGate = 0x1p287;
 inline constexpr double kIncircleFloor = 0x1p-578;
 
 // insphere: minor 4, times a difference 6, two sums 8; lift 3+2 = 5; product 8+5+1 = 14, first sum
-// 15: k = 15. T = 72, n = 5: F >= 720 2^-1020 2^448. Gate as for incircle, m = 112.
+// 15: k = 15. T = 72, n = 5: F >= 720 2^-1020 2^448. The gate is tested as for incircle, with m =
+// 112.
 inline constexpr double kInsphereError = 18 * kEpsilon;
 inline constexpr double kInsphereLiftGate = 0x1p223;
 inline constexpr double kInsphereFloor = 0x1p-560;
@@ -103,7 +104,7 @@ namespace detail {
 inline double reach(double a, double b) { return std::max(std::abs(a), std::abs(b)); }
 inline double reach(double a, double b, double c) { return std::max(reach(a, b), std::abs(c)); }
 
-/// A determinant evaluated in doubles, its permanent, and whether the gate holds.
+/// A determinant evaluated in doubles, its permanent, and whether the range test (the gate) holds.
 struct Evaluation {
   double det;
   double permanent;
@@ -111,7 +112,7 @@ struct Evaluation {
 };
 
 /// Returns the sign of the determinant if its magnitude exceeds the bound. Otherwise returns
-/// Unsure. If the gate does not hold, infinities and then a NaN can arise; the result for a NaN is
+/// Unsure. If the range test fails, infinities and then a NaN can arise. The result for a NaN is
 /// Unsure. A determinant whose magnitude exceeds the bound is not subnormal, so its sign bit is
 /// right.
 inline FilteredSign certify(const Evaluation& e, double error, double floor) {

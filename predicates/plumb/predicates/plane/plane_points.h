@@ -15,17 +15,17 @@ namespace plumb {
 /// need not be simple. Regions around which the polygon runs clockwise count as negative area. So
 /// the sign is Positive if the counter-clockwise area exceeds the clockwise area. It is Zero if
 /// both areas are equal, as for a symmetric bow-tie. Reversing the list of points flips the sign.
-/// Rotating the list keeps the sign. Cost: O(n) operations on doubles if the filter decides,
-/// otherwise O(n) exact terms.
+/// Rotating the list keeps the sign. Cost for n corners: O(n) operations on doubles if the filter
+/// decides, otherwise O(n) exact terms.
 Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
 /// Returns twice the exact signed area. Requires a polygon that is not empty.
 Rational twice_polygon_area(const PointTable2& points, std::span<const std::uint32_t> polygon);
 
 // The points of an arrangement are numbered as follows: input point i has the index i, and crossing
-// k has the index inputs.size() + k. Such an index is called dense. A line is always given by two
-// input points, never by crossings. Therefore the degree of a predicate does not grow with the
-// number of constructions.
+// k has the index inputs.size() + k. Such an index is called a dense index. A line is always given
+// by two input points, never by crossings. Therefore the degree of a predicate does not grow with
+// the number of constructions.
 
 /// Input points, and crossings of lines through input points.
 struct PlanePoints {

@@ -32,11 +32,11 @@
 //                         no offset
 //   side of x on s        n.(P0 + P1 R) + (d0 + d1 R) w
 //   x / w against y / v   (P0 + P1 R) v - (Q0 + Q1 R) w, times the signs of w and v
-// So every expression has a value c0 + c1 R. To compute the Infinite part c1, the ordinary offsets
-// are replaced by 0. To compute the Finite part c0, the offsets of planes of the frame are replaced
-// by 0. R is larger than every number. Therefore the expression has the sign of c1 if c1 is not 0,
-// and otherwise the sign of c0. If none of the planes belongs to the frame, c1 is 0 and is not
-// computed.
+// So every expression has a value c0 + c1 R. To compute the Infinite part c1, the offsets of planes
+// that do not belong to the frame are replaced by 0. To compute the Finite part c0, the offsets of
+// planes of the frame are replaced by 0. R is larger than every number. Therefore the expression
+// has the sign of c1 if c1 is not 0, and otherwise the sign of c0. If none of the planes belongs to
+// the frame, c1 is 0 and is not computed.
 #pragma once
 
 #include <array>

@@ -5,8 +5,8 @@
 //
 //   row          the normal and the offset in doubles, with error bounds. Filters use the row
 //   fingerprint  a hash of the exact coefficients (n, d). The table uses it to find equal planes
-//   source       the definition of the plane: three input points, or exact coefficients in a slot.
-//                The exact stages use the source
+//   source       the definition of the plane: three input points, or stored exact coefficients
+//                (PlaneSlot). The exact stages use the source
 //
 // A plane takes 60 bytes, and 12 to 24 more bytes in the index. A plane through three input points
 // needs no allocation of its own. The exact coefficients of such a plane are never stored, because
@@ -19,9 +19,9 @@
 //
 // The frame consists of the six planes x = -R, x = R, y = -R, ... of a cube. Its half-width R is
 // larger than every number. Unbounded sets need the frame (docs/design/frame.md). The normals of
-// the six planes are ordinary, and their offsets are +R or -R. R occurs only in offsets, and no two
-// offsets are ever multiplied. Therefore every determinant has the form c0 + c1 R. It has the sign
-// of c1 if c1 is not zero, and otherwise the sign of c0. Every predicate on planes and points
+// the six planes do not contain R, and their offsets are +R or -R. R occurs only in offsets, and no
+// two offsets are ever multiplied. Therefore every determinant has the form c0 + c1 R. It has the
+// sign of c1 if c1 is not zero, and otherwise the sign of c0. Every predicate on planes and points
 // accepts planes of the frame. No other plane equals a plane of the frame.
 //
 // The row of a plane of the frame has an exact normal, the offset in units of R, and an infinite
@@ -104,11 +104,12 @@ struct PlaneSource {
   static constexpr std::uint32_t kExplicit = ~std::uint32_t{0};
   /// One of the following codes:
   ///   - the ids of three input points, which appear counter-clockwise from the positive side;
-  ///   - {kExplicit, slot, 0}: a plane whose coefficients are stored in a slot;
+  ///   - {kExplicit, slot, 0}: a plane whose coefficients are stored in the PlaneSlot with this
+  ///     index;
   ///   - {kExplicit, slot, 1 + i} with i < 6: plane i of the frame;
   ///   - {kExplicit, slot, 7}: any other plane n.x + d R = 0; the slot stores d.
   std::array<std::uint32_t, 3> code;
-  /// Whether the coefficients are stored in a slot.
+  /// Whether the coefficients are stored in a PlaneSlot.
   bool is_explicit() const { return code[0] == kExplicit; }
   /// Whether the offset is a multiple of R.
   bool is_frame() const { return is_explicit() && code[2] != 0; }
@@ -138,8 +139,8 @@ struct PlaneSlot {
 /// c_second * first - c_first * second. Here `first` and `second` stand for the coefficients that
 /// PlaneTable::coefficients() returns for the two planes.
 struct Pencil {
-  PlaneId first;     ///< One plane of the pencil.
-  PlaneId second;    ///< The other plane of the pencil.
+  PlaneId first;     ///< One of the two planes that define the pencil.
+  PlaneId second;    ///< The other of these two planes.
   Integer c_first;   ///< The value of the equation of `first` at a point or direction of the wall.
   Integer c_second;  ///< The value of the equation of `second` at the same point or direction.
 };

@@ -1,6 +1,6 @@
-// Computes the doubles nearest to the coordinates of points of space. This is faster than computing
-// the exact coordinates in lowest terms and rounding them. docs/design/numbers.md (Rounding to
-// nearest) proves the bounds.
+// Computes the doubles nearest to the coordinates of points of space. The functions are faster than
+// computing the exact coordinates in lowest terms and rounding them. docs/design/numbers.md
+// (Rounding to nearest) proves the bounds.
 #pragma once
 
 #include <optional>
