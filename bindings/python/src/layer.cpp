@@ -235,10 +235,11 @@ void bind_layer(nb::module_& m) {
                                  "The regions that Layer.check() or "
                                  "Layer.repaired() found, and the changes of "
                                  "the repair.");
-  report.def_prop_ro("regions", &regions_of,
-                     "The overlaps, gaps and holes. Each of them is a dict with kind ('overlap', "
-                     "'gap' or 'hole'), area (an exact fraction), open, width, features (indices), and "
-                     "owner (an index, or None).");
+  report.def_prop_ro(
+      "regions", &regions_of,
+      "The overlaps, gaps and holes. Each of them is a dict with kind ('overlap', "
+      "'gap' or 'hole'), area (an exact fraction), open, width, features (indices), and "
+      "owner (an index, or None).");
   report.def_prop_ro("has_defects", &LayerReport::has_defects,
                      "Whether the layer had overlaps or gaps.");
   report.def_ro("gaps_below", &LayerReport::gaps_below, "The bound for the widths of gaps.");
