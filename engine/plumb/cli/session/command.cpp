@@ -80,7 +80,7 @@ CommandApp::CommandApp(const Command& command)
   app.get_help_ptr()->group("");  // Who reads this page knows it.
   body->declare(app);
   common.declare(app);
-  app.get_option("--json")->description("Print JSON: docs/schema/" + std::string(command.schema) +
+  app.get_option("--json")->description("JSON: docs/schema/" + std::string(command.schema) +
                                         ".schema.json");
 }
 
