@@ -82,9 +82,10 @@ enum class DefectKind {
   Twin,       ///< One cycle uses an edge in both directions.
   /// The boundary of a face of the induced graph does not consist of the listed cycles as required.
   /// The outer boundary of a bounded face must be one counter-clockwise listed cycle. There is one
-  /// exception: the face may be a part of a region whose boundary consists of one counter-clockwise
-  /// cycle and clockwise cycles, if these cycles touch each other only at vertices. The outer
-  /// boundary of a component must consist of clockwise listed cycles only.
+  /// exception. The counter-clockwise cycle of a region may touch clockwise cycles of the same
+  /// region at vertices, and these may touch each other. The region can then fall into several
+  /// faces, and the boundary of such a face may consist of parts of several of these cycles. The
+  /// outer boundary of a component must consist of clockwise listed cycles only.
   Mixed,
   Nested  ///< A component lies in a listed face, but the component's outer boundary is not listed.
 };

@@ -32,10 +32,10 @@ class Rational;
 
 namespace detail {
 
-/// The limb that numbers without allocated memory share. (A limb is a machine word of a GMP
-/// number.) Such a number is either 0 or the denominator 1. The denominator 1 has this limb as its
-/// only limb, so the value of the limb is one. The number 0 has no limbs, so the limb is never read
-/// for it.
+/// All numbers that have no allocated memory of their own point to this limb. (A limb is a machine
+/// word of a GMP number.) Such a number is either 0 or the denominator 1. The denominator 1 has
+/// this limb as its only limb, so the value of the limb is one. The number 0 has no limbs, so the
+/// limb is never read for it.
 inline constexpr mp_limb_t kSharedLimb = 1;
 
 inline mp_ptr shared_limb() { return const_cast<mp_ptr>(&kSharedLimb); }
