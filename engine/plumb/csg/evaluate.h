@@ -75,10 +75,9 @@ struct CsgNodeReport {
   /// If `work` is Shared, the index of the node whose value was taken. Otherwise the index of this
   /// node.
   std::uint32_t same_as = 0;
-  std::size_t cells =
-      /// If `work` is Computed: the number of facets of a set of space, or of edges of a set of the
-      /// plane.
-      0;
+  /// If `work` is Computed: the number of facets of a set of space, or of edges of a set of the
+  /// plane.
+  std::size_t cells = 0;
   /// If `work` is Computed: the time in seconds, without the time for the nodes below this node.
   double seconds = 0;
 };

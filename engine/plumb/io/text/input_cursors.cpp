@@ -109,16 +109,26 @@ bool TextCursor::next_line() {
   }
 }
 
-/// Takes the characters before the first one for which `ends` holds: at least one.
+namespace {
+
+/// Returns the first character for which `ends` holds, or `end`.
 template <class Ends>
-std::string_view TextCursor::take_until(Ends ends) {
+const char* end_of_token(const char* p, const char* end, const Context* context, Ends ends) {
+  return context == nullptr ? std::find_if(p, end, ends) : find_watched(p, end, *context, ends);
+}
+
+}  // namespace
+
+std::string_view TextCursor::take_to(const char* to) {
   const char* const first = p_;
-  p_ = context_ == nullptr ? std::find_if(p_, end_, ends) : find_watched(p_, end_, *context_, ends);
+  p_ = to;
   if (p_ == first) fail(ErrorCode::NotText, "a carriage return inside a line");
   return {first, static_cast<std::size_t>(p_ - first)};
 }
 
-std::string_view TextCursor::token() { return take_until(ends_token); }
+std::string_view TextCursor::token() {
+  return take_to(end_of_token(p_, end_, context_, ends_token));
+}
 
 std::string_view TextCursor::word(std::string_view marks) {
   // A loop, because std::string_view::find() calls a function for each character.
@@ -129,7 +139,8 @@ std::string_view TextCursor::word(std::string_view marks) {
     return false;
   };
   if (is_mark(*p_)) return {p_++, 1};
-  return take_until([&](char c) { return ends_token(c) || is_mark(c); });
+  const auto ends_word = [&](char c) { return ends_token(c) || is_mark(c); };
+  return take_to(end_of_token(p_, end_, context_, ends_word));
 }
 
 void TextCursor::move_to(const char* where) {

@@ -119,8 +119,8 @@ class TextCursor {
  private:
   bool skip_carriage_return();
   void skip_comment();
-  template <class Ends>
-  std::string_view take_until(Ends ends);
+  /// Takes the characters before `to`. Throws Error{NotText} if there are none.
+  std::string_view take_to(const char* to);
   /// Throws Error{NotText} at the first byte of `text` that is not text. Requires that `text` is a
   /// part of the current line.
   void require_text(std::string_view text) const;
