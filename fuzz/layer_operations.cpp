@@ -1,7 +1,7 @@
 // Dissolving, overlaying and simplifying two layers: every result is a coverage of doubles, exact
 // areas add up, simplifying keeps all rings and ends where a second run ends, and a layer survives
-// TopoJSON. Repair covers the gaps of its report and nothing else, also gaps that open outwards, and
-// a second repair changes nothing.
+// TopoJSON. Repair covers the gaps of its report and nothing else, also gaps that open outwards,
+// and a second repair changes nothing.
 //
 // Input: a program of records of four bytes, {shape, p, q, r}: a triangle or a parallelogram of
 // three points, a nibble for each coordinate. The bits of the first byte say to which layer the

@@ -267,8 +267,8 @@ Work comb_mesh(std::size_t teeth) {
   return set_of_mesh(teeth, testing::comb_prism(static_cast<int>(teeth)));
 }
 
-/// Triangles of which no two share a vertex, with corners anywhere in a cube: every edge is a border,
-/// and its box contains many of the other vertices.
+/// Triangles of which no two share a vertex, with corners anywhere in a cube: every edge is a
+/// border, and its box contains many of the other vertices.
 Work triangle_soup(std::size_t triangles) {
   Dice dice(7);
   PolygonMesh mesh;

@@ -169,8 +169,8 @@ TEST_F(SolidProgram, canonical_files_of_equal_sets_are_the_same) {
   EXPECT_NE(canonical({"interior", file("either.nef")}, "open.nef"), either);
 }
 
-// A polygon without holes of n corners has n - 2 triangles: three sides of the cube without a corner
-// have six corners, three are whole, and the cut has three squares.
+// A polygon without holes of n corners has n - 2 triangles: three sides of the cube without a
+// corner have six corners, three are whole, and the cut has three squares.
 TEST_F(SolidProgram, triangles_on_request) {
   const std::string cube = made({"make", "box", "--size", "2,2,2"}, "cube.off");
   const std::string corner = made({"make", "box"}, "corner.off");

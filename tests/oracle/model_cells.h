@@ -1,7 +1,7 @@
-// All cells of an arrangement of planes, by brute force: for solids that are Boolean combinations of
-// convex polytopes with small integer coordinates. A full-dimensional cell is a vector of signs, one
-// for each plane. Every cell of an arrangement whose normals span space has a corner, so the cells
-// around all corners are all cells. All signs are signs of integers of 128 bits, which share
+// All cells of an arrangement of planes, by brute force: for solids that are Boolean combinations
+// of convex polytopes with small integer coordinates. A full-dimensional cell is a vector of signs,
+// one for each plane. Every cell of an arrangement whose normals span space has a corner, so the
+// cells around all corners are all cells. All signs are signs of integers of 128 bits, which share
 // nothing with predicates/.
 #pragma once
 

@@ -108,7 +108,8 @@ TEST(OpenGaps, channel_is_filled_and_nothing_else_changes) {
 
 // ---------------------------------------------------------------- shapes
 
-/// Two features left and right of x = 0 over a third one below, with a notch of a width and a depth.
+/// Two features left and right of x = 0 over a third one below, with a notch of a width and a
+/// depth.
 Layer notch(double width, double depth) {
   return layer_of({{{-9, 0}, {0, 0}, {0, depth}, {-9, depth}},
                    {{width, 0}, {9, 0}, {9, depth}, {width, depth}},

@@ -946,8 +946,9 @@ TEST(MeshWithAttributes, RejectsWhatDoesNotFit) {
 
 // ---------------------------------------------------------------- repairs
 
-/// Checks that each corner of a face is near its source triangle: neither farther from its plane nor
-/// farther beyond its edges than the repair moved the boundary, up to the roundings of this test.
+/// Checks that each corner of a face is near its source triangle: neither farther from its plane
+/// nor farther beyond its edges than the repair moved the boundary, up to the roundings of this
+/// test.
 void expect_near_sources(const MeshWithAttributes& made, std::span<const SharedSource> sources) {
   for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
     const FaceSource from = made.source[f];

@@ -19,9 +19,8 @@
 //
 // The convexity test in space uses the same argument in each plane. The evidence consists of the
 // reflex corners and the number of connected components. Cost: O(n) for n cells. Proof:
-// docs/design/walls.md. Source: H. Tietze, Über Konvexheit im kleinen und im großen, Mathematische
-// Zeitschrift 28
-// (1928).
+// docs/design/walls.md. Source: H. Tietze, Über Konvexheit im kleinen und im großen,
+// Mathematische Zeitschrift 28 (1928).
 #pragma once
 
 #include <cstdint>

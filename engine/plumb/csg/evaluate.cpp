@@ -472,8 +472,8 @@ class Evaluator {
     sets.erase(std::remove_if(sets.begin(), sets.end(), [](const Set& s) { return s.is_empty(); }),
                sets.end());
     if (sets.empty()) return Set();
-    // A sum does not depend on the order. That of convex sets is convex, so all other sets are added
-    // to one convex set instead of several.
+    // A sum does not depend on the order. That of convex sets is convex, so all other sets are
+    // added to one convex set instead of several.
     if constexpr (std::is_same_v<Set, Nef3>) {
       std::stable_partition(sets.begin(), sets.end(), [](const Set& s) { return s.is_convex(); });
     }

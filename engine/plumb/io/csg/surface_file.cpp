@@ -1,7 +1,7 @@
 // Fields of heights: the text, and the mesh.
 //
-// The mesh is OpenSCAD's, so that volumes agree: coordinates are sums of halves, and the middle of a
-// square is the mean of its corners, added in the order of OpenSCAD.
+// The mesh is OpenSCAD's, so that volumes agree: coordinates are sums of halves, and the middle of
+// a square is the mean of its corners, added in the order of OpenSCAD.
 //
 // Tested by tests/io/surface_file_test.cpp; tests/system/openscad_test.py compares with OpenSCAD.
 #include "plumb/io/csg/surface_file.h"

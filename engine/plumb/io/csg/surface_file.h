@@ -25,9 +25,9 @@ struct HeightGrid {
 
 /// Reads a file: an image if it begins like PNG, otherwise a text. Each line of a text is a row of
 /// numbers; blank lines and lines that begin with # are passed over. Heights that are missing at
-/// the end of a row are 0. `is_inverted` has an effect on images alone. `charge` pays for the grid and for what
-/// reading needs. Errors: Syntax, NotText and NumberOutOfRange with FILE:LINE:COLUMN, and
-/// those of read_height_image().
+/// the end of a row are 0. `is_inverted` has an effect on images alone. `charge` pays for the grid
+/// and for what reading needs. Errors: Syntax, NotText and NumberOutOfRange with FILE:LINE:COLUMN,
+/// and those of read_height_image().
 HeightGrid read_heights(std::string_view bytes, const std::string& name, bool is_inverted,
                         MemoryCharge& charge, Context& context);
 

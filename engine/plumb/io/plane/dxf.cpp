@@ -543,8 +543,8 @@ class DxfReader {
     if (ratio != 0 && curve.u != Point2{0, 0}) push_curve(curve);
   }
 
-  /// Sets the angles of an arc, which its next value says to run counter-clockwise or clockwise. The
-  /// angles of an ellipse are those of its points, not those of the circle it is the image of.
+  /// Sets the angles of an arc, which its next value says to run counter-clockwise or clockwise.
+  /// The angles of an ellipse are those of its points, not those of the circle it is the image of.
   void set_edge_angles(DxfCurve& curve, double from, double to, double ratio) {
     const bool is_whole = std::fabs(std::fabs(to - from) - 360) < 1e-6;
     const bool is_clockwise = next_number(73, 1) == 0;
@@ -579,8 +579,8 @@ class DxfReader {
     skip_hatch_data();
   }
 
-  /// Passes over the points that a spline was fitted to, and the count of the entities that a border
-  /// was made of.
+  /// Passes over the points that a spline was fitted to, and the count of the entities that a
+  /// border was made of.
   void skip_hatch_data() {
     constexpr std::array kCodes{97, 11, 21, 12, 22, 13, 23};
     while (next_value_ < values_.size() &&

@@ -68,8 +68,8 @@ void LabelBorders::count(EdgeId e) {
   rightward_[complex_.dcel.origin(h)] = e;
 }
 
-/// Returns the edge that continues e to the right on the same line, if they meet in a vertex that is
-/// no corner and that no other kept edge meets.
+/// Returns the edge that continues e to the right on the same line, if they meet in a vertex that
+/// is no corner and that no other kept edge meets.
 std::optional<EdgeId> LabelBorders::continuation(EdgeId e) const {
   const VertexId v = complex_.dcel.target(first_half(e));
   const bool is_corner = is_corner_.empty()

@@ -64,8 +64,8 @@ double foot_on(const BorderEdge& edge, Point2 p) {
   return dot(minus(p, edge.a), along) / dot(along, along);
 }
 
-/// The foot of p on the line of an edge. If the edge is parallel to an axis, the direction from p to
-/// its foot is exact.
+/// The foot of p on the line of an edge. If the edge is parallel to an axis, the direction from p
+/// to its foot is exact.
 Point2 foot_below(const BorderEdge& edge, Point2 p) {
   const Point2 along = minus(edge.b, edge.a);
   const double t = cross(along, minus(p, edge.a)) / dot(along, along);

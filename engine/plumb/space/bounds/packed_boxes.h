@@ -132,8 +132,8 @@ class PackedBoxTree {
   /// nothing was built.
   bool fits() const { return fits_; }
 
-  /// Returns about how many pairs of boxes meet, as expected_pairs() does (space_boxes.h), each pair
-  /// counted twice. It is 0 if boxes of doubles were given.
+  /// Returns about how many pairs of boxes meet, as expected_pairs() does (space_boxes.h), each
+  /// pair counted twice. It is 0 if boxes of doubles were given.
   double expected_pairs() const { return expected_pairs_; }
 
   /// Calls visit(i, j) for every two different boxes that meet, and for some that do not; each pair

@@ -39,9 +39,9 @@ struct MeshLinks {
 /// Returns the edges of the facets. O(n log k) for n corners, k at a vertex.
 MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count);
 
-/// Whether every edge has two uses at which its facets balance, no facet comes twice, and no face is
-/// without area. Nearly all closed meshes are so, and need no search for facets that come twice or
-/// for borders. The result may be false if facets of one plane begin with one edge. O(n) for n
+/// Whether every edge has two uses at which its facets balance, no facet comes twice, and no face
+/// is without area. Nearly all closed meshes are so, and need no search for facets that come twice
+/// or for borders. The result may be false if facets of one plane begin with one edge. O(n) for n
 /// corners.
 bool is_plainly_closed(const MeshFacets& facets, const MeshLinks& links);
 
