@@ -611,6 +611,15 @@ TEST(ExactOff, holds_results_of_thousands_of_digits) {
   EXPECT_TRUE(same.out.starts_with("equal")) << same.out << same.err;
 }
 
+TEST(ExactOff, names_the_limit_of_fractions) {
+  const ScratchDirectory scratch;
+  const std::string off = (scratch / "long.off").string();
+  write_file(off, "OFF\n1 0 0\n0 " + std::string(17000, '1') + "/3 0\n");
+  const RunResult result = run({"solid", "info", off});
+  EXPECT_EQ(result.code, 2);
+  EXPECT_TRUE(contains(result.err, "at most 16384 digits are read")) << result.err;
+}
+
 TEST(Limits, bound_the_memory_of_the_whole_command) {
   const ScratchDirectory scratch;
   const std::string out = (scratch / "out.nef").string();

@@ -196,7 +196,7 @@ void NumberReader::watch(std::size_t bytes) {
 void NumberReader::require_few_digits(const TextCursor& cursor, std::string_view token) const {
   constexpr std::size_t kOthers = 8;  // Signs, a point and an exponent.
   if (token.size() <= max_digits_ + kOthers) return;
-  const bool is_fraction = token.substr(0, max_fraction_digits_).find('/') != token.npos;
+  const bool is_fraction = token.find('/') != token.npos;
   const std::uint32_t most = is_fraction ? max_fraction_digits_ : max_digits_;
   if (token.size() <= most + kOthers) return;
   cursor.fail(ErrorCode::NumberOutOfRange,
