@@ -159,7 +159,7 @@ TEST_F(RepairProgram, options_mend_what_is_read) {
   expect_refusal(run({"solid", "info", kOpen, "--fill-holes", "3"}), kOpen, "--fill-holes 4");
   expect_refusal(run({"solid", "info", kLastBits, "--weld", "1e-9"}), kLastBits, "--weld 1e-");
   const RunResult told = run({"solid", "info", kFlipped, "--reorient"});
-  EXPECT_TRUE(contains(told.err, "turned: 0")) << told.err;
+  EXPECT_TRUE(contains(told.err, "flipped: 0")) << told.err;
 }
 
 TEST_F(RepairProgram, options_that_mend_are_for_meshes) {
@@ -189,7 +189,7 @@ TEST_F(RepairProgram, meshes_are_mended_as_meshes) {
     // STL has triangles.
     EXPECT_EQ(result.out, std::string("8 vertices, ") + (name == "a.stl" ? "12" : "6") +
                               " faces, closed\n"
-                              "faces that disagreed with their neighbours, turned: 0\n");
+                              "faces that disagreed with their neighbours, flipped: 0\n");
     EXPECT_EQ(volume(file(name), {"--rule", "positive"}), 2) << name;
   }
   EXPECT_EQ(read_file(file("a.off")),
@@ -217,10 +217,10 @@ TEST_F(RepairProgram, a_mesh_that_stays_open_is_written) {
 
 TEST_F(RepairProgram, the_report_goes_where_the_mesh_does_not) {
   const RunResult only = run({"solid", "repair", kFlipped});
-  EXPECT_TRUE(contains(only.out, "turned: 0"));
+  EXPECT_TRUE(contains(only.out, "flipped: 0"));
   const RunResult mesh = run({"solid", "repair", kFlipped, "--format", "off"});
   EXPECT_TRUE(mesh.out.starts_with("OFF\n")) << mesh.out;
-  EXPECT_TRUE(contains(mesh.err, "turned: 0")) << mesh.err;
+  EXPECT_TRUE(contains(mesh.err, "flipped: 0")) << mesh.err;
   const RunResult json = run({"solid", "repair", kLastBits, "--weld", "1e-6", "--json"});
   EXPECT_EQ(json.code, 0);
   const Json report = Json::parse(json.out);

@@ -327,7 +327,7 @@ TEST(RepairMesh, SaysWhatWasDone) {
   const std::vector<std::string> said = sentences(mended(mesh, kSafe));
   EXPECT_EQ(said,
             (std::vector<std::string>{"faces with fewer than three different corners, dropped: 6",
-                                      "faces that disagreed with their neighbours, turned: 2, 4"}));
+                                      "faces that disagreed with their neighbours, flipped: 2, 4"}));
 }
 
 }  // namespace

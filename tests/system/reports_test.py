@@ -49,7 +49,7 @@ ROWS = [
     Row("05-closed-but-flipped-called-open", "solid info flip1.off", 2, ("1 face is flipped: 0", "--reorient")),
     Row("05-closed-but-flipped-called-open", "solid info flip1.off --reorient", 0, "volume 1\n"),
     Row("05-closed-but-flipped-called-open", "solid info listed.off --reorient", 0, "volume 8\n"),
-    Row("05-closed-but-flipped-called-open", "surface cells scene.json", 0, ("2 cells", "flip1.off: 2 faces turned around")),
+    Row("05-closed-but-flipped-called-open", "surface cells scene.json", 0, ("2 cells", "flip1.off: 2 faces flipped")),
     # An overlap of two regions of a map is named as such.
     Row("07-map-overlap-told-as-missing-outer", "map check overlap.map", 1, "regions 1 and 2 overlap between vertices 2 and 4",
         "missing outer boundary"),

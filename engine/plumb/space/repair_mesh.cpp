@@ -345,7 +345,7 @@ std::vector<std::string> sentences(const RepairReport& report) {
   std::vector<std::uint32_t> doubled;
   for (const auto& [face, earlier] : report.doubled) doubled.push_back(face);
   add_faces("faces with the corners of an earlier one, dropped", doubled, notes);
-  add_faces("faces that disagreed with their neighbours, turned", report.flipped, notes);
+  add_faces("faces that disagreed with their neighbours, flipped", report.flipped, notes);
   if (!report.filled.empty()) {
     notes.push_back("holes filled, by their numbers of edges: " + listed(report.filled) + "; " +
                     std::to_string(report.added) + (report.added == 1 ? " face" : " faces") +

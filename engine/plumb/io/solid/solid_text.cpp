@@ -74,7 +74,7 @@ void describe(const RoundingReport& rounding, std::vector<std::string>& losses) 
   };
   add(rounding.vertices_merged, "vertices fell onto others");
   add(rounding.degenerate.size(), "faces lost their area");
-  add(rounding.flipped.size(), "faces turned over");
+  add(rounding.flipped.size(), "faces flipped");
   add(rounding.not_simple.size(), "faces cross themselves");
   add(rounding.doubled.size(), "faces fell onto each other");
   add(rounding.crossing_count, "pairs of faces cross");

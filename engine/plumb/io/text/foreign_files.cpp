@@ -56,7 +56,8 @@ constexpr std::array kSignatures{
     ForeignKind{"#X3D"sv, "an X3D file", kExportMesh},
     ForeignKind{"# vtk DataFile"sv, "a VTK file", kExportMesh},
     ForeignKind{"$MeshFormat"sv, "a Gmsh file", kExportMesh},
-    ForeignKind{"MeshVersionFormatted"sv, "a Medit file", kExportMesh},
+    ForeignKind{"    -1\n"sv, "a universal file (UNV)", kExportMesh},
+    ForeignKind{"    -1\r\n"sv, "a universal file (UNV)", kExportMesh},
     ForeignKind{"BLENDER"sv, "a file of Blender", kExportMesh},
     ForeignKind{"DRACO"sv, "a Draco file", kExportMesh},
     ForeignKind{"xof "sv, "a DirectX file", kExportMesh},
@@ -114,6 +115,9 @@ constexpr std::array kFirstWords{
     ForeignKind{"OFF", "OFF", "give the file the extension .off", "OFF"},
     ForeignKind{"COFF", "OFF", "give the file the extension .off", "OFF"},
     ForeignKind{"NOFF", "OFF", "give the file the extension .off", "OFF"},
+    ForeignKind{"MESHVERSIONFORMATTED", "a Medit file", kExportMesh},
+    ForeignKind{"*HEADING", "an Abaqus file", kExportMesh},
+    ForeignKind{"*NODE", "an Abaqus file", kExportMesh},
 };
 
 /// Beginnings of first words of WKT, in capital letters.
@@ -192,6 +196,20 @@ bool begins_like_iges(std::string_view text) {
   return text.size() > kColumn && text.substr(kColumn).starts_with("S      1");
 }
 
+/// Whether the first chunk, that of the whole file, begins with the version or with the editor's
+/// chunk, as in 3D Studio.
+bool begins_like_3ds(std::string_view bytes) {
+  constexpr std::size_t kSecondChunk = 6;
+  if (!bytes.starts_with("MM") || bytes.size() < kSecondChunk + 2) return false;
+  const std::string_view second = bytes.substr(kSecondChunk, 2);
+  return second == "\x02\0"sv || second == "\x3D\x3D"sv;
+}
+
+/// Whether one of the first lines is a card of a grid point or begins the cards of Nastran.
+bool has_nastran_card(std::string_view text) {
+  return text.find("\nGRID") != text.npos || text.find("\nBEGIN BULK") != text.npos;
+}
+
 /// Returns the kind of a text that begins with an ordinary word.
 const ForeignKind* kind_of_text(std::string_view text) {
   static constexpr ForeignKind kStl{"", "STL", "give the file the extension .stl", "STL"};
@@ -217,6 +235,8 @@ const ForeignKind* kind_of_text(std::string_view text) {
     return equals(word.substr(0, begin.size()), begin);
   });
   if (is_wkt) return &kWkt;
+  static constexpr ForeignKind kNastran{"", "a Nastran file", kExportMesh};
+  if (has_nastran_card(text)) return &kNastran;
   if (has_vertex_line(text)) return &kObj;
   return has_quoted_geometry(text) ? &kTable : nullptr;
 }
@@ -227,6 +247,8 @@ const ForeignKind* kind_of(std::string_view bytes) {
   if (signature != nullptr) return signature;
   static constexpr ForeignKind kIges{"", "an IGES model, which has curved surfaces", kExportMesh};
   if (begins_like_iges(bytes)) return &kIges;
+  static constexpr ForeignKind k3ds{"", "a 3DS file", kExportMesh};
+  if (begins_like_3ds(bytes)) return &k3ds;
   take_prefix(bytes, "\xEF\xBB\xBF");
   bytes.remove_prefix(std::min(bytes.find_first_not_of(kForeignBlanks), bytes.size()));
   if (bytes.starts_with('<')) {
