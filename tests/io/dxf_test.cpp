@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -144,6 +145,64 @@ TEST(DxfReader, a_cubic_spline_with_inner_knots_is_its_bezier_curves) {
   const Nef2 b = read(path, PlaneFormat::Svg, 1e-4).set;
   EXPECT_EQ(a.counts().vertices, b.counts().vertices);
   EXPECT_NEAR(area_of(a), area_of(b), 1e-12);
+}
+
+/// Nine control points, every second of which is a corner with the weight of a right angle: a circle
+/// of radius 3, as programs write it that know only splines.
+TEST(DxfReader, a_rational_spline_can_be_a_circle) {
+  constexpr double kPi = std::numbers::pi;
+  std::string groups = "70 1 71 2 40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 3 40 3 40 4 40 4 40 4";
+  constexpr std::array<std::array<int, 2>, 9> kControl{
+      {{3, 0}, {3, 3}, {0, 3}, {-3, 3}, {-3, 0}, {-3, -3}, {0, -3}, {3, -3}, {3, 0}}};
+  for (std::size_t k = 0; k < kControl.size(); ++k) {
+    groups += k % 2 == 0 ? " 41 1" : " 41 0.70710678118654757";
+  }
+  for (const auto& [x, y] : kControl) {
+    groups += " 10 " + std::to_string(x) + " 20 " + std::to_string(y);
+  }
+  for (const double tolerance : {0.1, 1e-3, 1e-5}) {
+    const Nef2 set = read(drawing(entity("SPLINE", groups)), PlaneFormat::Dxf, tolerance).set;
+    expect_area(set, 9 * kPi, 6 * kPi, tolerance);
+  }
+}
+
+TEST(DxfReader, a_spline_of_degree_five_is_the_curve_of_lower_degree_that_it_is_raised_from) {
+  // The parabola of (0, 0), (2, 4), (4, 0), with its degree raised to five.
+  const std::string raised = drawing(
+      entity("SPLINE",
+             "71 5 40 0 40 0 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 40 1 40 1 10 0 20 0 10 0.8 "
+             "20 1.6 10 1.6 20 2.4 10 2.4 20 2.4 10 3.2 20 1.6 10 4 20 0") +
+      line("0", "0", "4", "0"));
+  for (const double tolerance : {0.1, 1e-3, 1e-5}) {
+    expect_area(read(raised, PlaneFormat::Dxf, tolerance).set, 16.0 / 3, 10, tolerance);
+  }
+}
+
+/// Without control points: through fit points. Sixteen points of a circle determine it to some
+/// thousandths; two points determine a line.
+TEST(DxfReader, a_spline_without_control_points_goes_through_its_fit_points) {
+  constexpr double kPi = std::numbers::pi;
+  constexpr int kPoints = 16;
+  std::string groups = "70 1 71 3";
+  for (int k = 0; k < kPoints; ++k) {
+    const double angle = 2 * kPi * k / kPoints;
+    groups += " 11 " + std::to_string(std::cos(angle)) + " 21 " + std::to_string(std::sin(angle));
+  }
+  const PlaneRead closed = read(drawing(entity("SPLINE", groups)), PlaneFormat::Dxf, 1e-5);
+  EXPECT_NEAR(area_of(closed.set), kPi, 1e-3);
+  EXPECT_TRUE(has_note(closed, "drawn through their fit points: 1"));
+
+  const auto area_under = [](const std::string& spline) {
+    const std::string text = drawing(entity("SPLINE", spline) + line("4", "0", "0", "0") +
+                                     line("0", "0", "0", "1") + line("4", "0", "4", "1"));
+    return area_of(read(text, PlaneFormat::Dxf, 1e-6).set);
+  };
+  EXPECT_NEAR(area_under("71 3 11 0 21 1 11 4 21 1"), 4, 1e-9);
+  EXPECT_NEAR(area_under("71 3 11 0 21 1 11 1 21 1 11 1 21 1 11 3 21 1 11 4 21 1"), 4, 1e-9);
+  // Directions of unit length: with r the root of a half, Hermite's cubic has y = 1 + 4 r (t - t^2)
+  // and x' = 24 (t - t^2) + 4 r (1 - 6 (t - t^2)).
+  EXPECT_NEAR(area_under("71 3 12 1 22 1 13 1 23 -1 11 0 21 1 11 4 21 1"),
+              4 + 16 * std::numbers::sqrt2 / 10 - 8.0 / 30, 1e-5);
 }
 
 TEST(DxfReader, joins_ends_of_arcs_to_lines) {
@@ -370,7 +429,9 @@ TEST(DxfReader, refuses_what_is_wrong_with_its_line) {
       {drawing(kSquare + line("9", "9", "8", "8")), 33, "meets no other end"},
       {drawing(entity("ARC", "10 0 20 0 40 -1 50 0 51 9")), 11, "negative radius"},
       {drawing(entity("CIRCLE", "10 0 20 0 40 1 210 1")), 11, "another plane"},
-      {drawing(entity("SPLINE", "71 5 10 0 20 0")), 11, "SPLINE has weights or another degree"},
+      {drawing(entity("SPLINE", "71 26 10 0 20 0")), 11, "another degree than 1 to 25"},
+      {drawing(entity("SPLINE", "71 1 10 0 20 0 41 0")), 11, "a weight that is not above zero"},
+      {drawing(entity("SPLINE", "71 1 10 0 20 0 41 1 41 1")), 11, "more weights than control"},
       {drawing(entity("SPLINE", "71 2 40 0 10 0 20 0")), 11, "1 control points and 1 knots"},
       {drawing(entity("SPLINE", "71 1 40 3 40 2 10 0 20 0")), 11, "knots that descend"},
       {drawing(entity("INSERT", "2 a 10 0 20 0 210 1")), 11, "INSERT lies in another plane"},

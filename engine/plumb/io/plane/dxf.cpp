@@ -25,6 +25,7 @@
 #include "plumb/base/internal/degrees.h"
 #include "plumb/io/plane/dxf_blocks.h"
 #include "plumb/io/plane/dxf_curves.h"
+#include "plumb/io/plane/dxf_fit.h"
 #include "plumb/io/plane/shape_text.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
@@ -246,6 +247,10 @@ class DxfReader {
     }
     return found->number;
   }
+  bool has(int code) const {
+    return std::any_of(values_.begin(), values_.end(),
+                       [&](const Value& each) { return each.code == code; });
+  }
   Point2 required_point(int code) const { return {required(code), required(code + 10)}; }
   bool has_flag(unsigned flag) const {
     const double flags = value(70, 0);
@@ -386,26 +391,42 @@ class DxfReader {
 
   void make_spline() {
     DxfCurve curve = new_curve(DxfKind::Spline);
-    const bool has_weights = std::any_of(values_.begin(), values_.end(), [](const Value& each) {
-      return each.code == 41 && each.number != 1;
-    });
-    set_degree(curve, required(71), has_weights);
     curve.is_closed = has_flag(1);
     curve.first_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
+    std::size_t weight = curve.first_vertex;  // The vertex that the next weight belongs to.
     for (const Value& each : values_) {
+      auto& vertices = content_.curves.vertices;
       if (each.code == 10) push_vertex({each.number, 0}, 0);
-      if (each.code == 20 && content_.curves.vertices.size() > curve.first_vertex) {
-        content_.curves.vertices.back().p.y = each.number;
+      if (each.code == 20 && vertices.size() > curve.first_vertex) {
+        vertices.back().p.y = each.number;
       }
       if (each.code == 40) push_knot(each.number, curve.first_knot);
     }
+    for (const Value& each : values_) {
+      if (each.code == 41) set_weight(weight++, each.number);
+    }
+    const bool has_control_points = content_.curves.vertices.size() > curve.first_vertex;
+    if (!has_control_points && make_fit_curve(curve)) return;
+    set_degree(curve, required(71));
     finish_spline(curve);
   }
 
-  void set_degree(DxfCurve& curve, double degree, bool has_weights) const {
-    if (!(degree == 1 || degree == 2 || degree == 3) || has_weights) {
-      fail_entity(ErrorCode::UnknownFormat,
-                  "has weights or another degree than 1, 2 or 3; replace it by arcs or lines");
+  void set_weight(std::size_t vertex, double weight) {
+    constexpr double kMost = 1e100;  // Products with coordinates of drawings stay doubles.
+    if (!(weight >= 1 / kMost && weight <= kMost)) {
+      fail_entity(ErrorCode::BadShape, "has a weight that is not above zero, or that is huge");
+    }
+    if (vertex >= content_.curves.vertices.size()) {
+      fail_entity(ErrorCode::CountMismatch, "has more weights than control points");
+    }
+    content_.curves.vertices[vertex].weight = weight;
+  }
+
+  void set_degree(DxfCurve& curve, double degree) const {
+    if (!(degree >= 1 && degree <= kMostSplineDegree && degree == std::floor(degree))) {
+      fail_entity(ErrorCode::UnknownFormat, "has another degree than 1 to " +
+                                                std::to_string(kMostSplineDegree) +
+                                                "; replace it by arcs or lines");
     }
     curve.degree = static_cast<std::uint32_t>(degree);
   }
@@ -420,6 +441,39 @@ class DxfReader {
                       " knots; there must be as many knots as points, the degree and 1 together");
     }
     push_curve(curve);
+  }
+
+  /// Makes the curve through fit points. Returns false if there are none. Bezier curves that follow
+  /// each other are a spline whose inner knots occur three times.
+  bool make_fit_curve(DxfCurve& curve) {
+    std::vector<Point2> points;
+    for (const Value& each : values_) {
+      if (each.code == 11) points.push_back({each.number, 0});
+      if (each.code == 21 && !points.empty()) points.back().y = each.number;
+    }
+    if (points.empty()) return false;
+    constexpr std::uint64_t kBytesOfPoint = 256;  // Of fit_curve() and of what it returns.
+    with_line([&] { charge_.add(kBytesOfPoint * points.size(), "the drawing"); });
+    FitEnds ends{curve.is_closed, {}, {}};
+    if (has(12)) ends.begin = Point2{value(12, 0), value(22, 0)};
+    if (has(13)) ends.end = Point2{value(13, 0), value(23, 0)};
+    const FitCurve fit = fit_curve(points, ends, context_);
+    content_.curves.knots.resize(curve.first_knot);
+    if (fit.control.empty()) {
+      skipped_.insert({"splines of fewer than two points", 0}).first->second += 1;
+      return true;
+    }
+    for (const Point2& p : fit.control) push_vertex(p, 0);
+    const auto repeat = [&](double knot, int count) {
+      for (int k = 0; k < count; ++k) push_knot(knot, curve.first_knot);
+    };
+    repeat(fit.begin.front(), 1);
+    for (const double knot : fit.begin) repeat(knot, 3);
+    repeat(fit.begin.back(), 1);
+    curve.degree = 3;
+    finish_spline(curve);
+    ++fitted_;
+    return true;
   }
 
   void push_knot(double knot, std::uint32_t first) {
@@ -569,12 +623,11 @@ class DxfReader {
     const double knots = next_number(95), points = next_number(96);
     curve.first_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
     for (double k = 0; k < knots; ++k) push_knot(next_number(40), curve.first_knot);
-    bool has_weights = false;
     for (double k = 0; k < points; ++k) {
       push_vertex(next_point(10), 0);
-      has_weights = next_number(42, 1) != 1 || has_weights;
+      set_weight(content_.curves.vertices.size() - 1, next_number(42, 1));
     }
-    set_degree(curve, degree, has_weights);
+    set_degree(curve, degree);
     finish_spline(curve);
     skip_hatch_data();
   }
@@ -672,6 +725,10 @@ class DxfReader {
                        std::to_string(count) + ")");
     }
     if (has_heights_) shapes.pass_over(kHeights);
+    if (fitted_ > 0) {
+      shapes.note("splines without control points, drawn through their fit points: " +
+                  std::to_string(fitted_));
+    }
     if (layers_.size() > 1) {
       std::string names;
       for (const std::string& name : layers_) {
@@ -746,6 +803,7 @@ class DxfReader {
   // All entities.
   DxfContent content_;
   bool has_heights_ = false;
+  std::size_t fitted_ = 0;  // How many splines have fit points and no control points.
   std::map<std::string_view, std::size_t> skipped_;
   std::set<std::string> layers_;
 };

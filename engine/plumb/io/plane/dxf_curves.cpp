@@ -3,7 +3,8 @@
 // SvgOutline flattens: each curve becomes a ring of it, whose points are a chain here. An arc is
 // given in quarters, so that even a coarse tolerance keeps its shape. A spline is cut into Bezier
 // curves, one for each span between knots: control point k of a span [a, b] of degree d is the
-// blossom (polar form) of the spline at d - k times a and k times b.
+// blossom (polar form) of the spline at d - k times a and k times b. Blossoms of rational splines
+// are taken in homogeneous coordinates.
 //
 // Open chains are the edges of a graph whose nodes are ends that are joined. If an even number of
 // ends meets in each node, the edges can be cut into closed walks, and under the even-odd rule
@@ -19,6 +20,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "plumb/base/internal/degrees.h"
@@ -30,7 +32,6 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180;
 constexpr double kQuarterTurn = 90;
-constexpr std::uint32_t kMostDegree = 3;
 
 Point2 on_arc(const DxfCurve& curve, double degrees) {
   const Point2 turn = unit_vector(degrees);
@@ -104,21 +105,30 @@ class CurveFlattener {
 
   // ---------------------------------------------------------------- splines
 
-  /// Returns the blossom of the span that begins with knot `span` at `degree` parameters.
-  Point2 blossom(const DxfCurve& curve, std::uint32_t span,
-                 const std::array<double, kMostDegree>& at) const {
+  using Control = std::array<WeightedPoint, kMostSplineDegree + 1>;
+
+  WeightedPoint control_point(std::uint32_t vertex) const {
+    const auto& [p, bulge, w] = drawing_.vertices[vertex];
+    return {p.x * w, p.y * w, w};
+  }
+
+  /// Returns the blossom of the span that begins with knot `span` at `degree` parameters: at the
+  /// end of the span for the last `ends` of them, at its begin for the others.
+  WeightedPoint blossom(const DxfCurve& curve, std::uint32_t span, std::uint32_t ends) const {
     const std::uint32_t degree = curve.degree;
     const double* const t = &drawing_.knots[curve.first_knot];
-    std::array<Point2, kMostDegree + 1> d;
+    Control d;
     for (std::uint32_t j = 0; j <= degree; ++j) {
-      d[j] = drawing_.vertices[curve.first_vertex + span - degree + j].p;
+      d[j] = control_point(curve.first_vertex + span - degree + j);
     }
     for (std::uint32_t r = 1; r <= degree; ++r) {
+      const double at = t[r <= degree - ends ? span : span + 1];
       for (std::uint32_t j = degree; j >= r; --j) {
         const double low = t[span - degree + j], high = t[span + 1 + j - r];
-        const double share = (at[r - 1] - low) / (high - low);
+        const double share = (at - low) / (high - low);
         d[j] = {d[j - 1].x + share * (d[j].x - d[j - 1].x),
-                d[j - 1].y + share * (d[j].y - d[j - 1].y)};
+                d[j - 1].y + share * (d[j].y - d[j - 1].y),
+                d[j - 1].w + share * (d[j].w - d[j - 1].w)};
       }
     }
     return d[degree];
@@ -130,25 +140,27 @@ class CurveFlattener {
     const std::uint32_t points = curve.end_vertex - curve.first_vertex;
     bool is_first = true;
     for (std::uint32_t span = degree; span < points; ++span) {
+      outline_.step();
       if (!(t[span] < t[span + 1])) continue;
-      std::array<Point2, kMostDegree + 1> control;
-      for (std::uint32_t k = 0; k <= degree; ++k) {
-        std::array<double, kMostDegree> where{};
-        for (std::uint32_t i = 0; i < degree; ++i) where[i] = t[span + (i < degree - k ? 0 : 1)];
-        control[k] = blossom(curve, span, where);
-      }
-      if (is_first) outline_.move_to(at, control[0]);
+      Control control;
+      for (std::uint32_t k = 0; k <= degree; ++k) control[k] = blossom(curve, span, k);
+      if (is_first) outline_.move_to(at, place(control[0]));
       is_first = false;
-      add_bezier(control, degree, at);
+      add_bezier(std::span(control).first(degree + 1), at);
     }
     if (is_first) outline_.move_to(at, drawing_.vertices[curve.first_vertex].p);
   }
 
-  void add_bezier(const std::array<Point2, kMostDegree + 1>& control, std::uint32_t degree,
-                  const TextCursor& at) {
-    if (degree == 1) return outline_.line_to(at, control[1]);
-    if (degree == 2) return outline_.quadratic_to(at, control[1], control[2]);
-    outline_.cubic_to(at, control[1], control[2], control[3]);
+  static Point2 place(const WeightedPoint& p) { return {p.x / p.w, p.y / p.w}; }
+
+  void add_bezier(std::span<const WeightedPoint> control, const TextCursor& at) {
+    const std::size_t degree = control.size() - 1;
+    const bool is_rational = std::any_of(control.begin(), control.end(),
+                                         [](const WeightedPoint& p) { return p.w != 1; });
+    if (degree == 1) return outline_.line_to(at, place(control[1]));
+    if (degree > 3 || is_rational) return outline_.rational_to(at, control);
+    if (degree == 2) return outline_.quadratic_to(at, place(control[1]), place(control[2]));
+    outline_.cubic_to(at, place(control[1]), place(control[2]), place(control[3]));
   }
 
   const DxfCurves& drawing_;

@@ -16,13 +16,18 @@
 
 namespace plumb {
 
+/// The largest degree that programs give a spline.
+inline constexpr std::uint32_t kMostSplineDegree = SvgOutline::kMostDegree;
+
 /// The kind of a curve.
 enum class DxfKind : std::uint8_t { Polyline, Arc, Spline };
 
 /// A corner of a polyline, or a control point of a spline.
 struct DxfVertex {
   Point2 p;
-  double bulge = 0;  ///< The tangent of a quarter of the angle of the arc to the next corner.
+  /// Of a corner: the tangent of a quarter of the angle of the arc to the next corner.
+  double bulge = 0;
+  double weight = 1;  ///< Of a control point; above zero.
 };
 
 /// A line or a curve, as it is stated.
@@ -31,7 +36,7 @@ struct DxfCurve {
   bool is_closed = false;
   std::uint32_t first_vertex = 0, end_vertex = 0;  ///< Of a polyline or a spline.
   std::uint32_t first_knot = 0, end_knot = 0;      ///< Of a spline.
-  std::uint32_t degree = 3;                        ///< Of a spline.
+  std::uint32_t degree = 3;                        ///< Of a spline, from 1 to kMostSplineDegree.
   Point2 centre, u, v;                             ///< Of an arc: centre + cos t u + sin t v.
   double from = 0, to = 0;                         ///< Degrees, from < to; a closed arc has 360.
   std::uint32_t chords = 0;  ///< Of an arc: how many chords replace it; 0 if the tolerance decides.

@@ -4,7 +4,8 @@
 // n equal chords, so n = ceil(sqrt(M / (8 tolerance))) chords suffice. M comes from control points:
 // for a Bezier curve of degree d it is d (d - 1) times the largest second difference, because the
 // second derivative is a Bezier curve over those; for an elliptic arc it is the largest distance
-// from the centre times the square of the angle. The map of the element is applied before
+// from the centre times the square of the angle. A rational curve is halved until its control points
+// are within the tolerance of the chord. The map of the element is applied before
 // flattening, so the tolerance is measured in the drawing.
 //
 // PathReader turns commands into calls of the outline. Elliptic arcs are converted from end points
@@ -105,14 +106,16 @@ void SvgOutline::move_to(const TextCursor& at, Point2 p) {
 
 void SvgOutline::line_to(const TextCursor& at, Point2 p) { add(at, placed(at, p)); }
 
+double SvgOutline::tolerance(const TextCursor& at) const {
+  if (tolerance_) return *tolerance_;
+  at.fail(ErrorCode::BadShape,
+          "a curve in a drawing without viewBox, width and height: give a tolerance");
+}
+
 /// Returns the number of chords. A chord over parameters h apart is at most h^2 / 8 times the
 /// second derivative away from its curve.
 std::size_t SvgOutline::chords(const TextCursor& at, double bend) {
-  if (!tolerance_) {
-    at.fail(ErrorCode::BadShape,
-            "a curve in a drawing without viewBox, width and height: give a tolerance");
-  }
-  const double count = std::ceil(std::sqrt(bend / (8 * *tolerance_)));
+  const double count = std::ceil(std::sqrt(bend / (8 * tolerance(at))));
   if (!(count <= static_cast<double>(most_points_ - drawing_.points.size()))) {
     at.fail(ErrorCode::ResourceLimit,
             "more than " + std::to_string(most_points_) +
@@ -144,6 +147,54 @@ void SvgOutline::quadratic_to(const TextCursor& at, Point2 c, Point2 p) {
     add(at, mixed(begin, 1, to, t * t));
   }
   add(at, to);
+}
+
+void SvgOutline::rational_to(const TextCursor& at, std::span<const WeightedPoint> control) {
+  std::array<WeightedPoint, kMostDegree + 1> moved{};
+  for (std::size_t i = 0; i < control.size(); ++i) {
+    const auto& [x, y, w] = control[i];
+    const Point2 p = placed(at, {x / w, y / w});
+    moved[i] = {p.x * w, p.y * w, w};
+    require_finite(at, {moved[i].x, moved[i].y});
+  }
+  add_rational(at, std::span(moved).first(control.size()), tolerance(at), 0);
+}
+
+/// Whether no control point is farther from the chord than the tolerance. Then no point of the
+/// curve is, because it lies in the convex hull of its control points.
+bool SvgOutline::is_flat(std::span<const WeightedPoint> placed, double tolerance) const {
+  const auto point = [](const WeightedPoint& p) { return Point2{p.x / p.w, p.y / p.w}; };
+  const Point2 a = point(placed.front()), b = point(placed.back());
+  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  return std::all_of(placed.begin(), placed.end(), [&](const WeightedPoint& each) {
+    const Point2 p = point(each);
+    const double along = (p.x - a.x) * dx + (p.y - a.y) * dy;
+    const double t = square > 0 ? std::clamp(along / square, 0., 1.) : 0;
+    return std::hypot(p.x - (a.x + t * dx), p.y - (a.y + t * dy)) <= tolerance;
+  });
+}
+
+/// Adds chords for a curve that is placed already: halves it (de Casteljau) until each part is flat.
+void SvgOutline::add_rational(const TextCursor& at, std::span<WeightedPoint> placed,
+                              double tolerance, int depth) {
+  constexpr int kMostHalvings = 48;  // Below this, parameters are equal in a double.
+  step();
+  const WeightedPoint end = placed.back();
+  if (depth == kMostHalvings || is_flat(placed, tolerance)) {
+    return add(at, {end.x / end.w, end.y / end.w});
+  }
+  std::array<WeightedPoint, kMostDegree + 1> first{};
+  const std::size_t n = placed.size();
+  first[0] = placed[0];
+  for (std::size_t r = 1; r < n; ++r) {
+    for (std::size_t i = 0; i + r < n; ++i) {
+      const WeightedPoint &a = placed[i], &b = placed[i + 1];
+      placed[i] = {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.w + b.w) / 2};
+    }
+    first[r] = placed[0];
+  }
+  add_rational(at, std::span(first).first(n), tolerance, depth + 1);
+  add_rational(at, placed, tolerance, depth + 1);
 }
 
 void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v, double from,

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,12 @@ struct SvgTransform {
 SvgTransform product(const SvgTransform& first, const SvgTransform& second);
 /// Returns the image of a point.
 Point2 applied(const SvgTransform& t, Point2 p);
+
+/// A control point of a rational curve, in homogeneous coordinates: it lies at (x / w, y / w), and
+/// its weight w is above zero.
+struct WeightedPoint {
+  double x = 0, y = 0, w = 1;
+};
 
 /// Collects the shapes of a drawing. Coordinates come in the units of an element. Curves are
 /// replaced by chords that are nowhere farther from them than the tolerance, measured in units of
@@ -55,6 +62,10 @@ class SvgOutline {
   /// Follows centre + cos t u + sin t v from t = from to t = to, where p is.
   void arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v, double from, double to,
               Point2 p);
+  /// Follows a rational Bezier curve from its first control point, where the outline is, to its
+  /// last one. The degree is at most kMostDegree.
+  void rational_to(const TextCursor& at, std::span<const WeightedPoint> control);
+  static constexpr std::size_t kMostDegree = 25;
   void close_ring();
   /// Returns how many rings have ended.
   std::size_t ring_count() const { return drawing_.ring_count(); }
@@ -74,6 +85,10 @@ class SvgOutline {
   /// Returns how many chords keep within the tolerance, for a second derivative of at most `bend`
   /// over parameters 0 to 1.
   std::size_t chords(const TextCursor& at, double bend);
+  double tolerance(const TextCursor& at) const;
+  bool is_flat(std::span<const WeightedPoint> placed, double tolerance) const;
+  void add_rational(const TextCursor& at, std::span<WeightedPoint> placed, double tolerance,
+                    int depth);
 
   static std::size_t most_points(std::size_t bytes);
 
