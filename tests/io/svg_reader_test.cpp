@@ -237,11 +237,85 @@ TEST(svg_reader, what_means_nothing) {
       "\"x.dtd\">"
       "<!-- <rect> --><svg><title>&amp; more</title><style><![CDATA[ <rect/> ]]></style>"
       "<defs><rect width='1' height='1'/></defs><use href='#x'/><text>A<tspan>b</tspan></text>"
-      "<svg><rect width='1' height='1'/></svg><rect display='none' width='1' height='1'/>"
+      "<switch><rect width='1' height='1'/></switch><rect display='none' width='1' height='1'/>"
       "<other:rect width='1' height='1'/><rect a='&x;' width='1' height='1'/></svg>\n<!---->\n");
   EXPECT_EQ(drawing.shape_count(), 1U);
-  EXPECT_EQ(drawing.notes,
-            (std::vector<std::string>{"left out: svg", "left out: text", "left out: use"}));
+  EXPECT_EQ(drawing.notes, (std::vector<std::string>{"left out: switch", "left out: text",
+                                                     "left out: use of what is not in the file"}));
+}
+
+/// A use draws what it names as if that stood there, in a group with the transform of the use.
+TEST(svg_reader, a_use_places_what_it_names) {
+  const auto expect_same = [](const std::string& uses, const std::string& plain) {
+    const auto in_box = [](const std::string& shapes) {
+      return read("<svg viewBox='0 0 100 100' xmlns:xlink='x'>" + shapes + "</svg>");
+    };
+    const SvgDrawing a = in_box(uses), b = in_box(plain);
+    EXPECT_EQ(a.points, b.points) << uses;
+    EXPECT_EQ(a.ring_begin, b.ring_begin) << uses;
+    EXPECT_EQ(a.shape_begin, b.shape_begin) << uses;
+    EXPECT_EQ(a.is_even_odd, b.is_even_odd) << uses;
+    EXPECT_EQ(a.notes, b.notes) << uses;
+  };
+  const std::string rect = "<rect id='r' x='1' y='2' width='3' height='4'/>";
+  const std::string defs = "<defs>" + rect + "<g id='g'>" + rect + "<circle r='5'/></g></defs>";
+  const std::string plain_rect = "<rect x='1' y='2' width='3' height='4'/>";
+  expect_same(defs + "<use href='#r'/>", plain_rect);
+  expect_same(rect + "<use xlink:href='#r' x='10' y='20'/>",
+              plain_rect + "<rect x='11' y='22' width='3' height='4'/>");
+  expect_same("<use href='#r' transform='scale(2)' x='10' fill-rule='evenodd'/>" + defs,
+              "<g transform='scale(2) translate(10 0)' fill-rule='evenodd'>" + plain_rect + "</g>");
+  expect_same(defs + "<use id='u' href='#g' x='10'/><use href='#u' y='10'/>",
+              "<g transform='translate(10)'>" + plain_rect +
+                  "<circle r='5'/></g><g transform='translate(10 10)'>" + plain_rect +
+                  "<circle r='5'/></g>");
+  expect_same(defs + "<use href='#g' display='none'/><use href='#g' visibility='hidden'/>", "");
+  // A symbol is drawn only where it is used; its viewBox fills the box of the use, in the middle.
+  const std::string symbol = "<symbol id='s' viewBox='0 0 10 20'>" + rect + "</symbol>";
+  expect_same(symbol, "");
+  expect_same(symbol + "<use href='#s' x='50' y='50' width='40' height='40'/>",
+              "<g transform='translate(60 50) scale(2)'>" + plain_rect + "</g>");
+  expect_same(symbol + "<use href='#s'/>",
+              "<g transform='translate(25 0) scale(5)'>" + plain_rect + "</g>");
+  expect_same("<svg x='7' y='8'>" + rect + "</svg>",
+              "<g transform='translate(7 8)'>" + plain_rect + "</g>");
+  expect_same("<svg width='40' height='40' viewBox='0 0 10 20' preserveAspectRatio='none'>" + rect +
+                  "</svg>",
+              "<g transform='scale(4 2)'>" + plain_rect + "</g>");
+  expect_same(
+      "<svg width='40' height='40' viewBox='0 0 10 20' preserveAspectRatio='xMaxYMin slice'>"
+      "<rect width='50%' height='50%'/></svg>",
+      "<g transform='scale(4)'><rect width='5' height='10'/></g>");
+}
+
+/// Uses of uses are a bomb, and a use that contains itself never ends.
+TEST(svg_reader, uses_are_bounded) {
+  const auto expect_refused = [](const std::string& text, const std::string& what) {
+    try {
+      read(text);
+      ADD_FAILURE() << what;
+    } catch (const Error& error) {
+      EXPECT_NE(error.message().find(what), std::string::npos) << error.what();
+      EXPECT_GT(error.place().line, 0U);
+    }
+  };
+  expect_refused("<svg><g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g></svg>",
+                 "a use of an element that contains it");
+  expect_refused("<svg><use id='a' href='#a'/></svg>", "a use of an element that contains it");
+  // Each level has ten uses of the next one; the last one is empty, so no point is ever made.
+  std::string bomb = "<svg><g id='g0'/>";
+  for (int level = 1; level <= 12; ++level) {
+    bomb += "<g id='g" + std::to_string(level) + "'>";
+    for (int k = 0; k < 10; ++k) bomb += "<use href='#g" + std::to_string(level - 1) + "'/>";
+    bomb += "</g>";
+  }
+  expect_refused(bomb + "</svg>", "uses that place too many elements");
+  std::string deep = "<svg><g id='g0'/>";
+  for (int level = 1; level <= 100; ++level) {
+    deep += "<g id='g" + std::to_string(level) + "'><use href='#g" + std::to_string(level - 1) +
+            "'/></g>";
+  }
+  expect_refused(deep + "</svg>", "uses nested more than 64 deep");
 }
 
 /// A drawing without a size has nothing that a percentage is a part of (hostile_drawings()).

@@ -2,17 +2,20 @@
 //
 // XmlScanner reports elements one after the other; a stack holds the product of all transforms of
 // the open ones. Groups are entered, shapes are given to SvgOutline, which flattens them in the
-// coordinates of the drawing, and elements that would be drawn but are not supported (text, images,
-// uses) are left out with a note. What is not drawn (display, visibility) is left out; style sheets
-// are not applied, and a note says so if one could hide elements or set their fill rules. The root
-// fixes the frame: the middle of the drawing becomes the origin, the y axis is turned upwards, and
-// the default tolerance is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics
-// (SVG) 1.1; docs/formats.md, section Drawings. Tested by tests/io/svg_reader_test.cpp.
+// coordinates of the drawing, and elements that would be drawn but are not supported (text, images)
+// are left out with a note. For a use, a second scanner reads the element that the use names, as
+// if it stood there, and the first scanner waits; the work is bounded by the bytes that all uses
+// read. What is not drawn (display, visibility) is left out; style sheets are not applied, and a
+// note says so if one could hide elements or set their fill rules. The root fixes the frame: the
+// middle of the drawing becomes the origin, the y axis is turned upwards, and the default tolerance
+// is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics (SVG) 1.1;
+// docs/formats.md, section Drawings. Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg_reader.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 #include <string>
@@ -31,17 +34,22 @@ namespace {
 constexpr double kThousandth = 1e-3;
 
 /// Elements that would be drawn but are left out.
-constexpr std::array<std::string_view, 6> kLeftOut{"use", "text",          "image",
-                                                   "svg", "foreignObject", "switch"};
+constexpr std::array<std::string_view, 4> kLeftOut{"text", "image", "foreignObject", "switch"};
+
+constexpr std::size_t kMostUsesNested = 64;
+/// Uses of uses can place an element any number of times. All that they place is at most this many
+/// bytes of the text, and as many times the text.
+constexpr std::uint64_t kMostUsedBytes = std::uint64_t{1} << 23U, kMostUsedTimes = 16;
 
 class SvgReader {
  public:
   SvgReader(std::string_view text, const ReadOptions& options, std::optional<double> tolerance,
             SvgFrame frame, Context& context)
       : frame_(frame),
-        scanner_(text, options.name, context),
+        document_(text, options.name, context),
+        scanners_{document_},
         numbers_(context, false, text.size()),
-        text_(text.data()),
+        text_bytes_(text.size()),
         tolerance_(tolerance),
         outline_(text, tolerance, context),
         context_(context) {}
@@ -55,19 +63,34 @@ class SvgReader {
     Outline outline;
   };
   static const std::array<Kind, 7> kKinds;
+  /// Where the element that is used begins, and the size that the use states.
+  struct Use {
+    const char* tag;
+    std::optional<double> width, height;
+  };
 
+  XmlScanner& scanner() { return scanners_.back(); }
+  const XmlScanner& scanner() const { return scanners_.back(); }
   void start_root();
   void start_element();
+  void end_element();
+  bool is_used_root() const;
+  void start_use();
+  void end_use();
+  void find_ids();
+  SvgTransform placing();
+  SvgTransform viewport(Point2 corner, double width, double height);
   void skip_element();
   std::optional<SvgValue> value(std::string_view name);
   double whole_of(std::string_view name) const;
   std::optional<double> length_if(std::string_view name);
   double length(std::string_view name);
   double size(std::string_view name);
+  Point2 size() const { return sizes_.empty() ? Point2{0, 0} : sizes_.back(); }
   void end_value(SvgValue& text);
   SvgTransform read_transform(SvgValue text);
   SvgTransform read_one_transform(SvgValue& text);
-  TextCursor here() const { return scanner_.cursor_at(scanner_.tag()); }
+  TextCursor here() const { return scanner().cursor_at(scanner().tag()); }
 
   void read_rect();
   void add_rounded(Point2 low, Point2 high, double rx, double ry);
@@ -85,9 +108,11 @@ class SvgReader {
   void set_frame(double x, double y, double width, double height);
 
   SvgFrame frame_;
-  XmlScanner scanner_;
+  const XmlScanner document_;  // At the beginning.
+  std::vector<XmlScanner>
+      scanners_;  // Of the drawing, then of each element that is used, innermost last.
   NumberReader numbers_;
-  const char* text_;
+  std::size_t text_bytes_;
   std::optional<double> tolerance_;
   SvgOutline outline_;
   Context& context_;
@@ -95,7 +120,13 @@ class SvgReader {
   std::vector<SvgTransform> transforms_;
   std::vector<std::uint8_t> even_odd_;  // Fill rules of the open elements.
   std::vector<std::uint8_t> hidden_;    // Whether the open elements are invisible.
-  Point2 size_{0, 0};                   // Width and height, if they are known.
+  // Width and height of what percentages are parts of, for the open elements; 0 if unknown.
+  std::vector<Point2> sizes_;
+  Point2 inner_size_{0, 0};                          // That of the element that is being entered.
+  std::map<std::string_view, XmlScanner> elements_;  // By their ids, once a use has asked for one.
+  bool has_ids_ = false;
+  std::vector<Use> uses_;         // Those that are being read, innermost last.
+  std::uint64_t used_bytes_ = 0;  // Of all elements that uses have placed.
   std::set<std::string_view> left_out_;
   std::set<std::string_view> style_properties_;  // Those that a style sheet sets.
 };
@@ -120,7 +151,7 @@ std::string_view plain_name(std::string_view name) {
 
 SvgDrawing SvgReader::read() {
   for (bool is_first = true;; is_first = false) {
-    switch (scanner_.next()) {
+    switch (scanner().next()) {
       case XmlScanner::Event::Done: {
         for (const std::string_view name : left_out_) {
           outline_.note("left out: " + std::string(name));
@@ -132,9 +163,7 @@ SvgDrawing SvgReader::read() {
         return outline_.take();
       }
       case XmlScanner::Event::End:
-        transforms_.pop_back();
-        even_odd_.pop_back();
-        hidden_.pop_back();
+        end_element();
         break;
       case XmlScanner::Event::Start:
         if (is_first) {
@@ -143,16 +172,24 @@ SvgDrawing SvgReader::read() {
           start_element();
         }
     }
+    while (scanners_.size() > 1 && scanner().finished()) end_use();
   }
+}
+
+void SvgReader::end_element() {
+  transforms_.pop_back();
+  even_odd_.pop_back();
+  hidden_.pop_back();
+  sizes_.pop_back();
 }
 
 /// Reads the size of the drawing from its viewBox, else from width and height. The root's transform
 /// puts the middle at the origin and turns the y axis upwards.
 void SvgReader::start_root() {
-  if (plain_name(scanner_.element()) != "svg") {
-    scanner_.fail(ErrorCode::UnknownFormat,
-                  "the root element is " + quoted(scanner_.element()) + ", not svg",
-                  scanner_.tag());
+  if (plain_name(scanner().element()) != "svg") {
+    scanner().fail(ErrorCode::UnknownFormat,
+                   "the root element is " + quoted(scanner().element()) + ", not svg",
+                   scanner().tag());
   }
   // The middle of the drawing and its size.
   double x = 0, y = 0, width = 0, height = 0;
@@ -164,7 +201,7 @@ void SvgReader::start_root() {
     end_value(*box);
   } else if (value("width") && value("height")) {
     const auto is_relative = [this](std::string_view name) {
-      return scanner_.attribute(name)->ends_with('%');
+      return scanner().attribute(name)->ends_with('%');
     };
     if (!is_relative("width") && !is_relative("height")) {
       width = length("width");
@@ -172,9 +209,9 @@ void SvgReader::start_root() {
     }
   }
   if (width < 0 || height < 0) {
-    scanner_.fail(ErrorCode::BadShape, "a drawing of negative size", scanner_.tag());
+    scanner().fail(ErrorCode::BadShape, "a drawing of negative size", scanner().tag());
   }
-  size_ = {width, height};
+  sizes_.push_back({width, height});
   set_frame(x, y, width, height);
   even_odd_.push_back(is_even_odd(false) ? 1 : 0);
   hidden_.push_back(is_hidden(false) ? 1 : 0);
@@ -203,7 +240,7 @@ void SvgReader::set_frame(double x, double y, double width, double height) {
 std::optional<double> SvgReader::millimetres(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, double>, 5> kPhysical{
       {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72}, {"pc", 25.4 / 6}}};
-  const std::string_view text = scanner_.attribute(name).value_or("");
+  const std::string_view text = scanner().attribute(name).value_or("");
   for (const auto& [suffix, unit] : kPhysical) {
     if (!text.ends_with(suffix)) continue;
     const double length = value(name)->number();
@@ -220,11 +257,11 @@ std::string_view SvgReader::property(std::string_view name) const {
     text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
     return text.substr(0, text.find_last_not_of(kBlanks) + 1);
   };
-  std::string_view value = scanner_.attribute(name).value_or("");
-  std::string_view style = scanner_.attribute("style").value_or("");
+  std::string_view value = scanner().attribute(name).value_or("");
+  std::string_view style = scanner().attribute("style").value_or("");
   if (const std::size_t entity = find_entity(style); entity != style.npos) {
-    scanner_.fail(ErrorCode::Syntax, "a reference to an entity: entities are not expanded",
-                  style.data() + entity);
+    scanner().fail(ErrorCode::Syntax, "a reference to an entity: entities are not expanded",
+                   style.data() + entity);
   }
   while (!style.empty()) {
     const std::string_view declaration = style.substr(0, style.find(';'));
@@ -252,9 +289,9 @@ bool SvgReader::is_hidden(bool inherited) const {
 
 /// Skips a style sheet, and notes what it may change.
 void SvgReader::read_style_sheet() {
-  const char* const begin = scanner_.tag();
+  const char* const begin = scanner().tag();
   skip_element();
-  const std::string_view sheet(begin, static_cast<std::size_t>(scanner_.tag() - begin));
+  const std::string_view sheet(begin, static_cast<std::size_t>(scanner().tag() - begin));
   for (const std::string_view name : {"display", "visibility", "fill-rule"}) {
     const std::size_t at = sheet.find(name);
     if (at == sheet.npos) continue;
@@ -264,16 +301,119 @@ void SvgReader::read_style_sheet() {
 
 void SvgReader::skip_element() {
   for (std::size_t open = 1; open > 0;) {
-    open += scanner_.next() == XmlScanner::Event::Start ? 1 : std::size_t(0) - 1;
+    open += scanner().next() == XmlScanner::Event::Start ? 1 : std::size_t(0) - 1;
   }
+}
+
+/// Whether the element that started last is the one that a use names: a symbol is drawn only there.
+bool SvgReader::is_used_root() const {
+  return scanners_.size() > 1 && scanner().tag() == uses_.back().tag;
+}
+
+/// Finds the elements that have ids. An id that occurs twice means its first element.
+void SvgReader::find_ids() {
+  constexpr std::uint64_t kElementBytes = 2 * sizeof(XmlScanner);
+  if (std::exchange(has_ids_, true)) return;
+  XmlScanner all = document_;
+  for (auto event = all.next(); event != XmlScanner::Event::Done; event = all.next()) {
+    if (event != XmlScanner::Event::Start) continue;
+    const std::optional<std::string_view> id = all.attribute("id");
+    if (!id) continue;
+    with_place(all.cursor_at(all.tag()),
+               [&] { context_.charge_memory(kElementBytes, "the drawing"); });
+    elements_.emplace(*id, all.of_element());
+  }
+  all.release_attributes();
+}
+
+/// Enters the element that the use names. A use of another file, or of what is missing, is left
+/// out.
+void SvgReader::start_use() {
+  std::string_view name = scanner().attribute("href").value_or(
+      scanner().attribute("xlink:href").value_or(std::string_view{}));
+  if (!take_prefix(name, "#")) {
+    left_out_.insert("use of what is not in the file");
+    return;
+  }
+  find_ids();
+  const auto found = elements_.find(name);
+  if (found == elements_.end()) {
+    left_out_.insert("use of what is not in the file");
+    return;
+  }
+  const char* const tag = found->second.tag();
+  if (std::ranges::count(uses_, tag, &Use::tag) > 0) {
+    scanner().fail(ErrorCode::BadShape, "a use of an element that contains it", scanner().tag());
+  }
+  if (uses_.size() == kMostUsesNested) {
+    scanner().fail(ErrorCode::ResourceLimit, "uses nested more than 64 deep", scanner().tag());
+  }
+  uses_.push_back({tag, length_if("width"), length_if("height")});
+  scanners_.push_back(found->second);
+}
+
+void SvgReader::end_use() {
+  scanner().release_attributes();
+  used_bytes_ += static_cast<std::uint64_t>(scanner().tag() - uses_.back().tag);
+  scanners_.pop_back();
+  uses_.pop_back();
+  if (used_bytes_ > kMostUsedBytes + kMostUsedTimes * text_bytes_) {
+    scanner().fail(ErrorCode::ResourceLimit, "uses that place too many elements", scanner().tag());
+  }
+}
+
+/// Returns the map from the coordinates inside the element that started last to those outside of
+/// it, without its attribute transform.
+SvgTransform SvgReader::placing() {
+  const std::string_view name = plain_name(scanner().element());
+  if (name == "use") return {1, 0, 0, 1, length("x"), length("y")};
+  const bool is_symbol = name == "symbol";
+  if (!is_symbol && name != "svg") return {};
+  const Use use = is_used_root() ? uses_.back() : Use{};
+  const auto side = [&](std::string_view which, std::optional<double> of_use, double whole) {
+    return of_use ? *of_use : length_if(which).value_or(whole);
+  };
+  const double width = side("width", use.width, size().x);
+  const double height = side("height", use.height, size().y);
+  return viewport(is_symbol ? Point2{0, 0} : Point2{length("x"), length("y")}, width, height);
+}
+
+/// Returns the map from the viewBox of the element to a box of the given corner and size. By
+/// default the picture keeps its shape, and is as large as fits, in the middle.
+SvgTransform SvgReader::viewport(Point2 corner, double width, double height) {
+  std::optional<SvgValue> box = value("viewBox");
+  inner_size_ = {width, height};
+  if (!box) return {1, 0, 0, 1, corner.x, corner.y};
+  const double x = box->number(), y = box->number();
+  const double wide = box->number(), high = box->number();
+  end_value(*box);
+  inner_size_ = {wide, high};
+  if (!(wide > 0 && high > 0 && width > 0 && height > 0)) {
+    return {1, 0, 0, 1, corner.x - x, corner.y - y};
+  }
+  const std::string_view rule = scanner().attribute("preserveAspectRatio").value_or("");
+  const auto has = [&](std::string_view word) { return rule.find(word) != rule.npos; };
+  Point2 scale{width / wide, height / high};
+  if (!has("none")) {
+    scale.x = scale.y = has("slice") ? std::max(scale.x, scale.y) : std::min(scale.x, scale.y);
+  }
+  const double right = has("xMin") ? 0 : has("xMax") ? 1 : 0.5;
+  const double down = has("YMin") ? 0 : has("YMax") ? 1 : 0.5;
+  return {scale.x,
+          0,
+          0,
+          scale.y,
+          corner.x + right * (width - wide * scale.x) - x * scale.x,
+          corner.y + down * (height - high * scale.y) - y * scale.y};
 }
 
 /// Enters a group, reads a shape, or skips an element with all it contains.
 void SvgReader::start_element() {
-  const std::string_view name = plain_name(scanner_.element());
+  const std::string_view name = plain_name(scanner().element());
   if (name == "style") return read_style_sheet();
   const auto kind = std::ranges::find(kKinds, name, &Kind::name);
-  const bool is_group = name == "g" || name == "a";
+  const bool is_group = name == "g" || name == "a" || name == "svg" || name == "use" ||
+                        (name == "symbol" && is_used_root());
   if ((kind == kKinds.end() && !is_group) || property("display") == "none") {
     if (std::ranges::count(kLeftOut, name) > 0) left_out_.insert(name);
     return skip_element();
@@ -282,12 +422,18 @@ void SvgReader::start_element() {
   if (std::optional<SvgValue> text = value("transform")) {
     transform = product(transform, read_transform(std::move(*text)));
   }
-  with_place(here(), [&] { context_.charge_memory(2 * sizeof(SvgTransform) + 4, "the drawing"); });
+  inner_size_ = size();
+  if (is_group) transform = product(transform, placing());
+  with_place(here(), [&] {
+    context_.charge_memory(2 * sizeof(SvgTransform) + 2 * sizeof(Point2) + 4, "the drawing");
+  });
   transforms_.push_back(transform);
   const bool fills_by_evenodd = is_even_odd(even_odd_.back() != 0);
   even_odd_.push_back(fills_by_evenodd ? 1 : 0);
   const bool hides = is_hidden(hidden_.back() != 0);
   hidden_.push_back(hides ? 1 : 0);
+  sizes_.push_back(inner_size_);
+  if (name == "use") return start_use();
   if (is_group || hides) return;
   outline_.set_transform(transform);
   (this->*kind->outline)();
@@ -297,9 +443,9 @@ void SvgReader::start_element() {
 // ---------------------------------------------------------------- attributes
 
 std::optional<SvgValue> SvgReader::value(std::string_view name) {
-  const std::optional<std::string_view> found = scanner_.attribute(name);
+  const std::optional<std::string_view> found = scanner().attribute(name);
   if (!found) return {};
-  return SvgValue(scanner_.cursor_at(found->data()), *found, numbers_);
+  return SvgValue(scanner().cursor_at(found->data()), *found, numbers_);
 }
 
 void SvgReader::end_value(SvgValue& text) {
@@ -308,9 +454,9 @@ void SvgReader::end_value(SvgValue& text) {
 
 /// Returns what a percentage in an attribute is a part of; 0 if that is unknown.
 double SvgReader::whole_of(std::string_view name) const {
-  if (name == "r") return std::hypot(size_.x, size_.y) / std::numbers::sqrt2;
+  if (name == "r") return std::hypot(size().x, size().y) / std::numbers::sqrt2;
   const bool is_vertical = name == "height" || name.find('y') != name.npos;
-  return is_vertical ? size_.y : size_.x;
+  return is_vertical ? size().y : size().x;
 }
 
 std::optional<double> SvgReader::length_if(std::string_view name) {
@@ -326,8 +472,8 @@ double SvgReader::length(std::string_view name) { return length_if(name).value_o
 double SvgReader::size(std::string_view name) {
   const double size = length(name);
   if (size >= 0) return size;
-  scanner_.fail(ErrorCode::BadShape, quoted(name) + " is negative",
-                scanner_.attribute(name)->data());
+  scanner().fail(ErrorCode::BadShape, quoted(name) + " is negative",
+                 scanner().attribute(name)->data());
 }
 
 SvgTransform SvgReader::read_transform(SvgValue text) {

@@ -4,8 +4,8 @@
 // n equal chords, so n = ceil(sqrt(M / (8 tolerance))) chords suffice. M comes from control points:
 // for a Bezier curve of degree d it is d (d - 1) times the largest second difference, because the
 // second derivative is a Bezier curve over those; for an elliptic arc it is the largest distance
-// from the centre times the square of the angle. A rational curve is halved until its control points
-// are within the tolerance of the chord. The map of the element is applied before
+// from the centre times the square of the angle. A rational curve is halved until its control
+// points are within the tolerance of the chord. The map of the element is applied before
 // flattening, so the tolerance is measured in the drawing.
 //
 // PathReader turns commands into calls of the outline. Elliptic arcs are converted from end points
@@ -174,7 +174,7 @@ bool SvgOutline::is_flat(std::span<const WeightedPoint> placed, double tolerance
   });
 }
 
-/// Adds chords for a curve that is placed already: halves it (de Casteljau) until each part is flat.
+/// Adds chords for a placed curve, which is halved (de Casteljau) until all its parts are flat.
 void SvgOutline::add_rational(const TextCursor& at, std::span<WeightedPoint> placed,
                               double tolerance, int depth) {
   constexpr int kMostHalvings = 48;  // Below this, parameters are equal in a double.

@@ -104,6 +104,20 @@ void XmlScanner::require_text() const {
   }
 }
 
+XmlScanner XmlScanner::of_element() const {
+  XmlScanner scanner = *this;
+  scanner.p_ = tag_;
+  scanner.attributes_ = {};
+  scanner.open_ = {};
+  scanner.is_empty_ = scanner.has_root_ = false;
+  return scanner;
+}
+
+void XmlScanner::release_attributes() {
+  context_.release_memory(2 * sizeof(XmlAttribute) * attributes_.size());
+  attributes_.clear();
+}
+
 TextCursor XmlScanner::cursor_at(const char* where) const {
   TextCursor cursor = cursor_;
   cursor.move_to(where);
@@ -236,8 +250,7 @@ void XmlScanner::read_start() {
   if (open_.size() == kMostNested) {
     fail(ErrorCode::Syntax, "elements nested more than 256 deep", tag_);
   }
-  context_.release_memory(2 * sizeof(XmlAttribute) * attributes_.size());
-  attributes_.clear();
+  release_attributes();
   ++p_;
   element_ = take_name("the name of an element");
   for (;;) {

@@ -54,6 +54,14 @@ class XmlScanner {
   /// occurs twice.
   std::optional<std::string_view> attribute(std::string_view name) const;
 
+  /// Returns a scanner of the element that started last, alone: it reports the start of this
+  /// element first. Once finished(), it must not be asked for more.
+  XmlScanner of_element() const;
+  /// Whether the root has ended.
+  bool finished() const { return has_root_ && open_.empty(); }
+  /// Gives back what the attributes of the element that started last are charged.
+  void release_attributes();
+
   /// Returns a cursor at a byte of the tag read last.
   TextCursor cursor_at(const char* where) const;
   /// Returns the beginning of that tag.
