@@ -169,6 +169,8 @@ TEST(foreign_files, advice_is_for_the_readers_given) {
   EXPECT_EQ(foreign_kind("OFF\n", "WKT"), "this is OFF; plumb solid reads it");
   EXPECT_EQ(foreign_kind("OFF\n", "WKT", FileReaders::Solids),
             "this is OFF; give the file the extension .off");
+  EXPECT_EQ(foreign_kind("<svg/>", "GeoJSON TopoJSON WKT WKB"),
+            "this is an SVG drawing; plumb plane reads it");
 }
 
 }  // namespace

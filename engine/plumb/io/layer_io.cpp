@@ -397,7 +397,7 @@ void LayerReader::add_arcs(Id ring) {
 LayerFile noted(LayerDraft draft) {
   std::vector<std::string>& notes = draft.file.notes;
   if (draft.dropped > 0) {
-    notes.push_back("passed over: " + std::to_string(draft.dropped) + " of points and lines");
+    notes.push_back("passed over: points and lines (" + std::to_string(draft.dropped) + ')');
   }
   if (draft.collapsed > 0) {
     notes.push_back("passed over: " + std::to_string(draft.collapsed) +
@@ -666,10 +666,19 @@ std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
   return report.shapes.points.approx(report.shapes.ring(report.shapes.polygon_begin[polygon])[0]);
 }
 
+/// Returns a number and the word for that many.
+std::string number_of(std::size_t count, const std::string& one) {
+  return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
+}
+
 void write_region(TextOutput& out, const Layer& layer, const LayerReport& report, std::size_t i) {
   const LayerRegion& region = report.regions[i];
+  const bool is_overlap = region.kind == LayerRegionKind::Overlap;
+  const bool has_one_feature = report.features_of(region).size() == 1;
   out << (region.is_open ? "open " : "") << name_of(region.kind)
-      << (region.kind == LayerRegionKind::Overlap ? " of " : " between ");
+      << (is_overlap        ? " of "
+          : has_one_feature ? " in "
+                            : " between ");
   bool is_first = true;
   for (const std::uint32_t f : report.features_of(region)) {
     if (!is_first) out << ", ";
@@ -732,11 +741,11 @@ void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const 
 
 void write_layer_report_text(std::ostream& stream, const Layer& layer, const LayerReport& report) {
   TextOutput out(stream);
-  out << std::uint64_t{layer.feature_count()} << " features, "
-      << std::uint64_t{report.count(LayerRegionKind::Overlap)} << " overlaps, "
-      << std::uint64_t{report.count(LayerRegionKind::Gap)} << " gaps below width "
-      << report.gaps_below << ", " << std::uint64_t{report.count(LayerRegionKind::Hole)}
-      << " holes\n";
+  out << number_of(layer.feature_count(), "feature") << ", "
+      << number_of(report.count(LayerRegionKind::Overlap), "overlap") << ", "
+      << number_of(report.count(LayerRegionKind::Gap), "gap") << " below width "
+      << report.gaps_below << ", " << number_of(report.count(LayerRegionKind::Hole), "hole")
+      << '\n';
   for (std::size_t i = 0; i < report.regions.size(); ++i) write_region(out, layer, report, i);
   for (const std::uint32_t f : report.emptied)
     out << feature_title(layer, f) << " has no area left\n";

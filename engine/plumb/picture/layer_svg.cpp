@@ -146,7 +146,8 @@ std::string sentence(const Layer& layer, const LayerReport& report, std::size_t 
   const LayerRegion& region = report.regions[i];
   const bool is_overlap = region.kind == LayerRegionKind::Overlap;
   std::string text = name_of(region.kind);
-  text += is_overlap ? " of " : " between ";
+  const bool has_one_feature = report.features_of(region).size() == 1;
+  text += is_overlap ? " of " : has_one_feature ? " in " : " between ";
   std::size_t named = 0;
   for (const std::uint32_t f : report.features_of(region)) {
     if (named == kMostNames) {

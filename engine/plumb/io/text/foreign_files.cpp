@@ -130,12 +130,13 @@ constexpr std::string_view kPlaneSets = "WKT WKB GeoJSON SVG DXF nef2";
 
 /// Returns what to do. A file that would have to be renamed, but that another family of commands
 /// reads, is one for that family.
-std::string_view advice_for(const ForeignKind& kind, bool reads_solids) {
+std::string_view advice_for(const ForeignKind& kind, bool reads_solids, bool reads_layers) {
   const bool is_known = !kind.reader.empty() && kind.advice.starts_with("give");
   if (is_known && !reads_solids && kSolids.find(kind.reader) != kSolids.npos) {
     return "plumb solid reads it";
   }
-  if (is_known && reads_solids && kPlaneSets.find(kind.reader) != kPlaneSets.npos) {
+  if (is_known && (reads_solids || reads_layers) &&
+      kPlaneSets.find(kind.reader) != kPlaneSets.npos) {
     return "plumb plane reads it";
   }
   return kind.advice;
@@ -271,7 +272,9 @@ std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view
   if (kind == nullptr || is_own(*kind, own)) return {};
   const bool reads_solids =
       readers ? *readers == FileReaders::Solids : kSolids.find(own) != kSolids.npos;
-  return "this is " + std::string(kind->what) + "; " + std::string(advice_for(*kind, reads_solids));
+  const bool reads_layers = own.find("TopoJSON") != own.npos;
+  return "this is " + std::string(kind->what) + "; " +
+         std::string(advice_for(*kind, reads_solids, reads_layers));
 }
 
 }  // namespace plumb
