@@ -5,7 +5,8 @@
 // T) for the relative interiors of convex sets (R. T. Rockafellar, Convex Analysis, 1970, section
 // 6): closed operands are unions of closed parts, any other operand is a union of relatively open
 // parts, the cells of its convex parts. An open facet is further divided into open triangles and
-// the open diagonals between them.
+// the open diagonals between them. A convex part with interior points stays whole: the sum of two
+// of them gets its marks from those of their faces (sum/half_open_body.h).
 //
 // PairFilter leaves out pairs that cannot matter: a sum with an open body is open, and does not
 // change when the other operand is replaced by a dense part of it. So a body is added to maximal
@@ -19,12 +20,14 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/part/cut_set.h"
 #include "plumb/convex/sum/convex_sum.h"
+#include "plumb/convex/sum/half_open_body.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/complex/tidy_tables.h"
@@ -110,10 +113,9 @@ Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context) {
 
 namespace {
 
-/// A convex part of an operand: its closure, and whether that or its relative interior is meant.
+/// A closed or relatively open convex part of an operand, by its closure.
 struct ConvexPart {
   ConvexBody body;
-  bool is_closed = false;
   bool is_maximal = false;  ///< Whether the part is in the boundary of no other part of its set.
 };
 
@@ -149,7 +151,7 @@ class OpenParts {
   /// Adds the parts. `is_flat` says that the piece is a facet in the boundary of a body.
   void run(bool is_flat = false) {
     const bool has_body = is_flat || has_mark(c_.volume_mark, 1);
-    if (has_body && !is_flat) parts_.push_back({body_of(piece_.interior()), false, true});
+    if (has_body && !is_flat) parts_.push_back({body_of(piece_.interior()), true});
     for (std::uint32_t f = 0; f < c_.facet_count(); ++f) {
       if (c_.facet_mark[f] == 1) add_facet(FacetId(f), !has_body);
     }
@@ -206,7 +208,7 @@ class OpenParts {
   }
 
   void add(const std::vector<RationalPoint3>& points, bool is_maximal) {
-    parts_.push_back({convex_body_of(points), false, is_maximal});
+    parts_.push_back({convex_body_of(points), is_maximal});
   }
   RationalPoint3 point(VertexId v) const { return exact(c_.points(), c_.vertex_point[v]); }
 
@@ -221,18 +223,69 @@ std::vector<Nef3> convex_pieces(const Nef3& set, bool closed, Context& context) 
   return decompose(set, {DecomposeMethod::Best, closed}, context).pieces;
 }
 
-/// Step 1 of the main flow: decomposes an operand into closed or relatively open convex parts.
-std::vector<ConvexPart> parts_of_operand(const Nef3& set, bool is_sum_closed, Context& context) {
+/// Decomposes an operand of a sum of closed sets.
+std::vector<ConvexPart> closed_parts(const Nef3& set, Context& context) {
   std::vector<ConvexPart> parts;
-  for (const Nef3& piece : convex_pieces(set, is_sum_closed, context)) {
-    if (is_sum_closed || is_relatively_open(piece.complex())) {
-      parts.push_back({body_of(piece), is_sum_closed, true});
-    } else {
-      OpenParts(piece, parts, context).run();
-    }
+  for (const Nef3& piece : convex_pieces(set, true, context)) {
+    parts.push_back({body_of(piece), true});
   }
   return parts;
 }
+
+/// Returns the set with the numbers of its facets as their origins, so that is_wall() is right for
+/// the facets of its pieces.
+Nef3 with_own_origins(const Nef3& set) {
+  SpaceComplex c = set.complex();
+  std::iota(c.facet_origin.begin(), c.facet_origin.end(), 0U);
+  return Nef3::from_minimal_unchecked(std::move(c));
+}
+
+/// An operand of a sum of which at least one operand is not closed, in convex pieces. Those with
+/// interior points are bodies. The others are relatively open parts.
+class OpenOperand {
+ public:
+  OpenOperand(const Nef3& set, Context& context) : context_(context) {
+    const Nef3 hull = set.closure(context);
+    for (const Nef3& piece : convex_pieces(with_own_origins(set), false, context)) {
+      if (has_mark(piece.complex().volume_mark, 1)) {
+        bodies_.emplace_back(piece, hull, context);
+        pieces_.push_back(piece);
+      } else {
+        add_parts(piece, thin_);
+      }
+    }
+  }
+
+  const std::vector<HalfOpenBody>& bodies() const { return bodies_; }
+  /// Returns the parts of the pieces without interior points.
+  const std::vector<ConvexPart>& thin_parts() const { return thin_; }
+  /// Returns the relatively open parts of the bodies.
+  std::vector<ConvexPart> parts_of_bodies() const {
+    std::vector<ConvexPart> parts;
+    for (const Nef3& piece : pieces_) add_parts(piece, parts);
+    return parts;
+  }
+
+  std::uint64_t bytes() const {
+    std::uint64_t bytes = memory_of(thin_);
+    for (const HalfOpenBody& body : bodies_) bytes += body.bytes();
+    return bytes;
+  }
+
+ private:
+  void add_parts(const Nef3& piece, std::vector<ConvexPart>& parts) const {
+    if (is_relatively_open(piece.complex())) {
+      parts.push_back({body_of(piece), true});
+    } else {
+      OpenParts(piece, parts, context_).run();
+    }
+  }
+
+  Context& context_;
+  std::vector<HalfOpenBody> bodies_;
+  std::vector<Nef3> pieces_;  // The piece of each body.
+  std::vector<ConvexPart> thin_;
+};
 
 /// Decides which pairs matter. A sum with an open operand does not change when the other one is
 /// replaced by a dense part of it; an open body is such an operand.
@@ -251,6 +304,119 @@ class PairFilter {
   }
 
   std::array<bool, 2> is_open_;
+};
+
+/// Step 2 of the main flow: the sums of pairs of parts. Reports one phase, not one for each pair.
+class PairSums {
+ public:
+  explicit PairSums(Context& context)
+      : context_(context),
+        quiet_(Context::of_job(context, {}, context.threads(), JobProgress::Silent)),
+        memory_(context) {}
+
+  void charge(std::uint64_t bytes) { memory_.add(bytes, kMemoryName); }
+  /// States that `count` pairs follow.
+  void expect(std::size_t count) { expected_ += count; }
+  void begin_pair() { context_.checkpoint("sums of parts", begun_++, expected_); }
+  void add(Nef3 sum) {
+    sums_.push_back(std::move(sum));
+    charge(sums_.back().bytes() + kBytesPerSet);
+  }
+  Context& quiet() { return quiet_; }
+  std::vector<Nef3> take() { return std::move(sums_); }
+
+ private:
+  Context& context_;
+  Context quiet_;
+  MemoryCharge memory_;
+  std::vector<Nef3> sums_;
+  std::size_t begun_ = 0, expected_ = 0;
+};
+
+std::vector<Nef3> sums_of_closed(const Nef3& a, const Nef3& b, Context& context) {
+  const auto parts_a = closed_parts(a, context), parts_b = closed_parts(b, context);
+  PairSums sums(context);
+  sums.charge(memory_of(parts_a) + memory_of(parts_b));
+  sums.expect(parts_a.size() * parts_b.size());
+  for (const ConvexPart& p : parts_a) {
+    for (const ConvexPart& q : parts_b) {
+      sums.begin_pair();
+      sums.add(convex_sum(p.body, q.body, SumMarks::Closed, sums.quiet()));
+    }
+  }
+  return sums.take();
+}
+
+/// The sums of pairs of parts if at least one operand is not closed.
+class OpenSums {
+ public:
+  OpenSums(const Nef3& a, const Nef3& b, Context& context)
+      : filter_(a, b),
+        is_open_(a.is_open() || b.is_open()),
+        context_(context),
+        a_(a, context),
+        b_(b, context),
+        sums_(context) {}
+
+  std::vector<Nef3> run() {
+    sums_.charge(a_.bytes() + b_.bytes());
+    add_bodies();
+    add_parts(a_.thin_parts(), b_.thin_parts());
+    if (!b_.thin_parts().empty()) add_parts(a_.parts_of_bodies(), b_.thin_parts());
+    if (!a_.thin_parts().empty()) add_parts(a_.thin_parts(), b_.parts_of_bodies());
+    return sums_.take();
+  }
+
+ private:
+  void add_bodies() {
+    sums_.expect(a_.bodies().size() * b_.bodies().size());
+    for (const HalfOpenBody& p : a_.bodies()) {
+      for (const HalfOpenBody& q : b_.bodies()) {
+        sums_.begin_pair();
+        if (is_open_) {
+          sums_.add(convex_sum(p.body(), q.body(), SumMarks::Open, sums_.quiet()));
+        } else {
+          add_half_open(p, q);
+        }
+      }
+    }
+  }
+
+  void add_half_open(const HalfOpenBody& p, const HalfOpenBody& q) {
+    const auto add_faces = [&](BodyFace f, BodyFace g, bool is_parallel) {
+      add_parts(parts_of(p, f, is_parallel), parts_of(q, g, is_parallel));
+    };
+    sums_.add(half_open_sum(p, q, add_faces, sums_.quiet()));
+  }
+
+  /// Returns the marked parts of a face. None of them is dispensable, so all are maximal.
+  std::vector<ConvexPart> parts_of(const HalfOpenBody& body, BodyFace face, bool with_boundary) {
+    std::vector<ConvexPart> parts;
+    const Nef3 marked = body.part(face, with_boundary, sums_.quiet());
+    if (!marked.is_empty()) OpenParts(marked, parts, sums_.quiet()).run();
+    for (ConvexPart& part : parts) part.is_maximal = true;
+    return parts;
+  }
+
+  void add_parts(const std::vector<ConvexPart>& a, const std::vector<ConvexPart>& b) {
+    MemoryCharge memory(context_);
+    memory.add(memory_of(a) + memory_of(b), kMemoryName);
+    sums_.expect(a.size() * b.size());
+    for (const ConvexPart& p : a) {
+      for (const ConvexPart& q : b) {
+        sums_.begin_pair();
+        if (filter_.needs(p, q)) {
+          sums_.add(convex_sum(p.body, q.body, SumMarks::Open, sums_.quiet()));
+        }
+      }
+    }
+  }
+
+  PairFilter filter_;
+  bool is_open_;
+  Context& context_;
+  OpenOperand a_, b_;
+  PairSums sums_;
 };
 
 void require_bounded(const Nef3& set) {
@@ -306,25 +472,8 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   if (a.is_empty() || b.is_empty()) return Nef3::empty();
   require_bounded(a);
   require_bounded(b);
-  const bool is_closed = a.is_closed() && b.is_closed();
-  const auto parts_a = parts_of_operand(a, is_closed, context);
-  const auto parts_b = parts_of_operand(b, is_closed, context);
-  const PairFilter filter(a, b);
-  std::vector<Nef3> sums;
-  MemoryCharge memory(context);
-  memory.add(memory_of(parts_a) + memory_of(parts_b), kMemoryName);
-  const SumMarks marks = is_closed ? SumMarks::Closed : SumMarks::Open;
-  // Reports one phase, not one for each pair.
-  Context quiet = Context::of_job(context, {}, context.threads(), JobProgress::Silent);
-  std::size_t pairs = 0;
-  for (const ConvexPart& p : parts_a) {
-    for (const ConvexPart& q : parts_b) {
-      context.checkpoint("sums of parts", pairs++, parts_a.size() * parts_b.size());
-      if (!filter.needs(p, q)) continue;
-      sums.push_back(convex_sum(p.body, q.body, marks, quiet));
-      memory.add(sums.back().bytes() + kBytesPerSet, kMemoryName);
-    }
-  }
+  std::vector<Nef3> sums = a.is_closed() && b.is_closed() ? sums_of_closed(a, b, context)
+                                                          : OpenSums(a, b, context).run();
   return united(std::move(sums), context);
 }
 

@@ -2,17 +2,21 @@
 // a in A and b in B. The sums are exact, and the marks of all cells are exact, too.
 //
 // Main flow of minkowski_sum():
-//  1. parts          decomposes both operands into convex parts. Each part is closed or relatively
-//                    open. A relatively open part is a body (a part of dimension 3) without its
-//                    boundary, an open triangle, an open segment, or a point
-//  2. convex_sum     (convex_sum.h) computes the sum of each pair of parts, except for pairs that
-//                    cannot change the result
+//  1. parts          decomposes both operands into convex parts. If both operands are closed, the
+//                    parts are closed. Otherwise, a part is a body (a part of dimension 3) with the
+//                    marks of its boundary, or relatively open: an open triangle, an open segment,
+//                    or a point
+//  2. convex_sum     (convex_sum.h, half_open_body.h) computes the sum of each pair of parts,
+//                    except for pairs that cannot change the result
 //  3. union_of       unites the sums
 //
 // Marks. Let S and T be convex sets. R(S) denotes the relative interior of S, and K(S) denotes the
 // closure of S. Then R(S) + R(T) = R(K(S) + K(T)), and K(S) + K(T) is closed if S or T is bounded.
 //   both closed         Each operand is the union of its closed convex parts. So the sum is a
 //                       finite union of closed sets, and is closed, too.
+//   two bodies          A face of the sum is the sum of a face of each body. It is marked if both
+//                       faces are. If the two faces are parallel, or if a face has marked and
+//                       unmarked parts, the sums of their marked parts are added.
 //   otherwise           Each operand is the union of its relatively open parts. These parts are the
 //                       cells of its convex parts. The sum of any set and an open body is open.
 //                       The sum of an open body and a set X does not change if X is replaced by a
@@ -30,8 +34,9 @@
 //
 // Cost: let the operands have sizes n and m, and let the sum have k facets. The sum of two convex
 // sets takes O((n + m + k) log(n + m + k)) time under two conditions (convex_sum.h). The degrees of
-// vertices must be bounded. Both sets must be closed, or at least one set must be open. For other
-// operands, the number of sums is the product of the numbers of parts of the two operands. The
+// vertices must be bounded. Both sets must be solids. For other operands, the number of sums is the
+// product of the numbers of parts of the two operands. If a solid is not closed and the other
+// operand has parts of lower dimension, each cell of the boundary of the solid is a part. The
 // union of all these sums is computed, too. Numbers: the normal of each plane of the sum is a
 // normal of the input or a cross product of two edges of the input. So numbers become longer if a
 // sum is an operand of another sum, but not if a sum is an operand of a Boolean operation.

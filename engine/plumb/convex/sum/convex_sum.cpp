@@ -222,6 +222,37 @@ class SumBuilder {
   /// Links the facets by the names of their corners. The complex is minimal as it is made: no two
   /// facets share a plane, and every vertex is extreme.
   Nef3 finish(bool is_flat, SumMarks marks) {
+    SpaceComplex c = linked(is_flat);
+    const Mark boundary = marks == SumMarks::Closed ? 1 : 0;
+    std::fill(c.facet_mark.begin(), c.facet_mark.end(), is_flat ? Mark{1} : boundary);
+    std::fill(c.edge_mark.begin(), c.edge_mark.end(), boundary);
+    std::fill(c.vertex_mark.begin(), c.vertex_mark.end(), boundary);
+    return Nef3::from_minimal_unchecked(std::move(c));
+  }
+
+  /// The same for a sum of dimension 3, with the given marks of its facets. `mark_of` gives the
+  /// marks of its edges and vertices.
+  Nef3 finish(std::span<const Mark> facet_mark, const FaceMarker& mark_of) {
+    SpaceComplex c = linked(false);
+    std::copy(facet_mark.begin(), facet_mark.end(), c.facet_mark.begin());
+    for (std::uint32_t v = 0; v < c.vertex_count(); ++v) {
+      c.vertex_mark[v] =
+          mark_of(0, std::span(&names_[v].first, 1), std::span(&names_[v].second, 1));
+    }
+    for (std::uint32_t e = 0; e < c.edge_count(); ++e) {
+      const Name from = names_[c.origin[2 * e].value()], to = names_[c.origin[2 * e + 1].value()];
+      const std::array<std::uint32_t, 2> of_a{from.first, to.first}, of_b{from.second, to.second};
+      c.edge_mark[e] = mark_of(1, std::span(of_a).first(of_a[0] == of_a[1] ? 1 : 2),
+                               std::span(of_b).first(of_b[0] == of_b[1] ? 1 : 2));
+    }
+    return Nef3::from_minimal_unchecked(std::move(c));
+  }
+
+ private:
+  using Name = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// Returns the complex of the facets with the marks of its volumes.
+  SpaceComplex linked(bool is_flat) {
     make_points(is_flat);
     const MeshLinks links = link_corners(facets_, names_.size());
     SpaceComplex c = link_facets(facets_, links, point_, tables_);
@@ -232,15 +263,8 @@ class SumBuilder {
       c.facet_volume[f][outer_side_[f]] = outside;
       c.facet_volume[f][1U - outer_side_[f]] = inside;
     }
-    const Mark boundary = marks == SumMarks::Closed ? 1 : 0;
-    std::fill(c.facet_mark.begin(), c.facet_mark.end(), is_flat ? Mark{1} : boundary);
-    std::fill(c.edge_mark.begin(), c.edge_mark.end(), boundary);
-    std::fill(c.vertex_mark.begin(), c.vertex_mark.end(), boundary);
-    return Nef3::from_minimal_unchecked(std::move(c));
+    return c;
   }
-
- private:
-  using Name = std::pair<std::uint32_t, std::uint32_t>;
 
   /// Charges memory for more facets, as many as there are: amortised doubling.
   void charge() {
@@ -436,6 +460,19 @@ Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Contex
         a, b, [&](const FacetDirection& d) { builder.add_facet(d); }, context);
   }
   return builder.finish(is_flat, marks);
+}
+
+Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, const FaceMarker& mark_of,
+                Context& context) {
+  context.checkpoint("convex sum", 0, 1);
+  SumBuilder builder(a, b, context);
+  std::vector<Mark> facet_mark;
+  const auto add = [&](const FacetDirection& d) {
+    builder.add_facet(d);
+    facet_mark.push_back(mark_of(2, d.face_a, d.face_b));
+  };
+  for_each_direction(a, b, add, context);
+  return builder.finish(facet_mark, mark_of);
 }
 
 // Directions of the facets of a sum (for_each_direction()).

@@ -125,4 +125,15 @@ enum class SumMarks : std::uint8_t {
 /// Returns the sum of two bodies with the marks that `marks` says. Throws what the context throws.
 Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Context& context);
 
+/// Returns the mark of the face of a sum, of dimension 0 to 2, that is the sum of these two faces.
+/// Faces are given as in FacetDirection, but the vertices of an edge can be in either order.
+using FaceMarker = std::function<Mark(unsigned dimension, std::span<const std::uint32_t> face_a,
+                                      std::span<const std::uint32_t> face_b)>;
+
+/// Returns the sum of two bodies of dimension 3. The interior of the sum is marked, and `mark_of`
+/// gives the marks of its facets, edges and vertices; it is called once for each of them. Throws
+/// what the context throws.
+Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, const FaceMarker& mark_of,
+                Context& context);
+
 }  // namespace plumb
