@@ -296,6 +296,8 @@ SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const 
 
 ContactLeaves::ContactLeaves(const SpaceComplex& complex, const Box3& reach)
     : complex_(complex), reach_(reach) {
+  leaves_.reserve(complex.facet_count());
+  boxes_.reserve(complex.facet_count());
   for (std::size_t f = 0; f < complex.facet_count(); ++f) add_facet(FacetId(f));
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     if (complex.edge_use[e].is_valid()) continue;
@@ -315,7 +317,7 @@ void ContactLeaves::add_facet(FacetId f) {
   std::uint32_t corners = 0;
   UseId u = cycles.front();
   do {
-    box.add(box_of(complex_, complex_.use_origin(u)));
+    add_point(complex_.points(), complex_.vertex_point[complex_.use_origin(u)], box);
     ++corners;
     u = complex_.use_next[u];
   } while (u != cycles.front());
@@ -351,6 +353,17 @@ std::uint32_t ContactLeaves::add_corners(UseId first) {
     if (!items.vertices().empty()) add(leaf, box);  // Else all of it belongs to neighbours.
   } while (u != first);
   return count;
+}
+
+void ContactLeaves::keep_near(const OccupiedCells& others) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    if (!others.may_meet(boxes_[i])) continue;
+    leaves_[count] = leaves_[i];
+    boxes_[count++] = boxes_[i];
+  }
+  leaves_.resize(count);
+  boxes_.resize(count);
 }
 
 void ContactLeaves::add(const ContactLeaf& leaf, const Box3& box) {

@@ -36,6 +36,7 @@
 #include "plumb/base/context.h"
 #include "plumb/base/internal/box_tree.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/bounds/occupied_cells.h"
 #include "plumb/space/space_complex.h"
 
 namespace plumb {
@@ -217,6 +218,9 @@ class ContactLeaves {
  public:
   /// Collects the leaves whose boxes meet the box `reach`. Keeps a reference to the complex.
   ContactLeaves(const SpaceComplex& complex, const Box3& reach);
+
+  /// Drops the leaves whose boxes occupy no cell of `others`. O(leaves).
+  void keep_near(const OccupiedCells& others);
 
   const SpaceComplex& complex() const { return complex_; }
   /// Returns the box of each leaf.

@@ -472,19 +472,45 @@ ContactKeys contact_keys(const ContactLeaves& xs, const ContactLeaves& ys, Conte
   return keys;
 }
 
+/// Returns the common part of two boxes that meet.
+Box3 common_part(const Box3& a, const Box3& b) {
+  Box3 part;
+  for (std::size_t i = 0; i < 3; ++i) {
+    part.low[i] = std::max(a.low[i], b.low[i]);
+    part.high[i] = std::min(a.high[i], b.high[i]);
+  }
+  return part;
+}
+
+/// Returns the leaves of both complexes that may meet one of the other complex: those within the
+/// box of the other complex and, if they are many, in a cell with leaves of both.
+std::array<std::optional<ContactLeaves>, 2> leaves_within_reach(const SpaceComplex& a,
+                                                                const SpaceComplex& b,
+                                                                Context& context) {
+  constexpr std::size_t kMany = 1024;  // A grid costs more than it saves for fewer leaves.
+  const Box3 box_a = box_of(a), box_b = box_of(b);
+  std::array<std::optional<ContactLeaves>, 2> leaves;
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.checkpoint("box trees", i, 2);
+    i == 0 ? leaves[0].emplace(a, box_b) : leaves[1].emplace(b, box_a);
+  });
+  if (std::min(leaves[0]->boxes().size(), leaves[1]->boxes().size()) < kMany) return leaves;
+  const Box3 common = common_part(box_a, box_b);
+  std::array<std::optional<OccupiedCells>, 2> cells;
+  run_jobs(context, 2,
+           [&](std::size_t i, Context&) { cells[i].emplace(common, leaves[i]->boxes()); });
+  run_jobs(context, 2, [&](std::size_t i, Context&) { leaves[i]->keep_near(*cells[1 - i]); });
+  return leaves;
+}
+
 }  // namespace
 
 std::vector<Contact> find_contacts(const SpaceComplex& a, const SpaceComplex& b,
                                    SpaceTables& tables, Context& context) {
-  // Each complex is searched only within the box of the other one.
   constexpr std::size_t kBytesAnItem = 100;
   MemoryCharge memory(context);
   memory.add((a.edge_count() + b.edge_count()) * kBytesAnItem, "box trees");
-  std::array<std::optional<ContactLeaves>, 2> leaves;
-  run_jobs(context, 2, [&](std::size_t i, Context& own) {
-    own.checkpoint("box trees", i, 2);
-    i == 0 ? leaves[0].emplace(a, box_of(b)) : leaves[1].emplace(b, box_of(a));
-  });
+  const auto leaves = leaves_within_reach(a, b, context);
   const std::vector<std::uint64_t> keys = contact_keys(*leaves[0], *leaves[1], context);
   std::vector<Contact> contacts;
   contacts.reserve(keys.size());

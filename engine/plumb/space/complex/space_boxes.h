@@ -2,7 +2,9 @@
 // the point itself. The second part has boxes along other axes than the coordinate axes.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,17 @@ inline Box3 box_of(const Point3Table& points, SpacePoint p) {
   if (!p.is_input()) return box_of_constructed(points, p);
   const Point3& at = points.planes().point(p.input());
   return {{at.x, at.y, at.z}, {at.x, at.y, at.z}};
+}
+
+/// Extends a box to contain a point of a table.
+inline void add_point(const Point3Table& points, SpacePoint p, Box3& box) {
+  if (!p.is_input()) return box.add(box_of_constructed(points, p));
+  const Point3& at = points.planes().point(p.input());
+  const std::array<double, 3> x{at.x, at.y, at.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.low[i] = std::min(box.low[i], x[i]);
+    box.high[i] = std::max(box.high[i], x[i]);
+  }
 }
 
 /// Returns a box around a vertex.

@@ -7,8 +7,10 @@
 // Components: joining facets over plain edges, then over edges where a component alone does not
 // balance. Invariant: a component that is not the open one balances at each of its edges.
 //
-// Volumes: sums of cones over a fan of every facet, in doubles with an error bound, and exactly
-// where the bound is larger than the sum. Jumps give the orientation of the facets.
+// Volumes: sums of cones over a fan of every facet, in doubles with an error bound: first from the
+// origin with one bound for all cones, then from a corner of the component with a bound for each
+// cone, and exactly where that bound is larger than the sum. Jumps give the orientation of the
+// facets.
 //
 // Fans: the comparisons of the header for the three axes at once, as bits of one byte.
 //
@@ -452,18 +454,14 @@ class VolumeSigns {
       : complex_(complex), jump_(jump), component_(components.of_facet), apex_(components.count) {}
 
   std::vector<Sign> run() {
-    // First all components in doubles, then once more with rationals those of which the sign is not
-    // sure.
     std::vector<Sum> sums(apex_.size());
-    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) add(f, sums[component_[f]]);
-    std::vector<Sign> signs;
-    bool is_unsure = false;
-    for (Sum& s : sums) {
-      s.is_sure = std::fabs(s.value) > s.error();  // False if anything overflowed.
-      is_unsure = is_unsure || !s.is_sure;
-      signs.push_back(sign_of(s.value));
+    std::vector<Sign> signs(sums.size(), Sign::Zero);
+    sum_from_origin(sums);
+    if (note_signs(sums, signs)) return signs;
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      if (Sum& sum = sums[component_[f]]; !sum.is_sure) add(f, sum);
     }
-    if (is_unsure) decide(sums, signs);
+    if (!note_signs(sums, signs)) decide(sums, signs);
     return signs;
   }
 
@@ -481,8 +479,63 @@ class VolumeSigns {
     double error() const { return (terms + 16) * (0x1p-51 * size + 0x1p-990 * reach * reach); }
   };
 
+  /// Notes the signs of the sums that exceed their error bounds, and clears the others. Returns
+  /// whether all are known.
+  static bool note_signs(std::vector<Sum>& sums, std::vector<Sign>& signs) {
+    bool are_sure = true;
+    for (std::size_t c = 0; c < sums.size(); ++c) {
+      Sum& sum = sums[c];
+      if (sum.is_sure) continue;
+      if (std::fabs(sum.value) > sum.error()) {  // False if anything overflowed.
+        sum.is_sure = true;
+        signs[c] = sign_of(sum.value);
+      } else {
+        sum = {};
+        are_sure = false;
+      }
+    }
+    return are_sure;
+  }
+
   UseId first_use(std::uint32_t f) const { return complex_.cycles_of(FacetId(f))[0]; }
   UseId next(UseId u) const { return complex_.use_next[u]; }
+
+  /// Returns the largest magnitude of a coordinate, and infinity if a vertex is a constructed point.
+  double largest_coordinate() const {
+    double largest = 0;
+    for (const SpacePoint p : complex_.vertex_point) {
+      if (!p.is_input()) return std::numeric_limits<double>::infinity();
+      const Point3& at = complex_.planes().point(p.input());
+      largest = std::max({largest, std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)});
+    }
+    return largest;
+  }
+
+  /// Sums the cones from the origin, whose products need no differences and have one bound, six
+  /// times the cube of the largest coordinate. The sums are left at 0, which is never sure, if there
+  /// are constructed points, or if the products may overflow or be flushed to zero.
+  void sum_from_origin(std::vector<Sum>& sums) const {
+    const double reach = largest_coordinate();
+    if (!(reach > 0x1p-300 && reach < 0x1p300)) return;
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      Sum& sum = sums[component_[f]];
+      const double times = -jump_[f];
+      for_fan(f, [&](SpacePoint p, SpacePoint q, SpacePoint r) {
+        const Point3 &a = complex_.planes().point(p.input()),
+                     &b = complex_.planes().point(q.input()),
+                     &c = complex_.planes().point(r.input());
+        sum.value += times * (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+                              a.z * (b.x * c.y - b.y * c.x));
+        sum.size += std::fabs(times);
+        sum.terms += 1;
+      });
+    }
+    const double largest_cone = 6 * reach * reach * reach;
+    for (Sum& sum : sums) {
+      sum.size *= largest_cone;
+      sum.reach = reach;
+    }
+  }
 
   /// Calls visit(a, b, c) for the triangles of a fan of the facet, counter-clockwise seen from the
   /// canonical side.
