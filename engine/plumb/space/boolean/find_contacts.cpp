@@ -145,6 +145,42 @@ class InputTriangle {
   bool is_valid_ = false;
 };
 
+/// Whether the line a b passes through the interior of a facet with one cycle of a few corners, all
+/// of them input points. Returns nothing for other facets, or if the line meets the cycle or a
+/// diagonal from its first corner: then the facet is asked about the point of the cut. Requires that
+/// the line cuts the plane of the facet in one point. That point is inside if an odd number of
+/// triangles of the fan around the first corner hold it.
+std::optional<bool> passes_inside(const SpaceComplex& complex, FacetId f, const Point3& a,
+                                  const Point3& b) {
+  constexpr std::size_t kMostCorners = 16;
+  if (complex.cycles_of(f).size() != 1 || !complex.inner_of(f).empty()) return {};
+  const UseId first = complex.cycles_of(f).front();
+  const Point3* start = nullptr;   // The first corner.
+  const Point3* before = nullptr;  // The corner before the one at hand.
+  Sign spoke = Sign::Zero;  // On which side the line passes the one from `start` to `before`.
+  bool is_inside = false;
+  UseId u = first;
+  for (std::size_t i = 0; i == 0 || u != first; ++i, u = complex.use_next[u]) {
+    const SpacePoint p = complex.vertex_point[complex.use_origin(u)];
+    if (!p.is_input() || i == kMostCorners) return {};
+    const Point3* const corner = &complex.planes().point(p.input());
+    if (i == 0) {
+      start = corner;
+      continue;
+    }
+    const Sign next_spoke = orient3d(a, b, *start, *corner);
+    if (next_spoke == Sign::Zero) return {};
+    if (i > 1) {
+      const Sign side = orient3d(a, b, *before, *corner);
+      if (side == Sign::Zero) return {};
+      if (spoke == side && side != next_spoke) is_inside = !is_inside;
+    }
+    spoke = next_spoke;
+    before = corner;
+  }
+  return is_inside;
+}
+
 /// Returns the cell of a facet, facet or edge, where an edge cuts it that crosses its plane. A
 /// vertex may be reported or count as outside: it is found as a vertex of its own complex on the
 /// edge.
@@ -158,6 +194,9 @@ SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex&
     if (triangle.is_valid()) {
       return triangle.cut(of_facet, f, planes.point(a.input()), planes.point(b.input()));
     }
+    const auto is_inside =
+        passes_inside(of_facet, f, planes.point(a.input()), planes.point(b.input()));
+    if (is_inside) return *is_inside ? SpaceItem(f) : SpaceItem();
   }
   const auto [p, q] = of_edge.edge_planes[e];
   return sites.site(f, p, q, context);

@@ -338,12 +338,18 @@ void unfold_sheets(SpaceComplex& arranged, Bundles& bundles, MeshComplex& mesh) 
 
 namespace {
 
-/// Whether the mesh is one closed surface in which every vertex has a fan and which does not cross
-/// itself. A vertex with a fan has edges of two facets only, so the surface bounds two volumes.
+/// Whether the mesh is one closed surface in which every vertex has a fan, or at least one ring of
+/// corners, and which does not cross itself. Such a vertex has edges of two facets only, so the
+/// surface bounds two volumes.
 bool is_one_shell(const MeshComplex& mesh, std::span<const std::uint8_t> has_fan) {
-  return mesh.is_inside_out.size() == 1 && mesh.report.is_closed() && mesh.crossings.empty() &&
-         mesh.jump[0] != 0 && has_fan.size() == mesh.complex.vertex_count() &&
-         std::ranges::all_of(has_fan, [](std::uint8_t fan) { return fan != 0; });
+  if (mesh.is_inside_out.size() != 1 || !mesh.report.is_closed() || !mesh.crossings.empty() ||
+      mesh.jump[0] == 0 || has_fan.size() != mesh.complex.vertex_count()) {
+    return false;
+  }
+  for (std::uint32_t v = 0; v < has_fan.size(); ++v) {
+    if (has_fan[v] == 0 && !has_one_ring(mesh.complex, VertexId(v))) return false;
+  }
+  return true;
 }
 
 /// Gives the facets of one shell the volumes that label_volumes() finds. The sign of the volume of

@@ -67,8 +67,8 @@ std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t 
   return count;
 }
 
-/// Whether the corners make one ring on which all edges are. Nearly always they do; else they may
-/// still be connected.
+}  // namespace
+
 bool has_one_ring(const SpaceComplex& complex, VertexId v) {
   const auto star = complex.star_of(v);
   if (star.empty() || complex.vertex_facet[v].is_valid()) return false;
@@ -77,8 +77,6 @@ bool has_one_ring(const SpaceComplex& complex, VertexId v) {
   const UseId corner = complex.use_halfedge[use] == star[0] ? use : complex.use_next[use];
   return count_corners(complex, corner, star.size()) == star.size();
 }
-
-}  // namespace
 
 /// Returns the vertices whose sphere map is not connected, has a loop or points without arcs. For
 /// vertices that have no single ring, one union over all corners decides.

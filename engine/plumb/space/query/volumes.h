@@ -67,6 +67,11 @@ class ShellNodes {
   IdVector<EdgeId, std::uint32_t> free_node_;
 };
 
+/// Whether the corners around a vertex make one ring on which all its edges are, so that each of
+/// them has two facets. Nearly all vertices have one ring; the map of another one may still be
+/// connected.
+bool has_one_ring(const SpaceComplex& complex, VertexId v);
+
 // Volumes.
 //
 // Main flow of find_volumes():
