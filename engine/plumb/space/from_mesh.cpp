@@ -12,6 +12,9 @@
 // mesh that does not cross itself coplanar neighbours are joined first, and most of them are
 // removed (docs/design/meshes.md, "Merging coplanar facets").
 //
+// A closed mesh that is star-shaped, as all convex ones are, is one component that does not cross
+// itself; it is searched for neither components nor fans nor crossings (star_shape.h).
+//
 // Tested by tests/space/from_mesh_test.cpp.
 
 #include "plumb/space/from_mesh.h"
@@ -30,6 +33,7 @@
 #include "plumb/space/mesh/mesh_orientation.h"
 #include "plumb/space/mesh/mesh_topology.h"
 #include "plumb/space/mesh/mesh_vertices.h"
+#include "plumb/space/mesh/star_shape.h"
 
 namespace plumb {
 namespace {
@@ -60,9 +64,8 @@ void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
   }
 }
 
-/// Finds the components, and lists those of negative volume by their least faces.
-void describe_components(const MeshFacets& facets, MeshComplex& result) {
-  MeshComponents components = find_components(result.complex, facets.jump);
+/// Takes the components, and lists those of negative volume by their least faces.
+void describe_components(const MeshFacets& facets, MeshComponents components, MeshComplex& result) {
   result.component = std::move(components.of_facet);
   for (const Sign s : components.volume) {
     result.is_inside_out.push_back(s == Sign::Negative ? 1 : 0);
@@ -81,13 +84,21 @@ void describe_components(const MeshFacets& facets, MeshComplex& result) {
 void describe_parts(const MeshFacets& facets, MeshComplex& result, Context& context) {
   const auto describe = [&](std::size_t i, Context&) {
     if (i == 0) {
-      describe_components(facets, result);
+      describe_components(facets, find_components(result.complex, facets.jump), result);
     } else {
       result.has_fan = find_fans(result.complex);
     }
   };
   if (facets.size() >= kWorthThreads) return run_jobs(context, 2, describe);
   for (const std::size_t i : {0U, 1U}) describe(i, context);
+}
+
+/// Notes what is known of a star-shaped mesh: one component without crossings, and vertices each
+/// with one ring of corners, which serve as fans.
+void describe_star(const MeshFacets& facets, Sign orientation, MeshComplex& result) {
+  describe_components(facets, {std::vector<std::uint32_t>(facets.size(), 0), {orientation}},
+                      result);
+  result.has_fan.assign(result.complex.vertex_count(), 1);
 }
 
 /// Finds crossings, and reports them as pairs of input faces.
@@ -201,9 +212,15 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   drop_unused(facets, links, vertices);
   result.complex = link_facets(facets, links, vertices.point, tables, FlatEdges::Open);
   context.checkpoint("components", 0, 1);
-  describe_parts(facets, result, context);
-  describe_crossings(options, has_input_order ? BoxOrder::Any : BoxOrder::Kept, result, memory,
-                     context);
+  const Sign star =
+      is_plain ? star_orientation(facets, vertices.point, tables->planes) : Sign::Zero;
+  if (star != Sign::Zero) {
+    describe_star(facets, star, result);
+  } else {
+    describe_parts(facets, result, context);
+    describe_crossings(options, has_input_order ? BoxOrder::Any : BoxOrder::Kept, result, memory,
+                       context);
+  }
   result.jump = std::move(facets.jump);
   settle_flat_edges(options, *tables, result, context);
   return result;
