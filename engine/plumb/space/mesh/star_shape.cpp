@@ -15,7 +15,8 @@
 //
 // Every comparison is a filter with an error bound or an exact predicate; if a filter does not
 // decide, the mesh is not seen to be star-shaped, which costs time only. The mean of the vertices
-// is rounded, which does not matter: o may be any point of doubles.
+// is rounded, which does not matter: o may be any point of doubles. It may be moved by less than
+// any distance, too, as it is strictly inside; so the ray need not meet edges.
 //
 // Tested by tests/space/star_shape_test.cpp.
 
@@ -23,7 +24,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
@@ -80,26 +80,26 @@ class StarTest {
   }
 
   /// Whether the ray from the centre along x meets exactly one facet. Only facets whose normal away
-  /// from the centre runs along x can be met. False if one that may be met is nearly parallel to the
-  /// ray, or if the ray meets an edge.
+  /// from the centre runs along x can be met. False if one that would be met is nearly parallel to
+  /// the ray.
   bool is_hit_once(Sign orientation) const {
     std::size_t hits = 0;
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       const PlaneRow& row = planes_.row(facets_.plane[f]);
       const double side = static_cast<int>(orientation) * facets_.jump[f];
       const auto error = static_cast<double>(row.normal_error);
-      if (side * row.n[0] > error) continue;
-      const std::optional<bool> surrounds = surrounds_ray(facets_.corners(f));
-      if (!surrounds || (*surrounds && !(side * row.n[0] < -error))) return false;
-      hits += *surrounds ? 1 : 0;
+      if (side * row.n[0] > error || !surrounds_ray(facets_.corners(f))) continue;
+      if (!(side * row.n[0] < -error)) return false;
+      ++hits;
     }
     return hits == 1;
   }
 
-  /// Whether a polygon, seen along x, surrounds the centre: an odd number of its sides runs past it
-  /// on one side. Returns nothing if a side runs through the centre. Of a side that ends level with
-  /// the centre, one end counts, as if the ray were a little higher.
-  std::optional<bool> surrounds_ray(std::span<const std::uint32_t> corners) const {
+  /// Whether a polygon, seen along x, surrounds the ray: an odd number of its sides runs past it.
+  /// So that the ray meets neither vertices nor edges, it is thought to be moved a little along z,
+  /// and by much less along y: ends of sides that are level with it are below, and it lies to the
+  /// left of sides through it that run up.
+  bool surrounds_ray(std::span<const std::uint32_t> corners) const {
     bool is_inside = false;
     std::uint32_t from = corners.back();
     bool is_from_above = place(from).y > centre_.y;
@@ -107,8 +107,8 @@ class StarTest {
       const bool is_to_above = place(to).y > centre_.y;
       if (is_to_above != is_from_above) {
         const Sign turn = orient2d(seen(place(from)), seen(place(to)), seen(centre_));
-        if (turn == Sign::Zero) return {};
-        if ((turn == Sign::Positive) == is_to_above) is_inside = !is_inside;
+        const Sign left = is_to_above ? Sign::Positive : Sign::Negative;
+        if (turn == Sign::Zero || turn == left) is_inside = !is_inside;
       }
       from = to;
       is_from_above = is_to_above;
