@@ -58,15 +58,30 @@ Nef3 one_by_one(const HalfSpaces& half_spaces, const std::vector<std::uint32_t>&
   return intersection_of(sets, context);
 }
 
+/// Whether all edges have facets, and all vertices have edges.
+bool has_facets_everywhere(const SpaceComplex& c) {
+  for (const UseId u : c.edge_use) {
+    if (!u.is_valid()) return false;
+  }
+  for (std::size_t v = 0; v < c.vertex_count(); ++v) {
+    if (c.star_of(VertexId(v)).empty()) return false;
+  }
+  return true;
+}
+
 /// Marks facets, edges and vertices that have a marked volume beside them.
 void close_volumes(SpaceComplex& c) {
   c.facet_mark.assign(c.facet_count(), 0);
-  c.edge_mark.assign(c.edge_count(), 0);
-  c.vertex_mark.assign(c.vertex_count(), 0);
+  Mark all = 1;  // Whether all facets are marked, as those of a solid are.
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
     const auto& [above, below] = c.facet_volume[f];
     c.facet_mark[f] = c.volume_mark[above] | c.volume_mark[below];
+    all &= c.facet_mark[f];
   }
+  const Mark initial = all != 0 && has_facets_everywhere(c) ? 1 : 0;
+  c.edge_mark.assign(c.edge_count(), initial);
+  c.vertex_mark.assign(c.vertex_count(), initial);
+  if (initial != 0) return;
   for (std::size_t u = 0; u < c.use_count(); ++u) {
     if (c.facet_mark[c.use_facet[u]] == 0) continue;
     const HalfedgeId h = c.use_halfedge[u];
