@@ -12,6 +12,7 @@
 #include "generate/meshes.h"
 #include "generate/test_share.h"
 #include "oracle/valid_mesh_check.h"
+#include "plumb/space/mesh/doubtful_faces.h"
 #include "plumb/testing/dice.h"
 
 namespace plumb::drop_flat_vertices_test {
@@ -25,7 +26,8 @@ constexpr double kUnit = 0x1p-52;
 
 FlattenedMesh dropped(const PolygonMesh& mesh, const std::vector<std::uint8_t>& is_removable,
                       double width = 4 * kUnit) {
-  return drop_flat_vertices(mesh, is_removable, width, unlimited_context());
+  return drop_flat_vertices(mesh, is_removable, faces_at(mesh, is_removable), width,
+                            unlimited_context());
 }
 std::vector<std::uint8_t> from(const PolygonMesh& mesh, std::size_t first) {
   std::vector<std::uint8_t> result(mesh.points.size(), 0);

@@ -26,16 +26,6 @@ using Vector3 = std::array<double, 3>;
 constexpr std::uint64_t kRoundedPointBytes = 32;   // A copy of it, and the place of its exact one.
 constexpr std::uint64_t kRoundedCornerBytes = 12;  // A copy of near faces, and lists of faces.
 
-/// Returns 1 for each face with a chosen point.
-std::vector<std::uint8_t> faces_at(const PolygonMesh& mesh,
-                                   const std::vector<std::uint8_t>& is_chosen) {
-  std::vector<std::uint8_t> result(mesh.face_count(), 0);
-  for (std::size_t f = 0; f < result.size(); ++f) {
-    for (const std::uint32_t v : mesh.face(f)) result[f] |= is_chosen[v];
-  }
-  return result;
-}
-
 Vector3 coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace

@@ -80,7 +80,8 @@ struct Draft {
   PolygonMesh mesh;  ///< mesh.exact lists points of doubtful faces, with their places before.
   std::vector<std::uint8_t> is_checked;  ///< 1 for each face that must be checked.
   std::vector<FacetId> facet;            ///< The facet of the set from which a face was made.
-  std::vector<std::uint32_t> solid;      ///< The solid that a face bounds.
+  /// The solid that a face bounds. Empty until damage is found, if facets of a complex tell it.
+  std::vector<std::uint32_t> solid;
   std::uint32_t solid_count = 0;
   std::vector<std::uint32_t> kept;  ///< Points that stay even if the boundary is flat there.
 
@@ -147,6 +148,7 @@ Damage find_damage(Draft& draft, const PlacesBefore& before, MeshFaces faces, Co
     damage.of_face[f] = 1;
     damage.of_solid[draft.solid[f]] = 1;
   };
+  if (draft.solid.empty()) draft.solid = solids_at(*before.complex, draft.facet);
   std::ranges::for_each(found.degenerate, note);
   std::ranges::for_each(found.not_simple, note);
   if (faces != MeshFaces::Polygons) std::ranges::for_each(found.not_planar, note);
@@ -165,11 +167,19 @@ Damage find_damage(Draft& draft, const PlacesBefore& before, MeshFaces faces, Co
 
 // ---------------------------------------------------------------- snapping
 
+double largest_coordinate(const Point3& p) {
+  return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+}
+double largest_coordinate(std::span<const Point3> points) {
+  double largest = 0;
+  for (const Point3& p : points) largest = std::max(largest, largest_coordinate(p));
+  return largest;
+}
+/// Returns the largest coordinate of the points that have faces.
 double largest_coordinate(const PolygonMesh& mesh) {
   double largest = 0;
   for (const std::uint32_t v : mesh.corners) {
-    const Point3& p = mesh.points[v];
-    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    largest = std::max(largest, largest_coordinate(mesh.points[v]));
   }
   return largest;
 }
@@ -181,7 +191,7 @@ void take(ChangedMesh changed, Draft& draft) {
   for (std::uint32_t f = 0; f < changed.origin.size(); ++f) {
     const std::uint32_t from = changed.origin[f];
     next.facet.push_back(draft.facet[from]);
-    next.solid.push_back(draft.solid[from]);
+    if (!draft.solid.empty()) next.solid.push_back(draft.solid[from]);
     const bool must_be_checked = draft.is_checked[from] != 0 || changed.changed[from] != 0;
     next.is_checked.push_back(must_be_checked ? 1 : 0);
   }
@@ -202,11 +212,13 @@ std::optional<double> snap_damaged(Draft& draft, const Damage& damage, double wi
 }
 
 /// Removes vertices at which the surface is flat or folded along a straight line. Returns a bound
-/// of the distances by which faces moved.
-double drop_flat(const std::vector<std::uint8_t>& is_constructed, CoordinateType type,
-                 RoundingRepair& repair, Draft& draft, Context& context) {
-  const double unit = std::ldexp(1, last_digit_exponent(largest_coordinate(draft.mesh), type));
-  FlattenedMesh flat = drop_flat_vertices(draft.mesh, is_constructed, kFlat * unit, context);
+/// of the distances by which faces moved. Requires that all faces with constructed vertices are to
+/// be checked. `largest` is the largest coordinate.
+double drop_flat(const std::vector<std::uint8_t>& is_constructed, double largest,
+                 CoordinateType type, RoundingRepair& repair, Draft& draft, Context& context) {
+  const double width = kFlat * std::ldexp(1, last_digit_exponent(largest, type));
+  FlattenedMesh flat =
+      drop_flat_vertices(draft.mesh, is_constructed, draft.is_checked, width, context);
   if (flat.removed == 0) return 0;
   const double largest_move = flat.changes.largest_move;
   repair.dropped_vertices += flat.removed;
@@ -216,10 +228,7 @@ double drop_flat(const std::vector<std::uint8_t>& is_constructed, CoordinateType
 
 /// Makes all faces with a chosen point be checked, and no other faces.
 void check_faces_at(const std::vector<std::uint8_t>& is_chosen, Draft& draft) {
-  draft.is_checked.assign(draft.mesh.face_count(), 0);
-  for (std::size_t f = 0; f < draft.is_checked.size(); ++f) {
-    for (const std::uint32_t v : draft.mesh.face(f)) draft.is_checked[f] |= is_chosen[v];
-  }
+  draft.is_checked = faces_at(draft.mesh, is_chosen);
 }
 
 /// Moves the points of chosen solids to multiples of 2^exponent, towards zero, so that no
@@ -433,7 +442,8 @@ class RoundingRepairer {
     std::vector<std::uint8_t> is_rounded(draft.mesh.points.size(), 0);
     for (const auto& [v, p] : draft.mesh.exact) is_rounded[v] = 1;
     check_faces_at(is_rounded, draft);
-    return moved + drop_flat(is_constructed, type_, repair_, draft, context_);
+    const double largest = largest_coordinate(draft.mesh);
+    return moved + drop_flat(is_constructed, largest, type_, repair_, draft, context_);
   }
 
   const ToMeshOptions& options_;
@@ -524,7 +534,8 @@ void round_draft(CoordinateType type, PlacesBefore& before, RoundingRepair& repa
   check_faces_at(is_rounded, draft);
   if (before.constructed.empty()) return;
   for (const std::uint32_t v : draft.kept) is_constructed[v] = 0;
-  repair.largest_move += drop_flat(is_constructed, type, repair, draft, context);
+  repair.largest_move +=
+      drop_flat(is_constructed, largest_coordinate(points), type, repair, draft, context);
 }
 
 }  // namespace
@@ -579,7 +590,6 @@ ValidMesh valid_mesh(const Nef3& set, const ToMeshOptions& options, CoordinateTy
   used.keeps_exact = false;
   if (type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
   MeshToRound input{mesh_of_complex(complex, used, context), {}, &complex, {}, false};
-  input.solid = solids_at(complex, input.made.facet);
   return round_mesh(std::move(input), options, type, context);
 }
 

@@ -495,6 +495,17 @@ class DoubtSearch {
 
 }  // namespace
 
+std::vector<std::uint8_t> faces_at(const PolygonMesh& mesh,
+                                   std::span<const std::uint8_t> is_chosen) {
+  std::vector<std::uint8_t> result(mesh.face_count(), 0);
+  for (std::size_t f = 0; f < result.size(); ++f) {
+    std::uint8_t any = 0;
+    for (const std::uint32_t v : mesh.face(f)) any |= is_chosen[v];
+    result[f] = any;
+  }
+  return result;
+}
+
 DoubtfulFaces doubtful_faces(const PolygonMesh& mesh, std::span<const std::uint8_t> is_checked,
                              Context& context) {
   return DoubtSearch(mesh, is_checked, context).run();

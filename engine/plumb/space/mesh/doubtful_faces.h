@@ -23,6 +23,10 @@ struct DoubtfulFaces {
   std::vector<std::uint32_t> flipped;
 };
 
+/// Returns 1 for each face with a point for which is_chosen is not 0. O(corners).
+std::vector<std::uint8_t> faces_at(const PolygonMesh& mesh,
+                                   std::span<const std::uint8_t> is_chosen);
+
 /// Returns those of the faces with is_checked = 1 that rounding may have damaged, and the faces
 /// that they may meet. All tests refer to mesh.points, the rounded coordinates. A mesh that is far
 /// from any damage gives empty lists. Requires finite coordinates. O(n log n + c) for c pairs of a

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -51,12 +52,14 @@ double norm(const Vector3& v) { return std::sqrt(dot(v, v)); }
 /// each vertex are a doubly linked list.
 class FlatVertices {
  public:
-  FlatVertices(const PolygonMesh& mesh, std::span<const std::uint8_t> is_removable, double width,
-               Context& context)
+  FlatVertices(const PolygonMesh& mesh, std::span<const std::uint8_t> is_removable,
+               std::span<const std::uint8_t> is_near, double width, Context& context)
       : input_(mesh), is_removable_(is_removable.begin(), is_removable.end()), context_(context) {
+    for (std::uint32_t f = 0; f < is_near.size(); ++f) {
+      if (is_near[f] != 0) near_.push_back(f);
+    }
     double largest = 0;
-    for (const std::uint32_t v : mesh.corners) {
-      const Point3& p = mesh.points[v];
+    for (const Point3& p : mesh.points) {
       largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     }
     scale_ = largest > 0 ? std::ilogb(largest) : 0;
@@ -66,12 +69,10 @@ class FlatVertices {
 
   FlattenedMesh run() {
     keep_corners_of_polygons();
-    const auto is_removable = [&](std::uint32_t v) { return is_removable_[v] != 0; };
-    gather_triangles([&](const auto& face) { return std::ranges::any_of(face, is_removable); },
-                     is_removable);
+    gather_triangles_at(is_removable_);
     std::vector<std::uint32_t> candidates = find_candidates();
     if (candidates.empty()) return {};
-    gather_triangles([](const auto&) { return true; }, [](std::uint32_t) { return true; });
+    gather_triangles_around();
     origin_ = face_;
     error_.assign(triangle_.size(), 0);
     is_changed_.assign(input_.face_count(), 0);
@@ -99,31 +100,46 @@ class FlatVertices {
   // ---- corners
 
   void keep_corners_of_polygons() {
-    for (std::size_t f = 0; f < input_.face_count(); ++f) {
+    for (const std::uint32_t f : near_) {
       const auto face = input_.face(f);
       if (face.size() == 3) continue;
       for (const std::uint32_t v : face) is_removable_[v] = 0;
     }
   }
 
-  /// Gathers the chosen triangles, and links their corners at chosen vertices.
-  template <class IsGathered, class IsLinked>
-  void gather_triangles(const IsGathered& is_gathered, const IsLinked& is_linked) {
+  /// Gathers all triangles at the chosen vertices, and links their corners there.
+  void gather_triangles_at(const std::vector<std::uint8_t>& is_chosen) {
     triangle_.clear();
     face_.clear();
-    for (std::uint32_t f = 0; f < input_.face_count(); ++f) {
+    for (const std::uint32_t f : near_) {
       const auto face = input_.face(f);
-      if (face.size() != 3 || !is_gathered(face)) continue;
+      if (face.size() != 3 || (is_chosen[face[0]] | is_chosen[face[1]] | is_chosen[face[2]]) == 0) {
+        continue;
+      }
       triangle_.push_back({face[0], face[1], face[2]});
       face_.push_back(f);
     }
+    link_corners_at(is_chosen);
+  }
+  /// Gathers all triangles at the vertices of the triangles gathered before. The removal of
+  /// removable vertices makes triangles only of these vertices.
+  void gather_triangles_around() {
+    std::vector<std::uint8_t> is_around(input_.points.size(), 0);
+    for (const Triangle& t : triangle_) {
+      for (const std::uint32_t v : t) is_around[v] = 1;
+    }
+    near_.resize(input_.face_count());
+    std::iota(near_.begin(), near_.end(), 0U);
+    gather_triangles_at(is_around);
+  }
+  void link_corners_at(const std::vector<std::uint8_t>& is_chosen) {
     head_.assign(input_.points.size(), kNone);
     degree_.assign(input_.points.size(), 0);
     next_.resize(3 * triangle_.size());
     prev_.resize(3 * triangle_.size());
     for (std::uint32_t t = 0; t < triangle_.size(); ++t) {
       for (std::uint32_t i = 0; i < 3; ++i) {
-        if (is_linked(triangle_[t][i])) link(3 * t + i);
+        if (is_chosen[triangle_[t][i]] != 0) link(3 * t + i);
       }
     }
   }
@@ -368,6 +384,7 @@ class FlatVertices {
   const PolygonMesh& input_;
   std::vector<std::uint8_t> is_removable_;
   Context& context_;
+  std::vector<std::uint32_t> near_;  // The faces in which triangles are looked for.
   int scale_ = 0;      // The exponent of the largest coordinate.
   double width_ = 0;   // Divided by 2^scale_, as all distances here.
   double factor_ = 0;  // 2^-scale_, or 0 if it may not be a double.
@@ -394,9 +411,10 @@ class FlatVertices {
 }  // namespace
 
 FlattenedMesh drop_flat_vertices(const PolygonMesh& mesh,
-                                 std::span<const std::uint8_t> is_removable, double width,
+                                 std::span<const std::uint8_t> is_removable,
+                                 std::span<const std::uint8_t> is_near, double width,
                                  Context& context) {
-  return FlatVertices(mesh, is_removable, width, context).run();
+  return FlatVertices(mesh, is_removable, is_near, width, context).run();
 }
 
 }  // namespace plumb

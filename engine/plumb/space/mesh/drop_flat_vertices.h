@@ -30,9 +30,14 @@ struct FlattenedMesh {
 ///
 /// Doubles decide what is near, because no decision makes an edge that lacks a face, and each is
 /// accounted for in largest_move. A triangle that was made from several faces has the least of them
-/// as its origin. O(corners), and O(1) for each removed vertex whose neighbours have few faces.
+/// as its origin.
+///
+/// `is_near` has an entry for each face. It is 1 for each face with a removable vertex, and may be 1
+/// for other faces. O(1) for each face with is_near = 1 and for each removed vertex whose neighbours
+/// have few faces. In addition, O(corners) if a vertex is flat or on a fold.
 FlattenedMesh drop_flat_vertices(const PolygonMesh& mesh,
-                                 std::span<const std::uint8_t> is_removable, double width,
+                                 std::span<const std::uint8_t> is_removable,
+                                 std::span<const std::uint8_t> is_near, double width,
                                  Context& context);
 
 }  // namespace plumb
