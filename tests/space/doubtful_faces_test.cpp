@@ -116,6 +116,18 @@ TEST(DoubtfulFaces, PairsInGeneralPositionAreDecided) {
   EXPECT_EQ(wrong, 0U);
 }
 
+/// Applies a random linear map without kernel, so that no axis is special.
+void turn(Dice& dice, std::vector<Point3>& points) {
+  const auto factor = [&] { return static_cast<double>(dice.between(-1, 1)); };
+  const double a = factor(), b = factor(), c = factor();
+  const bool is_mirrored = dice.below(2) == 0;
+  for (Point3& p : points) {
+    p.y += a * p.x;
+    p.z += b * p.x + c * p.y;
+    p = is_mirrored ? Point3{p.z, p.y, p.x} : Point3{p.y, p.z, p.x};
+  }
+}
+
 /// Triangles around a vertex, in the order of their edges or in another order, so that they may go
 /// around it several times, or fold back, or leave an edge open.
 PolygonMesh random_umbrella(Dice& dice) {
@@ -127,6 +139,7 @@ PolygonMesh random_umbrella(Dice& dice) {
     points.push_back({std::cos(angle), std::sin(angle), height});
   }
   if (dice.below(4) == 0) std::swap(points[1], points[2]);
+  turn(dice, points);
   std::vector<testing::Face> faces;
   std::uint32_t at = 0;
   do {
@@ -157,6 +170,55 @@ TEST(DoubtfulFaces, TrianglesAroundAVertexAreListedIfTheyMeetElsewhere) {
   }
   EXPECT_GT(meeting, 100U);
   EXPECT_GT(sound, 100U);
+}
+
+/// The corners of walls, floors and ramps: edges and normals are parallel to axes, or are sums of
+/// these.
+TEST(DoubtfulFaces, CornersOfBlocksHaveNone) {
+  PolygonMesh blocks = testing::fanned(testing::box_mesh({0, 0, 0}, {1, 1, 1}));
+  for (int i = 0; i < 200; ++i) {
+    Dice dice(static_cast<std::uint64_t>(i));
+    PolygonMesh turned = blocks;
+    turn(dice, turned.points);
+    EXPECT_TRUE(all_doubts(turned).faces.empty()) << i;
+  }
+}
+
+/// A few triangles to be checked among many others, of all sizes, so that most of the others are
+/// far away from the first ones.
+TEST(DoubtfulFaces, FewCheckedFacesAmongManyMeetTheListedOnes) {
+  std::uint64_t meeting = 0;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    Dice dice(i);
+    PolygonMesh mesh;
+    Flags is_checked;
+    const auto coordinate = [&](double around, double size) {
+      return around + size * std::ldexp(static_cast<double>(dice.between(-1024, 1024)), -10);
+    };
+    for (std::uint32_t f = 0; f < 240; ++f) {
+      const double size = std::ldexp(1, -static_cast<int>(dice.below(9)));
+      const double reach = f < 12 ? 0.25 : 1;
+      const Point3 at = {coordinate(0, reach), coordinate(3, reach), coordinate(1e3, reach)};
+      for (int k = 0; k < 3; ++k) {
+        mesh.points.push_back(
+            {coordinate(at.x, size), coordinate(at.y, size), coordinate(at.z, size)});
+      }
+      const testing::Face face{3 * f, 3 * f + 1, 3 * f + 2};
+      if (!testing::has_area(mesh, face)) continue;
+      mesh.add_face(face);
+      is_checked.push_back(f < 12 ? 1 : 0);
+    }
+    const std::vector<std::uint32_t> found = doubts(mesh, is_checked).faces;
+    for (std::uint32_t f = 0; f < mesh.face_count() && is_checked[f] != 0; ++f) {
+      for (std::uint32_t g = f + 1; g < mesh.face_count(); ++g) {
+        if (!testing::meet_elsewhere(mesh, mesh.face(f), mesh.face(g))) continue;
+        ++meeting;
+        EXPECT_TRUE(std::ranges::binary_search(found, f) && std::ranges::binary_search(found, g))
+            << "scene " << i << ": " << f << ' ' << g;
+      }
+    }
+  }
+  EXPECT_GT(meeting, 1000U);
 }
 
 /// A fan with so many triangles that their pairs are not all tested: nothing is left out.

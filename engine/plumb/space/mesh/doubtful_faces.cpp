@@ -15,6 +15,11 @@
 // The tests are also made with f and g exchanged. A sign is known if the product exceeds a bound of
 // its error. A pair without a known plane is doubtful, and so is a polygon that is to be checked.
 //
+// Most pairs of faces whose boxes meet have a common vertex. Most vertices have a *fan*: seen along
+// some direction, the triangles around the vertex lie side by side, and go around it once. Then they
+// meet only in the vertex and in common edges, and none of their pairs needs a test. Each fan is
+// found by a few signs (Fans).
+//
 // Errors. Each product m . (x x y) of a vector m and differences x, y of points takes at most seven
 // roundings, so its error is at most 8 * 2^-53 |m| |x| |y|, where |v| is the sum of the absolute
 // coordinates. If m is a difference, too, there are eight. kProductError is twice as large.
@@ -24,6 +29,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -77,9 +83,33 @@ struct FilteredTriangle {
   std::array<Vec3, 3> at{};
   Form plane;              ///< Through at[0]: the signs of differences from at[0].
   bool is_usable = false;  ///< Whether the face has three different corners.
+  bool has_edges = false;  ///< Whether `edge` is filled.
+  /// For edge i, from at[i] to the next corner, the plane through the edge and the normal, if the
+  /// third corner is surely on its positive side. Otherwise, no sign is known.
+  std::array<Form, 3> edge{};
+  FilteredTriangle() = default;
+  FilteredTriangle(const PolygonMesh& mesh, Corners face) {
+    if (face.size() != 3) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corner[i] = face[i];
+      const Point3& p = mesh.points[face[i]];
+      at[i] = {p.x, p.y, p.z};
+    }
+    is_usable = face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+    plane = Form(minus(at[1], at[0]), minus(at[2], at[0]));
+  }
+  void find_edges() {
+    has_edges = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = kNextCorner[i], k = kNextCorner[j];
+      const Form side(plane.m, minus(at[j], at[i]));
+      if (side.sign(minus(at[k], at[i])) > 0) edge[i] = side;
+    }
+  }
 };
 
 /// The test of one pair of triangles with the planes that are listed at the top of this file.
+/// Requires has_edges of both.
 class FilteredPair {
  public:
   FilteredPair(const FilteredTriangle& a, const FilteredTriangle& b) : a_(a), b_(b) {
@@ -120,8 +150,19 @@ class FilteredPair {
   /// Whether `face` is outside an edge of t, seen along the normal of t or of the face.
   static bool is_beyond_edge(const FilteredTriangle& t, const Flags& in_face,
                              const FilteredTriangle& face, const Flags& in_t) {
-    return is_beyond_edge(t, in_face, t.plane.m, face, in_t) ||
+    return is_beyond_upright_edge(t, in_face, face, in_t) ||
            is_beyond_edge(t, in_face, face.plane.m, face, in_t);
+  }
+  static bool is_beyond_upright_edge(const FilteredTriangle& t, const Flags& in_face,
+                                     const FilteredTriangle& face, const Flags& in_t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (in_face[kNextCorner[kNextCorner[i]]]) continue;  // So common vertices are ends of it.
+      const auto is_outside = [&](std::size_t l) {
+        return in_t[l] || t.edge[i].sign(minus(face.at[l], t.at[i])) < 0;
+      };
+      if (is_outside(0) && is_outside(1) && is_outside(2)) return true;
+    }
+    return false;
   }
   static bool is_beyond_edge(const FilteredTriangle& t, const Flags& in_face, const Vec3& direction,
                              const FilteredTriangle& face, const Flags& in_t) {
@@ -181,58 +222,276 @@ class FilteredPair {
   int common_ = 0;         // The number of common corners.
 };
 
-// ---------------------------------------------------------------- the search
+// ---------------------------------------------------------------- cells
 
-/// The cells of a coarse grid that boxes meet. Most faces are far from all faces to be checked, and
-/// for these a few cells cost less than a tree.
+/// The cells of a grid that boxes meet. Most faces are far from all faces to be checked, and for
+/// these a few cells cost less than a tree. Cells 1 to 62 along each axis divide the box around the
+/// boxes, up to rounding; cells 0 and 63 are outside.
 class MarkedCells {
  public:
   /// Marks the cells of boxes. Requires that the box around them, `bounds`, has a finite extent.
   MarkedCells(const Box3& bounds, std::span<const Box3> boxes)
-      : bounds_(bounds), grid_(bounds, kLast), rows_((kLast + 1) * (kLast + 1), 0) {
+      : low_(bounds.low), rows_(kCells * kCells, 0), near_(kCells * kCells, 0) {
+    // The scale is a positive double even if there is no extent, so that a cell is never a NaN.
+    for (std::size_t i = 0; i < 3; ++i) {
+      scale_[i] = std::min((kCells - 3) / (bounds.high[i] - low_[i]), 0x1p900);
+      low_[i] -= 1 / scale_[i];
+    }
     for (const Box3& box : boxes) {
-      for_rows(box, [](std::uint32_t& row, std::uint32_t cells) {
-        row |= cells;
+      for_rows(cell(box.low), cell(box.high), [&](std::uint32_t row, std::uint64_t cells) {
+        rows_[row] |= cells;
         return true;
       });
     }
+    find_near_cells();
   }
-  /// Whether a box may meet one of the boxes. If it does not, it surely meets none.
-  bool may_meet(const Box3& box) {
-    if (!box.meets(bounds_)) return false;
-    Box3 part;
-    for (std::size_t i = 0; i < 3; ++i) {
-      part.low[i] = std::max(box.low[i], bounds_.low[i]);
-      part.high[i] = std::min(box.high[i], bounds_.high[i]);
+  /// Returns the cell of a point, one byte for each axis, and kIsNear if a marked cell is at most
+  /// two cells below it or one cell above it along each axis.
+  std::uint32_t code(const Vec3& at) const {
+    const std::uint32_t c = cell(at);
+    const std::uint64_t row = near_[kCells * (c & kByte) + (c >> 8 & kByte)];
+    return c | ((row >> (c >> 16) & 1) != 0 ? kIsNear : 0);
+  }
+  /// Whether a face may meet one of the boxes. If it does not, it surely meets none. `codes` has the
+  /// codes of all points.
+  bool may_meet(Corners face, std::span<const std::uint32_t> codes) const {
+    // Nearly all faces are small and far away from the boxes.
+    const std::uint32_t a = codes[face[0]];
+    if (face.size() == 3 && (a & kIsNear) == 0 && are_close(a, codes[face[1]]) &&
+        are_close(a, codes[face[2]])) {
+      return false;
     }
-    bool is_near = false;
-    for_rows(part, [&](std::uint32_t row, std::uint32_t cells) {
-      is_near = (row & cells) != 0;
-      return !is_near;
-    });
-    return is_near;
+    return meets_marked_cells(face, codes);
   }
 
  private:
-  static constexpr std::uint32_t kLast = 31;  // A row of cells is a word.
+  static constexpr std::uint32_t kCells = 64;  // A row of cells is a word.
+  static constexpr std::uint32_t kByte = 0xff, kCellMask = 0xffffff, kIsNear = 0x1000000;
 
-  /// Calls visit(row, cells of the box in it) until it returns false.
+  /// Returns the cell of a point. It is monotone in every coordinate, as each step of the
+  /// arithmetic is.
+  std::uint32_t cell(const Vec3& at) const {
+    std::uint32_t cell = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double place = std::min(std::max((at[i] - low_[i]) * scale_[i], 0.0), kCells - 1.0);
+      cell |= static_cast<std::uint32_t>(static_cast<std::int32_t>(place)) << (8 * i);
+    }
+    return cell;
+  }
+  /// Whether b is at most two cells below a and one cell above a along each axis, for points that
+  /// are not near. The difference of cells, -1 to 2, is stored with 64 added, so bits 2 to 7 tell.
+  static bool are_close(std::uint32_t a, std::uint32_t b) {
+    constexpr std::uint32_t kOffset = 0x414141, kHighBits = 0xfcfcfc, kExpected = 0x404040;
+    return ((a + kOffset - (b & kCellMask)) & kHighBits) == kExpected;
+  }
+  bool meets_marked_cells(Corners face, std::span<const std::uint32_t> codes) const {
+    std::uint32_t low = 0, high = 0;
+    for (std::uint32_t shift = 0; shift < 24; shift += 8) {
+      std::uint32_t least = kCells, most = 0;
+      for (const std::uint32_t v : face) {
+        const std::uint32_t at = codes[v] >> shift & kByte;
+        least = std::min(least, at);
+        most = std::max(most, at);
+      }
+      low |= least << shift;
+      high |= most << shift;
+    }
+    return !for_rows(low, high, [&](std::uint32_t row, std::uint64_t cells) {
+      return (rows_[row] & cells) == 0;
+    });
+  }
+
+  /// Calls visit(row, cells in it) for the cells from `low` to `high` until it returns false.
+  /// Returns false if it did.
   template <class Visit>
-  void for_rows(const Box3& box, const Visit& visit) {
-    const auto low = grid_.cell(box.low), high = grid_.cell(box.high);
-    const std::uint32_t cells = (~0U << low[2]) & (~0U >> (kLast - high[2]));
-    for (std::uint32_t x = low[0]; x <= high[0]; ++x) {
-      for (std::uint32_t y = low[1]; y <= high[1]; ++y) {
-        if (!visit(rows_[(kLast + 1) * x + y], cells)) return;
+  static bool for_rows(std::uint32_t low, std::uint32_t high, const Visit& visit) {
+    const std::uint32_t high_x = high & kByte, high_y = high >> 8 & kByte;
+    const std::uint64_t cells =
+        (~std::uint64_t{0} << (low >> 16)) & (~std::uint64_t{0} >> (kCells - 1 - (high >> 16)));
+    for (std::uint32_t x = low & kByte; x <= high_x; ++x) {
+      for (std::uint32_t y = low >> 8 & kByte; y <= high_y; ++y) {
+        if (!visit(kCells * x + y, cells)) return false;
+      }
+    }
+    return true;
+  }
+  /// Fills near_ with the cells that have a marked cell from two cells below to one cell above.
+  void find_near_cells() {
+    for (std::uint32_t row = 0; row < rows_.size(); ++row) {
+      const std::uint64_t r = rows_[row];
+      if (r == 0) continue;
+      const std::uint64_t cells = r << 2 | r << 1 | r | r >> 1;
+      const std::uint32_t x = row / kCells, y = row % kCells;
+      for (std::uint32_t i = x - std::min(x, 1U); i <= std::min(x + 2, kCells - 1); ++i) {
+        for (std::uint32_t j = y - std::min(y, 1U); j <= std::min(y + 2, kCells - 1); ++j) {
+          near_[kCells * i + j] |= cells;
+        }
       }
     }
   }
 
-  Box3 bounds_;
-  CellGrid grid_;
-  std::vector<std::uint32_t> rows_;  // One bit for each cell.
+  Vec3 low_;  // Where cell 0 ends is one step above it.
+  Vec3 scale_{};
+  std::vector<std::uint64_t> rows_;  // One bit for each cell: whether it is marked,
+  std::vector<std::uint64_t> near_;  // and whether a marked cell is near it.
 };
 
+// ---------------------------------------------------------------- fans
+
+/// Finds the vertices around which triangles lie side by side, as described at the top of this
+/// file. All triangles around a vertex must be added, and then all of their corners be listed.
+///
+/// Let all triangles around v be seen from the same side along a direction d: then each corner at v
+/// turns counter-clockwise, by less than half a turn. If the corners are a closed chain, they go
+/// around v a whole number of times. An edge *rises* if its direction w has e . w > 0, for a vector
+/// e that is orthogonal to d. The edges that rise fill an open half of the view, which no corner
+/// can jump over. So the corners go around once if and only if there is one corner that begins at
+/// an edge that does not rise and ends at one that does.
+class Fans {
+ public:
+  /// The corners of a triangle that have a fan, and kNone for the others, side by side.
+  using Corners4 __attribute__((vector_size(16))) = std::uint32_t;
+
+  /// Finds the fans at the vertices with a number less than `count`. `number` has a number for each
+  /// corner of each triangle, or kNone for a vertex that is not asked for. `has_polygon` tells the
+  /// vertices at which not all faces are triangles.
+  Fans(std::span<const FilteredTriangle> triangles,
+       std::span<const std::array<std::uint32_t, 3>> number, std::vector<std::uint8_t> has_polygon)
+      : triangles_(triangles), number_(number), has_fan_(std::move(has_polygon)) {
+    for (std::uint8_t& flag : has_fan_) flag = flag == 0 ? 1 : 0;
+    list_corners();
+    for (std::uint32_t v = 0; v < has_fan_.size(); ++v) {
+      if (has_fan_[v] != 0) has_fan_[v] = is_fan(v) ? 1 : 0;
+    }
+  }
+  /// Returns the corners of triangle t that have a fan.
+  Corners4 corners(std::size_t t) const {
+    Corners4 result{kNone, kNone, kNone, kNone};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = number_[t][i];
+      if (v != kNone && has_fan_[v] != 0) result[i] = v;
+    }
+    return result;
+  }
+  /// Whether two triangles have a common corner with a fan.
+  static bool share(Corners4 s, Corners4 t) {
+    const Corners4 none{kNone, kNone, kNone, kNone};
+    const auto equal = (s == t) | (s == __builtin_shufflevector(t, t, 1, 2, 0, 3)) |
+                       (s == __builtin_shufflevector(t, t, 2, 0, 1, 3));
+    const auto shared = std::bit_cast<std::array<std::uint64_t, 2>>(equal & (s != none));
+    return (shared[0] | shared[1]) != 0;
+  }
+
+ private:
+  static constexpr std::uint32_t kMostCorners = 16;  // Chains are followed in quadratic time.
+  static constexpr int kUnknown = 2;
+
+  /// Lists the corners at each vertex: 4 t + i is corner i of triangle t.
+  void list_corners() {
+    begin_.assign(has_fan_.size() + 1, 0);
+    for (const auto& vertices : number_) {
+      for (const std::uint32_t v : vertices) begin_[v == kNone ? 0 : v + 1] += v == kNone ? 0 : 1;
+    }
+    for (std::size_t v = 1; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
+    corners_.resize(begin_.back());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::uint32_t t = 0; t < number_.size(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        if (number_[t][i] != kNone) corners_[next[number_[t][i]]++] = 4 * t + i;
+      }
+    }
+  }
+
+  /// The direction of a view, with coordinates -1, 0 and 1, and a vector orthogonal to it. Both
+  /// coordinates of the vector that may not be 0 are at i and j.
+  struct View {
+    Vec3 along{};
+    std::size_t i = 0, j = 1;
+    double at_i = 0, at_j = 0;
+  };
+
+  bool is_fan(std::uint32_t v) const {
+    const auto around = std::span(corners_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+    if (around.size() < 3 || around.size() > kMostCorners) return false;
+    const View view = view_of(around);
+    return is_seen_from_one_side(around, view) && goes_around_once(around, view) &&
+           is_closed(around);
+  }
+  /// Returns a view against which most normals around a vertex point.
+  View view_of(std::span<const std::uint32_t> around) const {
+    Vec3 sum{};
+    for (const std::uint32_t c : around) {
+      const Form& plane = triangles_[c / 4].plane;
+      const double factor = plane.size > 0 ? 1 / plane.size : 0;
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += factor * plane.m[k];
+    }
+    constexpr double kFlatter = 0.375;  // Of the largest coordinate.
+    const double least =
+        kFlatter * std::max({std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])});
+    View view;
+    for (std::size_t k = 0; k < 3; ++k) {
+      view.along[k] = sum[k] > least ? 1 : sum[k] < -least ? -1 : 0;
+    }
+    // The vector is (d_j, -d_i) in two coordinates that are not both 0.
+    if (view.along[0] == 0 && view.along[1] == 0) view.i = 2;
+    view.at_i = view.along[view.j];
+    view.at_j = -view.along[view.i];
+    return view;
+  }
+  bool is_seen_from_one_side(std::span<const std::uint32_t> around, const View& view) const {
+    return std::ranges::all_of(around, [&](std::uint32_t c) {
+      const Form& plane = triangles_[c / 4].plane;
+      return known_sign(dot(plane.m, view.along), 4 * kProductError * plane.size) > 0;
+    });
+  }
+  bool goes_around_once(std::span<const std::uint32_t> around, const View& view) const {
+    int count = 0;
+    for (const std::uint32_t c : around) {
+      const FilteredTriangle& t = triangles_[c / 4];
+      const std::size_t i = c % 4, j = kNextCorner[i];
+      const int begins = rise(t.at[i], t.at[j], view);
+      const int ends = rise(t.at[i], t.at[kNextCorner[j]], view);
+      if (begins == kUnknown || ends == kUnknown) return false;
+      count += begins <= 0 && ends > 0 ? 1 : 0;
+    }
+    return count == 1;
+  }
+  /// Returns the sign of the rise of an edge, or kUnknown.
+  static int rise(const Vec3& from, const Vec3& to, const View& view) {
+    const double x = view.at_i * (to[view.i] - from[view.i]);
+    const double y = view.at_j * (to[view.j] - from[view.j]);
+    const int sign = known_sign(x + y, kProductError * (std::fabs(x) + std::fabs(y)));
+    return sign == 0 && (x != 0 || y != 0) ? kUnknown : sign;
+  }
+  /// Whether one closed chain of edges goes through all corners.
+  bool is_closed(std::span<const std::uint32_t> around) const {
+    const auto edge = [&](std::size_t corner, std::size_t side) {
+      const std::uint32_t c = around[corner];
+      return triangles_[c / 4].corner[(c % 4 + side) % 3];
+    };
+    std::array<std::uint32_t, kMostCorners> begins{};
+    for (std::size_t n = 0; n < around.size(); ++n) begins[n] = edge(n, 1);
+    const auto last = begins.begin() + static_cast<std::ptrdiff_t>(around.size());
+    std::size_t at = 0, length = 0;
+    do {
+      const auto next = std::find(begins.begin(), last, edge(at, 2));
+      if (next == last) return false;
+      at = static_cast<std::size_t>(next - begins.begin());
+    } while (++length < around.size() && at != 0);
+    return at == 0 && length == around.size();
+  }
+
+  std::span<const FilteredTriangle> triangles_;
+  std::span<const std::array<std::uint32_t, 3>> number_;
+  std::vector<std::uint8_t> has_fan_;
+  std::vector<std::uint32_t> begin_;    // Where the corners of each vertex begin.
+  std::vector<std::uint32_t> corners_;  // Those of all vertices.
+};
+
+// ---------------------------------------------------------------- the search
+
+/// The search. The faces to be checked have the first numbers, and the other faces near them have
+/// the following ones, both in ascending order.
 class DoubtSearch {
  public:
   DoubtSearch(const PolygonMesh& mesh, std::span<const std::uint8_t> is_checked, Context& context)
@@ -240,11 +499,16 @@ class DoubtSearch {
 
   DoubtfulFaces run() {
     find_checked();
-    if (checked_.empty()) return {};
-    if (!look_at_pairs()) add_all_near(BoxTree(boxes_));
-    for (std::uint32_t f = 0; f < is_doubtful_.size(); ++f) {
-      if (is_doubtful_[f] != 0) result_.faces.push_back(f);
+    if (checked_ == 0) return {};
+    number_vertices();
+    const PackedBoxTree packed(boxes_);
+    find_near();
+    find_fans();
+    if (!look_at_pairs(packed)) add_all_near();
+    for (std::uint32_t i = 0; i < is_doubtful_.size(); ++i) {
+      if (is_doubtful_[i] != 0) result_.faces.push_back(face_[i]);
     }
+    std::ranges::sort(result_.faces);
     return std::move(result_);
   }
 
@@ -252,26 +516,28 @@ class DoubtSearch {
   // ---- faces to be checked
 
   void find_checked() {
-    for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
-      if (is_checked_[f] != 0 && !mesh_.face(f).empty()) checked_.push_back(f);
+    for (std::uint32_t f = 0; f < is_checked_.size(); ++f) {
+      if (is_checked_[f] != 0 && !mesh_.face(f).empty()) face_.push_back(f);
     }
+    checked_ = face_.size();
     // Half a unit of the last digit of a coordinate is at most 2^-53 or 2^-24 times the coordinate.
     // It counts twice in a difference, and a factor of 2 is left.
     const bool are_floats = has_floats_only();
     const double step = are_floats ? 0x1p-22 : 0x1p-51, least = are_floats ? 0x1p-148 : 0x1p-1000;
-    is_doubtful_.assign(mesh_.face_count(), 0);
-    triangle_number_.assign(mesh_.face_count(), kNone);
-    boxes_.reserve(checked_.size());
-    for (const std::uint32_t f : checked_) {
-      const Corners face = mesh_.face(f);
-      boxes_.push_back(box_of(f));
-      const bool is_thin = may_be_flipped(face, step, least);
-      if (is_thin) result_.flipped.push_back(f);
-      if (is_thin || face.size() != 3) is_doubtful_[f] = 1;
+    boxes_.reserve(checked_);
+    triangles_.reserve(2 * checked_);
+    is_doubtful_.reserve(2 * checked_);
+    for (std::uint32_t i = 0; i < checked_; ++i) {
+      const Corners face = mesh_.face(face_[i]);
+      boxes_.push_back(box_of(face));
+      triangles_.emplace_back(mesh_, face);
+      const bool is_thin = may_be_flipped(face, triangles_[i], step, least);
+      if (is_thin) result_.flipped.push_back(face_[i]);
+      is_doubtful_.push_back(is_thin || face.size() != 3 ? 1 : 0);
     }
   }
   bool has_floats_only() const {
-    for (const std::uint32_t f : checked_) {
+    for (const std::uint32_t f : face_) {
       for (const std::uint32_t v : mesh_.face(f)) {
         for (const double c : place(v)) {
           if (!(std::fabs(c) <= 0x1.fffffep127) || static_cast<float>(c) != c) return false;
@@ -284,9 +550,9 @@ class DoubtSearch {
     const Point3& p = mesh_.points[v];
     return {p.x, p.y, p.z};
   }
-  Box3 box_of(std::uint32_t f) const {
+  Box3 box_of(Corners face) const {
     Box3 box;
-    for (const std::uint32_t v : mesh_.face(f)) {
+    for (const std::uint32_t v : face) {
       const Vec3 p = place(v);
       box.add({p, p});
     }
@@ -295,21 +561,27 @@ class DoubtSearch {
 
   /// Whether a face may have had another direction before its corners moved, or may have no area.
   /// In differences, coordinates have moved by at most `step` times the largest one plus `least`.
-  bool may_be_flipped(Corners face, double step, double least) const {
+  bool may_be_flipped(Corners face, const FilteredTriangle& t, double step, double least) const {
     double largest = 0;
     for (const std::uint32_t v : face) {
       for (const double c : place(v)) largest = std::max(largest, std::fabs(c));
     }
     const double move = 3 * (step * largest + least);
     const double error = kProductError * static_cast<double>(face.size());
-    const Vec3 o = place(face[0]);
-    Vec3 normal{}, u{};
+    Vec3 normal = t.plane.m;
     double change = 0;
-    for (const std::uint32_t v : face) {
-      const Vec3 w = minus(place(v), o), part = cross(u, w);
-      for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
-      change += move * (size_of(u) + size_of(w) + move) + error * size_of(u) * size_of(w);
-      u = w;
+    if (face.size() == 3) {
+      const double u = size_of(minus(t.at[1], t.at[0])), w = size_of(minus(t.at[2], t.at[0]));
+      change = move * (2 * u + w + 3 * move) + error * u * w;
+    } else {
+      const Vec3 o = place(face[0]);
+      Vec3 u{};
+      for (const std::uint32_t v : face) {
+        const Vec3 w = minus(place(v), o), part = cross(u, w);
+        for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
+        change += move * (size_of(u) + size_of(w) + move) + error * size_of(u) * size_of(w);
+        u = w;
+      }
     }
     // Before and after, each coordinate of the normal differs by less than a quarter of the largest
     // one. So the scalar product of both is positive.
@@ -318,53 +590,102 @@ class DoubtSearch {
     return !(length > 4 * change + kLeastProduct);
   }
 
+  // ---- other faces
+
+  /// Numbers the vertices of faces to be checked.
+  void number_vertices() {
+    vertex_.assign(mesh_.points.size(), kNone);
+    for (const std::uint32_t f : face_) {
+      for (const std::uint32_t v : mesh_.face(f)) {
+        if (vertex_[v] == kNone) vertex_[v] = vertices_++;
+      }
+    }
+  }
+
+  /// Adds the other faces that may meet the boxes of faces to be checked. If there are few others,
+  /// all of them are added.
+  void find_near() {
+    constexpr std::size_t kFew = 4;  // For each face to be checked.
+    Box3 bounds;
+    for (const Box3& box : boxes_) bounds.add(box);
+    if (mesh_.face_count() - checked_ < kFew * checked_ || !std::isfinite(bounds.extent())) {
+      return add_others([](Corners) { return true; });
+    }
+    const MarkedCells cells(bounds, boxes_);
+    std::vector<std::uint32_t> codes(mesh_.points.size());
+    for (std::size_t v = 0; v < codes.size(); ++v) {
+      codes[v] = cells.code(place(static_cast<std::uint32_t>(v)));
+    }
+    add_others([&](Corners face) { return cells.may_meet(face, codes); });
+  }
+  template <class IsNear>
+  void add_others(const IsNear& is_near) {
+    for (std::uint32_t g = 0; g < mesh_.face_count(); ++g) {
+      if (g % 4096 == 0) checkpoint(g);
+      if (is_checked_[g] != 0) continue;
+      const Corners face = mesh_.face(g);
+      if (!face.empty() && is_near(face)) add_near(g, face);
+    }
+  }
+  void add_near(std::uint32_t g, Corners face) {
+    face_.push_back(g);
+    boxes_.push_back(box_of(face));
+    triangles_.emplace_back(mesh_, face);
+    is_doubtful_.push_back(0);
+  }
+
+  /// Finds the fans at the vertices of faces to be checked. All faces at these vertices are listed,
+  /// because their boxes meet.
+  void find_fans() {
+    std::vector<std::array<std::uint32_t, 3>> numbers(face_.size(), {kNone, kNone, kNone});
+    std::vector<std::uint8_t> has_polygon(vertices_, 0);
+    for (std::size_t i = 0; i < face_.size(); ++i) {
+      const Corners face = mesh_.face(face_[i]);
+      if (triangles_[i].is_usable) {
+        for (std::size_t k = 0; k < 3; ++k) numbers[i][k] = vertex_[face[k]];
+      } else {
+        for (const std::uint32_t v : face) {
+          if (vertex_[v] != kNone) has_polygon[vertex_[v]] = 1;
+        }
+      }
+    }
+    const Fans fans(triangles_, numbers, std::move(has_polygon));
+    fan_corners_.reserve(face_.size());
+    for (std::size_t i = 0; i < face_.size(); ++i) fan_corners_.push_back(fans.corners(i));
+  }
+
   // ---- pairs
 
   /// Marks the faces of pairs that may meet. Returns false if there are too many pairs. The packed
   /// tree is given up if it finds far more pairs than there are.
-  bool look_at_pairs() {
-    const PackedBoxTree packed(boxes_);
+  bool look_at_pairs(const PackedBoxTree& packed) {
     const std::uint64_t most = kMostPairs * mesh_.face_count() + 4096;
     pairs_left_ = steps_left_ = most;
     if (packed.fits() && look_at_pairs_in(packed)) return true;
     pairs_left_ = most;
-    return look_at_pairs_in(BoxTree(boxes_));
+    return look_at_pairs_in(BoxTree(boxes_of_checked()));
   }
   bool look_at_pairs_in(const PackedBoxTree& tree) {
     const auto may_go_on = [&] {
       if (steps_left_ > 0 && --steps_left_ % 4096 == 0) checkpoint(0);
       return pairs_left_ > 0 && steps_left_ > 0;
     };
-    const auto look = [&](std::uint32_t i, std::uint32_t j) {
-      if (!boxes_[i].meets(boxes_[j])) return;
-      look_at(checked_[std::min(i, j)], checked_[std::max(i, j)]);
-    };
+    const auto look = [&](std::uint32_t i, std::uint32_t j) { look_at(i, j); };
     if (!tree.for_each_pair_inside(look, may_go_on)) return false;
-    MarkedCells cells(tree.bounds(), boxes_);
-    for (std::uint32_t g = 0; g < mesh_.face_count(); ++g) {
-      if (g % 1024 == 0) checkpoint(g);
-      if (is_checked_[g] != 0 || mesh_.face(g).empty()) continue;
-      const Box3 box = box_of(g);
-      if (!cells.may_meet(box)) continue;
-      tree.for_each_meeting(box, [&](std::uint32_t i) {
-        if (may_go_on() && boxes_[i].meets(box)) look_at(checked_[i], g);
+    for (auto j = static_cast<std::uint32_t>(checked_); j < face_.size(); ++j) {
+      if (j % 1024 == 0) checkpoint(face_[j]);
+      tree.for_each_meeting(boxes_[j], [&](std::uint32_t i) {
+        if (may_go_on()) look_at(i, j);
       });
       if (pairs_left_ == 0 || steps_left_ == 0) return false;
     }
     return true;
   }
   bool look_at_pairs_in(const BoxTree& tree) {
-    const Box3 all = tree.bounds();
-    std::uint32_t checked_before = 0;  // The number of checked faces before g.
-    for (std::uint32_t g = 0; g < mesh_.face_count() && pairs_left_ > 0; ++g) {
-      if (g % 1024 == 0) checkpoint(g);
-      const bool is_checked = checked_before < checked_.size() && checked_[checked_before] == g;
-      const Box3 box = is_checked ? boxes_[checked_before] : box_of(g);
-      checked_before += is_checked ? 1 : 0;
-      if (!box.meets(all)) continue;
-      tree.for_each_meeting(box, [&](std::uint32_t i) {
-        const std::uint32_t f = checked_[i];
-        if (!is_checked || f < g) look_at(f, g);  // Each pair of checked faces once.
+    for (std::uint32_t j = 0; j < face_.size() && pairs_left_ > 0; ++j) {
+      if (j % 1024 == 0) checkpoint(face_[j]);
+      tree.for_each_meeting(boxes_[j], [&](std::uint32_t i) {
+        if (i < j) look_at(i, j);  // Each pair of checked faces once.
         return pairs_left_ > 0;
       });
     }
@@ -374,47 +695,35 @@ class DoubtSearch {
     context_.checkpoint("faces near rounded vertices", g, mesh_.face_count());
   }
 
-  /// Marks two faces whose boxes meet if they may meet. f is to be checked.
-  void look_at(std::uint32_t f, std::uint32_t g) {
+  /// Marks two faces if they may meet. Face i is to be checked.
+  void look_at(std::uint32_t i, std::uint32_t j) {
+    if (Fans::share(fan_corners_[i], fan_corners_[j]) || !boxes_[i].meets(boxes_[j])) return;
     if (pairs_left_ > 0) --pairs_left_;
-    if (is_doubtful_[f] != 0 && is_doubtful_[g] != 0) return;
-    if (!is_certain(f, g)) is_doubtful_[f] = is_doubtful_[g] = 1;
+    if (is_doubtful_[i] != 0 && is_doubtful_[j] != 0) return;
+    if (!is_certain(i, j)) is_doubtful_[i] = is_doubtful_[j] = 1;
   }
-  void add_all_near(const BoxTree& tree) {
-    for (std::uint32_t g = 0; g < mesh_.face_count(); ++g) {
-      if (is_doubtful_[g] != 0 || mesh_.face(g).empty()) continue;
-      tree.for_each_meeting(box_of(g), [&](std::uint32_t) {
-        is_doubtful_[g] = 1;
+  void add_all_near() {
+    const BoxTree tree(boxes_of_checked());
+    for (std::uint32_t j = 0; j < face_.size(); ++j) {
+      if (is_doubtful_[j] != 0) continue;
+      tree.for_each_meeting(boxes_[j], [&](std::uint32_t) {
+        is_doubtful_[j] = 1;
         return false;
       });
     }
   }
 
+  std::span<const Box3> boxes_of_checked() const {
+    return std::span<const Box3>(boxes_).first(checked_);
+  }
+
   /// Whether it is certain that two faces meet only in common vertices and edges.
-  bool is_certain(std::uint32_t f, std::uint32_t g) {
-    const std::uint32_t i = triangle_of(f), j = triangle_of(g);
-    const FilteredTriangle &a = triangles_[i], &b = triangles_[j];
+  bool is_certain(std::uint32_t i, std::uint32_t j) {
+    FilteredTriangle &a = triangles_[i], &b = triangles_[j];
+    if (!a.has_edges) a.find_edges();
+    if (!b.has_edges) b.find_edges();
     if (a.is_usable && b.is_usable) return FilteredPair(a, b).is_certain();
-    return are_certain_polygons(mesh_.face(f), mesh_.face(g));
-  }
-  /// Returns the index of a face in triangles_, to which it is added if it is missing.
-  std::uint32_t triangle_of(std::uint32_t f) {
-    if (triangle_number_[f] == kNone) {
-      triangle_number_[f] = static_cast<std::uint32_t>(triangles_.size());
-      triangles_.push_back(triangle(mesh_.face(f)));
-    }
-    return triangle_number_[f];
-  }
-  FilteredTriangle triangle(Corners face) const {
-    FilteredTriangle t;
-    if (face.size() != 3) return t;
-    for (std::size_t i = 0; i < 3; ++i) {
-      t.corner[i] = face[i];
-      t.at[i] = place(face[i]);
-    }
-    t.plane = Form(minus(t.at[1], t.at[0]), minus(t.at[2], t.at[0]));
-    t.is_usable = face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
-    return t;
+    return are_certain_polygons(mesh_.face(face_[i]), mesh_.face(face_[j]));
   }
 
   /// Does the same for faces of which one may be a polygon.
@@ -483,13 +792,17 @@ class DoubtSearch {
   const PolygonMesh& mesh_;
   std::span<const std::uint8_t> is_checked_;
   Context& context_;
-  std::vector<std::uint32_t> checked_;          // The faces to be checked.
-  std::vector<Box3> boxes_;                     // Their boxes.
-  std::vector<FilteredTriangle> triangles_;     // The triangles of the pairs looked at.
-  std::vector<std::uint32_t> triangle_number_;  // The index there of each face, or kNone.
-  std::uint64_t pairs_left_ = 0;                // Pairs that may still be looked at.
-  std::uint64_t steps_left_ = 0;                // Steps that a packed tree may still take.
+  // For each number of a face: the face, its box, its triangle, and its corners with fans.
+  std::vector<std::uint32_t> face_;
+  std::vector<Box3> boxes_;
+  std::vector<FilteredTriangle> triangles_;
+  std::vector<Fans::Corners4> fan_corners_;
   std::vector<std::uint8_t> is_doubtful_;
+  std::size_t checked_ = 0;            // The number of faces to be checked.
+  std::vector<std::uint32_t> vertex_;  // The numbers of the vertices of faces to be checked.
+  std::uint32_t vertices_ = 0;         // How many there are.
+  std::uint64_t pairs_left_ = 0;       // Pairs that may still be looked at.
+  std::uint64_t steps_left_ = 0;       // Steps that a packed tree may still take.
   DoubtfulFaces result_;
 };
 
@@ -499,9 +812,12 @@ std::vector<std::uint8_t> faces_at(const PolygonMesh& mesh,
                                    std::span<const std::uint8_t> is_chosen) {
   std::vector<std::uint8_t> result(mesh.face_count(), 0);
   for (std::size_t f = 0; f < result.size(); ++f) {
-    std::uint8_t any = 0;
-    for (const std::uint32_t v : mesh.face(f)) any |= is_chosen[v];
-    result[f] = any;
+    const auto face = mesh.face(f);
+    if (face.size() == 3) {
+      result[f] = is_chosen[face[0]] | is_chosen[face[1]] | is_chosen[face[2]];
+    } else {
+      for (const std::uint32_t v : face) result[f] |= is_chosen[v];
+    }
   }
   return result;
 }

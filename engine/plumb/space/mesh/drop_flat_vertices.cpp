@@ -59,8 +59,11 @@ class FlatVertices {
       if (is_near[f] != 0) near_.push_back(f);
     }
     double largest = 0;
-    for (const Point3& p : mesh.points) {
-      largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    for (const std::uint32_t f : near_) {
+      for (const std::uint32_t v : mesh.face(f)) {
+        const Point3& p = mesh.points[v];
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+      }
     }
     scale_ = largest > 0 ? std::ilogb(largest) : 0;
     width_ = std::ldexp(width, -scale_);
@@ -385,9 +388,9 @@ class FlatVertices {
   std::vector<std::uint8_t> is_removable_;
   Context& context_;
   std::vector<std::uint32_t> near_;  // The faces in which triangles are looked for.
-  int scale_ = 0;      // The exponent of the largest coordinate.
-  double width_ = 0;   // Divided by 2^scale_, as all distances here.
-  double factor_ = 0;  // 2^-scale_, or 0 if it may not be a double.
+  int scale_ = 0;                    // The exponent of the largest coordinate of the faces near_.
+  double width_ = 0;                 // Divided by 2^scale_, as all distances here.
+  double factor_ = 0;                // 2^-scale_, or 0 if it may not be a double.
   std::vector<Triangle> triangle_;
   std::vector<std::uint32_t> face_;    // The face of the input of each triangle.
   std::vector<std::uint32_t> origin_;  // The least face from which each triangle was made.

@@ -20,8 +20,8 @@ struct MeshToRound {
   /// For each face, the marked volume that it bounds. Empty if `facet` has facets of `complex`,
   /// which tell this.
   std::vector<std::uint32_t> solid;
-  const SpaceComplex* complex;       ///< Has the tables and the vertices of the points.
-  std::vector<std::uint32_t> kept;   ///< Points that stay even if the boundary is flat there.
+  const SpaceComplex* complex;      ///< Has the tables and the vertices of the points.
+  std::vector<std::uint32_t> kept;  ///< Points that stay even if the boundary is flat there.
   /// Whether faces with different entries in `facet` stay apart, even if a repair puts them into
   /// one plane.
   bool has_pieces = false;
