@@ -214,14 +214,19 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   context.checkpoint("components", 0, 1);
   const Sign star =
       is_plain ? star_orientation(facets, vertices.point, tables->planes) : Sign::Zero;
-  if (star != Sign::Zero) {
-    describe_star(facets, star, result);
-  } else {
+  if (star == Sign::Zero) {
     describe_parts(facets, result, context);
+  } else {
+    describe_star(facets, star, result);
+  }
+  result.jump = std::move(facets.jump);
+  facets = {};  // The search for crossings needs memory.
+  links = {};
+  vertices = {};
+  if (star == Sign::Zero) {
     describe_crossings(options, has_input_order ? BoxOrder::Any : BoxOrder::Kept, result, memory,
                        context);
   }
-  result.jump = std::move(facets.jump);
   settle_flat_edges(options, *tables, result, context);
   return result;
 }

@@ -94,10 +94,21 @@ std::uint64_t draft_bytes(std::size_t uses, std::size_t contacts) {
   return kBytesPerUse * uses + kBytesPerContact * contacts;
 }
 
-/// Runs steps 2 to 6. The memory in use until the draft is assembled is charged to `memory`.
+/// Frees the memory of a complex, except what Combiner::finish() reads.
+void free_kept(SpaceComplex& complex) {
+  SpaceComplex rest;
+  rest.edge_planes = std::move(complex.edge_planes);
+  rest.facet_plane = std::move(complex.facet_plane);
+  rest.volume_mark = std::move(complex.volume_mark);
+  complex = std::move(rest);
+}
+
+/// Runs steps 2 to 6. The memory in use until the draft is assembled is charged to `memory`. If
+/// `owned` is not null, it has the operands, which are used up.
 CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
-                       const SpaceComplex& b, const MarkTable& f, const CommonOrigin& origin,
-                       MemoryCharge& memory, Context& context) {
+                       const SpaceComplex& b, std::array<SpaceComplex, 2>* owned,
+                       const MarkTable& f, const CommonOrigin& origin, MemoryCharge& memory,
+                       Context& context) {
   const std::vector<Contact> contacts = find_contacts(a, b, *tables, context);
   memory.add(draft_bytes(a.use_count() + b.use_count(), contacts.size()), kMemoryName);
   const std::array<const SpaceComplex*, 2> operands{&a, &b};
@@ -111,7 +122,11 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
   Combiner combiner(operands, tables, contacts, f, origin);
   if (context.threads() == 1) {  // One combiner makes all of it, nothing is appended.
     combiner.overlay_contacts(context);
-    for (const std::size_t i : {0U, 1U}) combiner.keep_vertices(i, *touched[i], labels[i], context);
+    for (const std::size_t i : {0U, 1U}) {
+      combiner.keep_vertices(i, *touched[i], labels[i], context);
+      touched[i].reset();
+      if (owned != nullptr) free_kept((*owned)[i]);
+    }
     return combiner.finish();
   }
   constexpr std::size_t kContactsAtOnce = 512;
@@ -139,8 +154,10 @@ SpaceComplex boolean_op(SpaceComplex a, SpaceComplex b, MarkFunction f, Context&
   MemoryCharge memory(context);
   memory.add(memory_bytes(a) + memory_bytes(b), kMemoryName);
   const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
-  CombinedDraft draft = draft_of(tables, a, b, MarkTable(f), lesser_origin, memory, own);
-  a = b = {};  // The peak of memory is yet to come: the draft and the result at once.
+  std::array<SpaceComplex, 2> operands{std::move(a), std::move(b)};
+  CombinedDraft draft = draft_of(tables, operands[0], operands[1], &operands, MarkTable(f),
+                                 lesser_origin, memory, own);
+  operands = {};  // The peak of memory is yet to come: the draft and the result at once.
   return assembled(std::move(draft), own);
 }
 
@@ -149,7 +166,7 @@ SpaceComplex boolean_op_on(const std::shared_ptr<SpaceTables>& tables, const Spa
                            Context& context) {
   Context own = with_useful_threads(a, b, context);
   MemoryCharge memory(context);
-  return assembled(draft_of(tables, a, b, f, origin, memory, own), own);
+  return assembled(draft_of(tables, a, b, nullptr, f, origin, memory, own), own);
 }
 
 namespace {

@@ -307,6 +307,8 @@ ContactLeaves::ContactLeaves(const SpaceComplex& complex, const Box3& reach)
     if (!complex.star_of(VertexId(v)).empty()) continue;
     add({FacetId(), VertexId(v), UseId(), 0}, box_of(complex, VertexId(v)));
   }
+  leaves_.shrink_to_fit();
+  boxes_.shrink_to_fit();
 }
 
 // All of a facet lies within the box of its outer cycle.

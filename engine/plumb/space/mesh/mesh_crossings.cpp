@@ -199,8 +199,8 @@ class CrossingSearch {
   }
 
   void gather_triangles() {
-    triangles_.reserve(complex_.use_count());
-    fan_corners_.reserve(complex_.use_count());
+    triangles_.reserve(triangle_count());
+    fan_corners_.reserve(triangle_count());
     FacetTriangles facets(complex_);
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
       facets.for_each(FacetId(f), [&](VertexId a, VertexId b, VertexId c) {
@@ -214,6 +214,12 @@ class CrossingSearch {
       });
       if (!is_triangle(FacetId(f))) mark_diagonals(FacetId(f));
     }
+  }
+  /// Returns the number of triangles of all facets. A facet with n corners, h holes and i inner
+  /// vertices has n + 2 h + 2 i - 2 of them.
+  std::size_t triangle_count() const {
+    return complex_.use_count() + 2 * (complex_.cycle.size() + complex_.inner.size()) -
+           std::min(4 * complex_.facet_count(), complex_.use_count() + 2 * complex_.cycle.size());
   }
   TriangleCorner corner(VertexId v) const { return {v, complex_.vertex_point[v]}; }
   /// Whether the facet, the last one gathered, gave one triangle.
