@@ -4,7 +4,8 @@
 //   threads [--most PERCENT] [--json FILE]
 //
 // 1, 2 and 4 threads, where there are as many cores. Ratio: time with one to time with so many,
-// median, least and greatest of the rounds.
+// median, least and greatest of the rounds. Then, for each capability, the table of work_log.h:
+// CPU time by phase with 2, 8 and 16 threads, and the ratio that cores of their own would give.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,6 +25,7 @@
 #include "generate/voxel_mesh.h"
 #include "macro_report.h"
 #include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/convex/minkowski.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/space/to_mesh.h"
@@ -61,6 +63,26 @@ nlohmann::ordered_json compared(const Job& job, unsigned threads, int rounds) {
   return {{"capability", job.capability}, {"input", job.input},
           {"threads", threads},           {"one", least_one},
           {"many", least_many},           {"ratio", ratio}};
+}
+
+/// Prints the CPU time of a job by phase, and the ratio to the CPU time with one thread that so many
+/// cores give.
+void print_phases(const Job& job) {
+  const auto recorded = [&](unsigned threads) {
+    Context context(Limits{}, std::stop_token{}, ProgressCallback{}, threads);
+    WorkLog log;
+    job.work(context);
+    return log.finish();
+  };
+  const double one = total_seconds(recorded(1));
+  for (const unsigned threads : PhaseWork::kThreads) {
+    const WorkNode work = recorded(threads);
+    fmt::print("\n{}, {} threads: predicted ratio {:.2f}\n", job.capability, threads,
+               one / seconds_with(work, threads));
+    for (const std::string& line : phase_table(phases_of(work, job.input))) {
+      fmt::print("{}\n", line);
+    }
+  }
 }
 
 void add_jobs(std::vector<Job>& jobs, const std::string& input, const PolygonMesh& a,
@@ -135,6 +157,7 @@ int run(const MacroOptions& options, nlohmann::ordered_json& rows) {
       }
     }
   }
+  for (const Job& job : jobs) print_phases(job);
   return 0;
 }
 

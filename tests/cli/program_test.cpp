@@ -640,6 +640,48 @@ TEST(Limits, bound_the_memory_of_the_whole_command) {
   }
 }
 
+/// The shares of phases that --timings prints: the name, CPU seconds, percent, three ratios.
+TEST(Timings, name_phases_and_change_no_output) {
+  const ScratchDirectory scratch;
+  const std::string a = (scratch / "a.off").string(), b = (scratch / "b.off").string();
+  ASSERT_EQ(run({"solid", "make", "sphere", "-o", a}).code, 0);
+  ASSERT_EQ(run({"solid", "make", "torus", "-o", b}).code, 0);
+  const Words words{"solid", "union", a, b, "--format", "off", "-o", "-"};
+  const RunResult expected = run(words);
+  for (const char* const threads : {"1", "2"}) {
+    Words timed = words;
+    timed.insert(timed.end(), {"--threads", threads, "--timings"});
+    const RunResult result = run(timed);
+    EXPECT_EQ(result.code, expected.code);
+    EXPECT_EQ(result.out, expected.out);
+    std::istringstream lines(result.err);
+    std::string line;
+    double whole = 0, sum = 0;
+    std::vector<std::string> phases;
+    while (std::getline(lines, line)) {
+      if (line.size() != 76 || line.starts_with("phase ")) continue;
+      const std::size_t depth = line.find_first_not_of(' ') / 2;
+      phases.push_back(line.substr(2 * depth, line.find("  ", 2 * depth) - 2 * depth));
+      std::istringstream numbers(line.substr(34));
+      double seconds = -1, share = -1;
+      std::array<double, 3> gain{};
+      std::string percent;
+      numbers >> seconds >> share >> percent >> gain[0] >> gain[1] >> gain[2];
+      EXPECT_TRUE(share >= 0 && share <= 100 && percent == "%") << line;
+      EXPECT_TRUE(1 <= gain[0] && gain[0] <= gain[1] && gain[1] <= gain[2]) << line;
+      EXPECT_TRUE(gain[0] <= 2 && gain[1] <= 8 && gain[2] <= 16) << line;
+      if (depth == 0) whole = seconds;
+      if (depth == 1) sum += seconds;
+      if (threads == std::string("1")) EXPECT_EQ(share, 0) << line;
+    }
+    for (const char* const phase : {"command", "reading", "Boolean", "writing"}) {
+      EXPECT_EQ(std::count(phases.begin(), phases.end(), phase), 1) << result.err;
+    }
+    EXPECT_GT(whole, 0);
+    EXPECT_LE(sum, whole + 0.0001 * static_cast<double>(phases.size())) << result.err;
+  }
+}
+
 /// Threads that read at the same time need more memory; if there is too little, they take turns.
 TEST(Limits, of_memory_stop_no_threads_that_one_would_not_stop) {
   const ScratchDirectory scratch;

@@ -35,6 +35,12 @@ void keep_freed_memory() {
 #endif
 }
 
+void use_one_heap() {
+#if defined(__GLIBC__)
+  mallopt(M_ARENA_MAX, 1);
+#endif
+}
+
 void use_huge_pages() {
 #if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
   if (is_address_space_scarce()) return;

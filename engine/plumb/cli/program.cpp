@@ -28,6 +28,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/base/keep_freed_memory.h"
 #include "plumb/base/version.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/cli/session/session.h"
@@ -162,8 +163,9 @@ std::string overview(std::string_view group = {}) {
   text +=
       "\nOptions of every command:\n"
       "  --json  -o OUT  --format NAME  --exact-decimals  --digits N  --threads N  -q\n"
-      "  --progress  --limit-memory MB  --limit-seconds S  --help; - is stdin, stdout\n"
-      "plumb COMMAND --help says more; plumb --version prints the version.\n"
+      "  --progress  --timings  --limit-memory MB  --limit-seconds S  --help\n"
+      "The file - is stdin or stdout. plumb COMMAND --help says more; plumb --version\n"
+      "prints the version.\n"
       "Exit: 0 yes, 1 no, 2 bad input, 3 limit, 4 cancelled, 70 bug in plumb.\n";
   return text;
 }
@@ -276,8 +278,12 @@ ExitCode run_command(const Command& command, Arguments arguments, std::stop_toke
   }
   const std::uint64_t megabytes = known.common.limit_memory_mb;
   if (megabytes > 0) limit_memory(megabytes << 20U, known.common.threads);
+  constexpr unsigned kFewThreads = 4;
+  if (known.common.threads > 1 && known.common.threads <= kFewThreads) use_one_heap();
   Session session(known.common, std::move(stop));
-  return known.body->run(session);
+  const ExitCode code = known.body->run(session);
+  session.print_timings();
+  return code;
 }
 
 ExitCode dispatch(const Arguments& arguments, std::stop_token stop) {

@@ -15,6 +15,7 @@
 #include <string>
 #include <utility>
 
+#include "plumb/base/internal/work_log.h"
 #include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/glb.h"
 #include "plumb/io/mesh/gltf.h"
@@ -157,6 +158,7 @@ MeshFile read_placed_mesh(const std::string& path, std::string_view bytes, MeshF
 
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const ReadOptions& options,
                       Context& context) {
+  const WorkPhase phase("mesh from text");
   const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
   return read_placed_mesh(path, bytes, format, options, context);
 }
@@ -201,12 +203,16 @@ void require_corners(const PolygonMesh& mesh) {
 }  // namespace
 
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
+  write_mesh(out, mesh, format, unlimited_context());
+}
+
+void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format, Context& context) {
   require_corners(mesh);
   switch (format) {
     case MeshFormat::ExactOff:
-      return write_off(out, mesh, MeshNumbers::Exact);
+      return write_off(out, mesh, MeshNumbers::Exact, context);
     case MeshFormat::Obj:
-      return write_obj(out, mesh);
+      return write_obj(out, mesh, context);
     case MeshFormat::Stl:
       return write_stl_text(out, mesh);
     case MeshFormat::StlBinary:
@@ -220,7 +226,7 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
     case MeshFormat::ThreeMf:
       return write_threemf(out, mesh);
     default:
-      return write_off(out, mesh);
+      return write_off(out, mesh, MeshNumbers::Nearest, context);
   }
 }
 

@@ -26,6 +26,7 @@
 
 #include "plumb/base/internal/message_text.h"
 #include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/space/boolean/simplify.h"
 #include "plumb/space/mesh/link_facets.h"
 #include "plumb/space/mesh/mesh_crossings.h"
@@ -186,12 +187,15 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
                              MemoryCharge& memory, Context& context) {
   MeshComplex result;
   const auto tables = std::make_shared<SpaceTables>();
+  WorkPhase phase("equal points");
   const MeshView mesh = ordered.is_empty() ? input : ordered.view();
   MeshVertices vertices =
       ordered.is_empty() ? merge_equal_points(mesh, *tables) : merge_equal_points(ordered, *tables);
   result.report.vertices_merged = vertices.merged;
   context.checkpoint("reading faces", 0, 1);
+  phase.next("planes of faces");
   MeshFacets facets = flatten_mesh(mesh, vertices, *tables, result.report, context);
+  phase.next("links of corners");
   MeshLinks links = link_corners(facets, vertices.point.size());
   const bool is_plain = is_plainly_closed(facets, links);
   if (!is_plain) result.report.doubled = merge_doubled(facets, links, vertices.point.size());
@@ -209,9 +213,11 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   if (is_refused) return result;
 
   context.checkpoint("linking facets", 0, 1);
+  phase.next("edges and stars");
   drop_unused(facets, links, vertices);
   result.complex = link_facets(facets, links, vertices.point, tables, FlatEdges::Open);
   context.checkpoint("components", 0, 1);
+  phase.next("fans and components");
   const Sign star =
       is_plain ? star_orientation(facets, vertices.point, tables->planes) : Sign::Zero;
   if (star == Sign::Zero) {
@@ -223,10 +229,12 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   facets = {};  // The search for crossings needs memory.
   links = {};
   vertices = {};
+  phase.next("self-test");
   if (star == Sign::Zero) {
     describe_crossings(options, has_input_order ? BoxOrder::Any : BoxOrder::Kept, result, memory,
                        context);
   }
+  phase.next("coplanar facets");
   settle_flat_edges(options, *tables, result, context);
   return result;
 }
@@ -268,7 +276,10 @@ MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options, Co
   MemoryCharge memory(context);
   memory.add(kBytesPerCorner * mesh.corners.size() + kBytesPerPoint * mesh.point_count(), "a mesh");
   if (mesh.face_count() >= kWorthOrdering && !options.surface) {
-    OrderedMesh ordered = ordered_in_space(mesh);
+    OrderedMesh ordered = [&] {
+      const WorkPhase phase("order of points");
+      return ordered_in_space(mesh);
+    }();
     if (!ordered.is_empty()) {
       MeshComplex result = complex_in_order(mesh, std::move(ordered), options, memory, context);
       if (result.report.is_closed()) return result;

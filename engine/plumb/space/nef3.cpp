@@ -27,6 +27,7 @@
 #include <utility>
 
 #include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/boolean/boolean_op.h"
 #include "plumb/space/boolean/frame.h"
@@ -81,6 +82,7 @@ SpaceComplex combine_any(SpaceComplex a, SpaceComplex b, MarkFunction f, Context
     b = framed(std::move(b), context);
   }
   SpaceComplex result = boolean_op(std::move(a), std::move(b), f, context);
+  const WorkPhase phase("tidy tables");
   return with_tidy_tables(without_idle_frame(std::move(result), context));
 }
 
@@ -391,6 +393,7 @@ std::optional<Nef3> Nef3::combined_apart(Nef3& a, Nef3& b, MarkFunction f) {
 }
 
 Nef3 boolean_op(Nef3 a, Nef3 b, MarkFunction f, Context& context) {
+  const WorkPhase phase("Boolean");
   SourceCarrier::List sources = SourceCarrier::joined(a.sources_, b.sources_);
   if (std::optional<Nef3> known = combine_marks(a, b, f)) {
     return SourceCarrier::put(std::move(sources), std::move(*known));

@@ -33,6 +33,7 @@
 
 #include "plumb/base/internal/round_to_nearest.h"
 #include "plumb/base/internal/union_find.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh/check_faces.h"
@@ -550,6 +551,7 @@ std::vector<std::uint32_t> solids_at(const SpaceComplex& complex, std::span<cons
 ValidMesh round_mesh(MeshToRound input, const ToMeshOptions& options, CoordinateType type,
                      Context& context) {
   const RoundToNearest nearest;
+  const WorkPhase phase("test of rounding");
   ToMeshOptions used = options;
   used.keeps_exact = false;
   // Corners that are doubles lie in one plane, but not when they are floats.

@@ -13,6 +13,7 @@
 
 #include "plumb/base/arithmetic_watch.h"
 #include "plumb/base/internal/restarted_jobs.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -42,7 +43,8 @@ class Jobs {
         on_limit_(on_limit),
         stop_(count),
         error_(count),
-        is_postponed_(count) {}
+        is_postponed_(count),
+        work_(count) {}
 
   void run() {
     const std::size_t workers = std::min<std::size_t>(context_.threads(), stop_.size());
@@ -67,6 +69,7 @@ class Jobs {
   void work(bool is_caller) {
     for (std::size_t i = next_++; i < stop_.size(); i = next_++) {
       if (stop_[i].stop_requested()) continue;
+      const WorkSection::Job work(work_, i);
       try {
         Context own = Context::of_job(context_, stop_[i].get_token(), share_,
                                       is_caller ? JobProgress::Reported : JobProgress::Silent);
@@ -92,6 +95,7 @@ class Jobs {
   std::atomic<std::size_t> next_ = 0;
   unsigned share_ = 1;
   const bool is_watched_ = ArithmeticWatch::is_active();
+  WorkSection work_;
 };
 
 void run(Context& context, std::size_t jobs, const std::function<void(std::size_t, Context&)>& job,

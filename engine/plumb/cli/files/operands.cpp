@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "plumb/base/internal/work_log.h"
 #include "plumb/base/set_expression.h"
 #include "plumb/cli/session/command.h"
 #include "plumb/io/mesh/stl.h"
@@ -311,6 +312,7 @@ std::string with_hints(const Error& error, const std::string& file, const std::s
 
 SolidRead SolidInput::load(const std::string& file, const CommonOptions& options,
                            Context& context) const {
+  const WorkPhase phase("reading");
   const ChargedInput input(file, context);
   return load(file, input.bytes(), options, context);
 }

@@ -193,11 +193,13 @@ void require_no_stop() {
 }  // namespace
 
 void CommonOptions::declare(CLI::App& app) {
-  // The help of a command has no line left for it; the overview and the manual name it. It comes
-  // first, because CLI11 writes an empty line behind each group but the last.
+  // The help of a command has no lines left for them; the overview and the manual name them. They
+  // come first, because CLI11 writes an empty line behind each group but the last.
   app.add_option("--digits", digits, "Digits of the longest number to read (default 1100)")
       ->check(CLI::Range(16U, 1'000'000U).description(""))
       ->type_name("N")
+      ->group(kUnlistedGroup);
+  app.add_flag("--timings", timings, "Print the CPU time by phase (standard error)")
       ->group(kUnlistedGroup);
   app.add_flag("--json", json, "One JSON object on standard output")->group(kCommonGroup);
   app.add_option("-o,--output", out, "File to write; - is standard output (--format)")
@@ -276,6 +278,7 @@ Session::Session(const CommonOptions& options, std::stop_token stop)
                progress_.is_shown() ? ProgressCallback(std::ref(progress_)) : ProgressCallback(),
                options.threads),
       watch_(context_) {
+  if (options.timings) work_.emplace();
   if (options.limit_seconds > 0) process::alarm_after(options.limit_seconds + kGraceSeconds);
 }
 
@@ -295,11 +298,17 @@ void Session::answer(const std::string& json, const Outputs::Writer& text) {
 }
 
 void Session::deliver() {
+  const WorkPhase phase("writing");
   begin("write");
   outputs_.deliver([this] {
     // Both may be seen on the same terminal.
     if (!process::is_regular_file(STDOUT_FILENO)) progress_.clear();
   });
+}
+
+void Session::print_timings() {
+  if (!work_) return;
+  for (const std::string& line : phase_table(phases_of(work_->finish(), "command"))) print(line);
 }
 
 void Session::note(std::string_view text) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <stop_token>
@@ -17,6 +18,7 @@
 
 #include "plumb/base/arithmetic_watch.h"
 #include "plumb/base/context.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/cli/session/progress.h"
 #include "plumb/io/text/files.h"
 
@@ -97,6 +99,7 @@ struct CommonOptions {
   std::string format;  ///< Empty if the extension of `out` decides.
   unsigned threads = 1;
   bool progress = false;
+  bool timings = false;
   bool quiet = false;
   std::uint64_t limit_memory_mb = 0;  ///< 0 means none.
   double limit_seconds = 0;           ///< 0 means none.
@@ -161,6 +164,9 @@ class Session {
   void begin(std::string_view stage) { progress_.begin(stage); }
   /// Writes all outputs: the stage "write".
   void deliver();
+  /// With --timings, prints the CPU time by phase, measured from the construction on. Called once,
+  /// at the end of the command.
+  void print_timings();
 
  private:
   void print(std::string line);
@@ -170,6 +176,7 @@ class Session {
   std::string held_back_;  // Notes, with --json: if an error follows, it is printed alone.
   Context context_;
   const ArithmeticWatch watch_;
+  std::optional<WorkLog> work_;  // With --timings.
   Outputs outputs_;
 };
 

@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "plumb/base/internal/restarted_jobs.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/boolean/assemble.h"
 #include "plumb/space/boolean/boolean_op.h"
@@ -195,6 +196,7 @@ Nef3 Nef3::from_mesh(const PolygonMesh& mesh, const FromMeshOptions& options, Co
 
 // The report of an open mesh is handed over before OpenMesh is thrown.
 Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Context& context) {
+  const WorkPhase phase("set from mesh");
   MeshOptions reading;
   reading.surface = options.surface;
   reading.joins_coplanar = true;
@@ -219,6 +221,7 @@ Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Conte
 // Arrange, number the volumes, mark those that the rule accepts, and close the set.
 Nef3 Nef3::from_mesh_complex(MeshComplex mesh, WindingRule rule, Context& context) {
   if (!mesh.report.is_closed()) throw OpenMesh(std::move(mesh.report));
+  WorkPhase phase("volumes of the mesh");
   arrange(mesh, context);
   SpaceComplex& c = mesh.complex;
   const std::vector<std::int32_t> winding = winding_numbers(c, facet_jumps(mesh));
@@ -226,6 +229,7 @@ Nef3 Nef3::from_mesh_complex(MeshComplex mesh, WindingRule rule, Context& contex
     c.volume_mark[v] = is_inside(winding[v], rule) ? 1 : 0;
   }
   close_volumes(c);
+  phase.next("minimal complex");
   return from_complex(std::move(c), context);
 }
 
