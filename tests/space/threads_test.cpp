@@ -59,7 +59,20 @@ std::string text_of(const Nef3& set) {
   return std::move(out).str();
 }
 
-/// All that comes of two meshes: the sets, a Boolean, its triangles.
+void write_mesh_of(const Nef3& set, const ToMeshOptions& options, Context& context,
+                   std::ostream& out) {
+  const MeshOfComplex made = mesh_of_complex(set.complex(), options, context);
+  for (const Point3& p : made.mesh.points) out << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  for (const auto& [v, vertex] : made.rounded) out << v << ' ' << vertex.value() << '\n';
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    for (const std::uint32_t v : made.mesh.face(f)) out << v << ' ';
+    out << made.facet[f].value() << '\n';
+  }
+  out << made.report.dropped.total() << ' ' << made.report.closed.total() << ' '
+      << made.report.filled.total() << '\n';
+}
+
+/// All that comes of two meshes: the sets, a Boolean, its triangles and polygons.
 std::string outcome(const std::array<PolygonMesh, 2>& meshes, MarkFunction f, unsigned threads) {
   Context context = with_threads(threads);
   std::vector<Nef3> sets = Nef3::from_meshes(meshes, {.rule = WindingRule::NonZero}, context);
@@ -68,11 +81,10 @@ std::string outcome(const std::array<PolygonMesh, 2>& meshes, MarkFunction f, un
   const Nef3 both = boolean_op(std::move(sets[0]), std::move(sets[1]), f, context);
   EXPECT_FALSE(audit(both.complex(), AuditForm::Minimal));
   out << text_of(both) << std::hexfloat;
-  const MeshOfComplex made = mesh_of_complex(both.complex(), {MeshFaces::Triangles}, context);
-  for (const Point3& p : made.mesh.points) out << p.x << ' ' << p.y << ' ' << p.z << '\n';
-  for (std::size_t f_out = 0; f_out < made.mesh.face_count(); ++f_out) {
-    for (const std::uint32_t v : made.mesh.face(f_out)) out << v << ' ';
-    out << made.facet[f_out].value() << '\n';
+  for (const MeshFaces faces : {MeshFaces::Triangles, MeshFaces::PlanarPolygons}) {
+    for (const bool splits : {false, true}) {
+      write_mesh_of(both, {.faces = faces, .split_vertices = splits}, context, out);
+    }
   }
   return std::move(out).str();
 }
@@ -88,6 +100,16 @@ TEST(Threads, GiveTheSameBytes) {
     for (unsigned threads = 2; threads <= kMostThreads; ++threads) {
       ASSERT_EQ(outcome(meshes, f, threads), expected) << "seed " << seed << ", " << threads;
     }
+  }
+}
+
+// So large that each step is divided into ranges for 16 threads, and crossing in many faces.
+TEST(Threads, GiveTheSameBytesOfALargeUnion) {
+  const std::array<PolygonMesh, 2> meshes{icosphere_mesh(5, 1, {}),
+                                          icosphere_mesh(5, 1, {0.3, 0.2, 0.1})};
+  const std::string expected = outcome(meshes, kUnion, 1);
+  for (const unsigned threads : {2U, 16U}) {
+    ASSERT_EQ(outcome(meshes, kUnion, threads), expected) << threads;
   }
 }
 

@@ -6,6 +6,9 @@
 // shown sides, the solid behind them says which two belong together: after a side with the solid
 // behind it comes the side that closes it.
 //
+// With threads, corners are joined while points are rounded and cells counted; then consecutive
+// sides make their faces in parallel, and the faces are joined in the order of the sides.
+//
 // Facets that are triangles or, if the options allow it, simple polygons stay whole; others are cut
 // into triangles between vertices of the complex, so there are no T-junctions. Points are rounded
 // to the nearest doubles, once each, by exact arithmetic.
@@ -16,9 +19,14 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
+#include <optional>
 
 #include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/parallel_ranges.h"
 #include "plumb/base/internal/union_find.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/predicates/space/rounded_point3.h"
 #include "plumb/space/mesh/closure_report.h"
@@ -29,8 +37,10 @@ namespace {
 
 /// The bytes that are charged for each edge use (Weiler).
 constexpr std::uint64_t kBytesPerUse = 60;
-/// Starting a thread costs more than it saves if there are fewer edge uses.
+/// Starting a thread costs more than it saves if there are fewer edge uses, vertices or sides.
 constexpr std::size_t kLeastUses = 4000;
+constexpr std::size_t kLeastVertices = 1000;
+constexpr std::size_t kLeastSides = 1000;
 
 /// Calls visit(use) for all uses of a facet.
 template <class Visit>
@@ -194,7 +204,8 @@ void keep_corners_together(const SpaceComplex& complex, std::span<const FacetSid
 
 /// The vertices of the mesh.
 struct MeshNumbers {
-  /// The vertex of the mesh of each cone if vertices are split, else of each vertex of the complex.
+  /// The vertex of the mesh of each corner if vertices are split, else of each vertex of the
+  /// complex.
   std::vector<std::uint32_t> number;
   std::vector<VertexId> vertex;    ///< The vertex of the complex of each vertex of the mesh.
   std::uint64_t non_manifold = 0;  ///< The number of vertices with several cones.
@@ -235,39 +246,68 @@ MeshNumbers number_vertices(const SpaceComplex& complex, std::span<const FacetSi
       if (split_vertices) add(v, other->second);
     }
   }
+  if (split_vertices) {  // Corners have the numbers of their cones.
+    for (std::uint32_t c = 0; c < cones.size(); ++c)
+      result.number[c] = result.number[cones.root(c)];
+  }
   return result;
 }
 
-/// Adds the points of the vertices to the mesh, lists those that were rounded, and returns the
-/// nearest doubles of each vertex of the complex that has a number. Copies of one vertex follow
-/// each other, so each is rounded once.
-IdVector<VertexId, RoundedPoint3> add_points(const SpaceComplex& complex,
-                                             std::span<const VertexId> vertices, bool keeps_exact,
-                                             MeshOfComplex& out) {
+using NearestPoints = IdVector<VertexId, RoundedPoint3>;
+
+/// Returns the vertices at corners of the sides, ascending: all that number_vertices() numbers.
+std::vector<VertexId> corner_vertices(const SpaceComplex& complex,
+                                      std::span<const FacetSide> sides) {
+  IdVector<VertexId, std::uint8_t> is_corner(complex.vertex_count(), 0);
+  for (const FacetSide& s : sides) {
+    for_uses(complex, s.facet, [&](UseId u) { is_corner[complex.use_origin(u)] = 1; });
+    for (const VertexId v : complex.inner_of(s.facet)) is_corner[v] = 1;
+  }
+  std::vector<VertexId> vertices;
+  for (std::uint32_t v = 0; v < is_corner.size(); ++v) {
+    if (is_corner[VertexId(v)] != 0) vertices.emplace_back(v);
+  }
+  return vertices;
+}
+
+/// Returns the nearest doubles of each vertex at a corner of the sides.
+NearestPoints nearest_points(const SpaceComplex& complex, std::span<const FacetSide> sides,
+                             Context& context) {
+  const std::vector<VertexId> vertices = corner_vertices(complex, sides);
+  NearestPoints nearest(complex.vertex_count());
+  run_ranges(context, vertices.size(), kLeastVertices,
+             [&](std::size_t, std::size_t begin, std::size_t end, Context& own) {
+               own.check_limits("rounding");
+               for (std::size_t i = begin; i < end; ++i) {
+                 nearest[vertices[i]] =
+                     rounded(complex.points(), complex.vertex_point[vertices[i]]);
+               }
+             });
+  return nearest;
+}
+
+/// Adds the points of the vertices to the mesh, and lists those that were rounded.
+void add_points(const SpaceComplex& complex, std::span<const VertexId> vertices,
+                const NearestPoints& nearest, bool keeps_exact, MeshOfComplex& out) {
   PolygonMesh& mesh = out.mesh;
-  IdVector<VertexId, RoundedPoint3> result(complex.vertex_count());
   mesh.points.reserve(vertices.size());
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    const SpacePoint p = complex.vertex_point[vertices[i]];
-    RoundedPoint3& nearest = result[vertices[i]];
-    const bool is_first = i == 0 || vertices[i] != vertices[i - 1];
-    if (is_first) nearest = rounded(complex.points(), p);
-    mesh.points.push_back(nearest.at);
-    if (nearest.is_exact) continue;
-    out.rounded.emplace_back(i, vertices[i]);
-    if (keeps_exact) mesh.exact.emplace_back(i, exact(complex.points(), p));
+    const VertexId v = vertices[i];
+    mesh.points.push_back(nearest[v].at);
+    if (nearest[v].is_exact) continue;
+    out.rounded.emplace_back(i, v);
+    if (keeps_exact) mesh.exact.emplace_back(i, exact(complex.points(), complex.vertex_point[v]));
   }
-  return result;
 }
 
 // ---------------------------------------------------------------- faces
 
 /// Adds the faces of one side after the other to a mesh. It is a class because all sides share the
-/// buffers of the side being looked at.
+/// buffers of the side being looked at. Several writers may work at the same time.
 class FaceWriter {
  public:
   FaceWriter(const SpaceComplex& complex, const ToMeshOptions& options, const MeshNumbers& numbers,
-             Cones& cones, std::span<const RoundedPoint3> nearest, MeshOfComplex& out)
+             const Cones& cones, std::span<const RoundedPoint3> nearest, MeshOfComplex& out)
       : complex_(complex),
         options_(options),
         numbers_(numbers),
@@ -299,8 +339,8 @@ class FaceWriter {
 
  private:
   /// Returns the vertex of the mesh at a corner.
-  std::uint32_t number(VertexId v, std::uint32_t corner) {
-    return numbers_.number[options_.split_vertices ? cones_.root(corner) : v.value()];
+  std::uint32_t number(VertexId v, std::uint32_t corner) const {
+    return numbers_.number[options_.split_vertices ? corner : v.value()];
   }
   std::uint32_t number_at(VertexId v) const {
     return std::ranges::lower_bound(corners_, v, {}, [](const auto& c) { return c.first; })->second;
@@ -330,7 +370,7 @@ class FaceWriter {
   const SpaceComplex& complex_;
   const ToMeshOptions& options_;
   const MeshNumbers& numbers_;
-  Cones& cones_;
+  const Cones& cones_;
   std::span<const RoundedPoint3> nearest_;  // For each vertex of the complex that has a number.
   FacetTriangles cutter_;
   MeshOfComplex& out_;
@@ -339,6 +379,50 @@ class FaceWriter {
   IdVector<VertexId, std::uint32_t> seen_;  // The last polygon at each vertex, by polygons_.
   std::uint32_t polygons_ = 0;
 };
+
+/// Adds the faces of a part of the sides behind those of the mesh.
+void append_faces(const MeshOfComplex& part, MeshOfComplex& out) {
+  const auto shift = static_cast<std::uint32_t>(out.mesh.corners.size());
+  const auto begins = part.mesh.face_begin.begin();
+  out.mesh.corners.insert(out.mesh.corners.end(), part.mesh.corners.begin(),
+                          part.mesh.corners.end());
+  std::transform(begins + 1, part.mesh.face_begin.end(), std::back_inserter(out.mesh.face_begin),
+                 [shift](std::uint32_t begin) { return begin + shift; });
+  out.facet.insert(out.facet.end(), part.facet.begin(), part.facet.end());
+}
+
+/// What the faces of the sides are made of.
+struct FaceInput {
+  const SpaceComplex& complex;
+  std::span<const FacetSide> sides;
+  const ToMeshOptions& options;
+  const MeshNumbers& numbers;
+  const Cones& cones;
+  const NearestPoints& nearest;
+};
+
+/// Adds the faces of the sides to the mesh. The first range of the sides is written to the mesh
+/// itself, each other one to a part that is appended.
+void add_all_faces(const FaceInput& in, MeshOfComplex& out, Context& context) {
+  const std::size_t count = in.sides.size();
+  out.mesh.face_begin.reserve(count + 1);
+  out.mesh.corners.reserve(3 * count);
+  out.facet.reserve(count);
+  std::vector<MeshOfComplex> parts(count_ranges(context, count, kLeastSides) - 1);
+  run_ranges(context, count, kLeastSides,
+             [&](std::size_t range, std::size_t begin, std::size_t end, Context& own) {
+               FaceWriter writer(in.complex, in.options, in.numbers, in.cones, in.nearest,
+                                 range == 0 ? out : parts[range - 1]);
+               for (std::size_t i = begin; i < end; ++i) {
+                 if (i % 4096 == 0) own.checkpoint("faces of the mesh", i, count);
+                 writer.add_faces(in.sides[i]);
+               }
+             });
+  for (MeshOfComplex& part : parts) {
+    append_faces(part, out);
+    part = {};
+  }
+}
 
 // ---------------------------------------------------------------- what is left out
 
@@ -446,50 +530,68 @@ std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) {
   return sides;
 }
 
-MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
-                            const ToMeshOptions& options, Context& context) {
+namespace {
+
+/// Returns the mesh of the sides, and calls `beside` as a job beside the first steps.
+MeshOfComplex mesh_beside(const SpaceComplex& complex, std::span<const FacetSide> sides,
+                          const ToMeshOptions& options, const std::function<void()>& beside,
+                          Context& context) {
   MemoryCharge memory(context);
   memory.add(kBytesPerUse * complex.use_count() + sizeof(RoundedPoint3) * complex.vertex_count(),
              "a mesh");
   MeshOfComplex out;
-  const Shown shown = shown_sides(complex, sides);
-  Cones cones(complex, shown);
-  const MeshNumbers numbers = number_vertices(complex, sides, options.split_vertices, cones);
-  const IdVector<VertexId, RoundedPoint3> nearest =
-      add_points(complex, numbers.vertex, options.keeps_exact, out);
-  out.mesh.face_begin.reserve(sides.size() + 1);
-  out.mesh.corners.reserve(3 * sides.size());
-  out.facet.reserve(sides.size());
-  FaceWriter writer(complex, options, numbers, cones, nearest, out);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i % 4096 == 0) context.checkpoint("faces of the mesh", i, sides.size());
-    writer.add_faces(sides[i]);
+  Shown shown;
+  std::optional<Cones> cones;
+  MeshNumbers numbers;
+  NearestPoints nearest;
+  const auto make = [&](std::size_t i, Context& own) {
+    if (i == 0) {
+      const WorkPhase phase("vertices of the mesh");
+      shown = shown_sides(complex, sides);
+      cones.emplace(complex, shown);
+      numbers = number_vertices(complex, sides, options.split_vertices, *cones);
+    } else if (i == 1) {
+      const WorkPhase phase("rounding");
+      nearest = nearest_points(complex, sides, own);
+    } else {
+      beside();
+    }
+  };
+  if (complex.use_count() < kLeastUses) {
+    for (const std::size_t i : {0U, 1U, 2U}) make(i, context);
+  } else {
+    run_jobs(context, 3, make);
   }
-  out.report.non_manifold_edges = cones.crowded_edges();
+  const WorkPhase phase("faces of the mesh");
+  add_points(complex, numbers.vertex, nearest, options.keeps_exact, out);
+  add_all_faces({complex, sides, options, numbers, *cones, nearest}, out, context);
+  out.report.non_manifold_edges = cones->crowded_edges();
   out.report.non_manifold_vertices = numbers.non_manifold;
   return out;
 }
 
+}  // namespace
+
+MeshOfComplex mesh_of_sides(const SpaceComplex& complex, std::span<const FacetSide> sides,
+                            const ToMeshOptions& options, Context& context) {
+  return mesh_beside(
+      complex, sides, options, [] {}, context);
+}
+
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
                               Context& context) {
-  MeshOfComplex result;
+  const WorkPhase phase("mesh from set");
   if (is_unbounded(complex)) {
-    result.report.is_unbounded = true;
-    return result;
+    MeshOfComplex nothing;
+    nothing.report.is_unbounded = true;
+    return nothing;
   }
   ToMeshReport counts;
-  const auto make = [&](std::size_t i, Context& own) {
-    if (i == 0) {
-      result = mesh_of_sides(complex, boundary_sides(complex), options, own);
-    } else {
-      ClosureCount(complex, counts).run();
-    }
+  const auto count = [&] {
+    const WorkPhase counting("cells left out");
+    ClosureCount(complex, counts).run();
   };
-  if (complex.use_count() < kLeastUses) {
-    for (const std::size_t i : {0U, 1U}) make(i, context);
-  } else {
-    run_jobs(context, 2, make);
-  }
+  MeshOfComplex result = mesh_beside(complex, boundary_sides(complex), options, count, context);
   result.report.dropped = counts.dropped;
   result.report.filled = counts.filled;
   result.report.closed = counts.closed;

@@ -19,9 +19,14 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
+#include <stop_token>
+#include <type_traits>
 
 #include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/parallel_ranges.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/planar/facet_site.h"
@@ -32,6 +37,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kFew = 16;  ///< So few items are added faster one by one than all at once.
+constexpr std::size_t kLeastPoints = 4000;  ///< So many points of a draft are worth a thread.
 
 /// Appends items.
 template <class T>
@@ -103,22 +109,100 @@ SpaceDraft::Offsets SpaceDraft::end() const {
           static_cast<std::uint32_t>(maps.face_count())};
 }
 
-// Twins within the other draft keep facing each other; kNone stays open.
-void SpaceDraft::append(const SpaceDraft& other) {
-  const auto vertices = static_cast<std::uint32_t>(vertex_count());
-  const Offsets offsets = end();
-  extend(vertex_point, other.vertex_point);
-  extend(vertex_mark, other.vertex_mark);
-  extend(is_passed, other.is_passed);
-  for (const Offsets& o : other.begin) {
-    begin.push_back({o.point + offsets.point, o.arc + offsets.arc, o.face + offsets.face});
+namespace {
+
+/// Moves the items of one array of each part behind those of the same array of the whole. `get`
+/// returns the array of a draft, and append(all, own, i) appends that of part i.
+template <class Get, class Append>
+void move_array(SpaceDraft& whole, std::span<SpaceDraft* const> parts, const Get& get,
+                const Append& append) {
+  auto& all = get(whole);
+  std::size_t size = all.size();
+  for (SpaceDraft* const part : parts) size += get(*part).size();
+  all.reserve(size);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    auto& own = get(*parts[i]);
+    append(all, own, i);
+    own = std::remove_reference_t<decltype(own)>();
   }
-  append_map(maps, other.maps, offsets);
-  for (const VertexId v : other.vertex_of_point) {
-    vertex_of_point.push_back(VertexId(v.value() + vertices));
+}
+
+/// Where the vertices and maps of a part begin in the whole.
+struct PartBegin {
+  std::uint32_t vertex;
+  SpaceDraft::Offsets offsets;
+};
+
+/// Returns where each part begins if all are appended to the whole.
+std::vector<PartBegin> begins_of(const SpaceDraft& whole, std::span<SpaceDraft* const> parts) {
+  std::vector<PartBegin> begins;
+  PartBegin at{static_cast<std::uint32_t>(whole.vertex_count()), whole.end()};
+  for (const SpaceDraft* const part : parts) {
+    begins.push_back(at);
+    const SpaceDraft::Offsets size = part->end();
+    at.vertex += static_cast<std::uint32_t>(part->vertex_count());
+    at.offsets = {at.offsets.point + size.point, at.offsets.arc + size.arc,
+                  at.offsets.face + size.face};
   }
-  extend_shifted(twin, other.twin, offsets.point);
-  extend(arc_origin, other.arc_origin);
+  return begins;
+}
+
+}  // namespace
+
+// Each array is a job: they differ in size, and no array needs another one. Twins within a part
+// keep facing each other; kNone stays open.
+void SpaceDraft::take_all(std::span<SpaceDraft* const> parts, Context& context) {
+  const std::vector<PartBegin> begins = begins_of(*this, parts);
+  std::vector<std::function<void()>> jobs;
+  const auto add = [&](auto get, auto append) {
+    jobs.emplace_back([this, parts, get, append] { move_array(*this, parts, get, append); });
+  };
+  const auto add_same = [&](auto get) {
+    add(get, [](auto& all, const auto& own, std::size_t) { extend(all, own); });
+  };
+  const auto add_shifted = [&](auto get, auto shift) {
+    add(get, [&begins, shift](auto& all, const auto& own, std::size_t i) {
+      extend_shifted(all, own, shift(begins[i].offsets));
+    });
+  };
+  const auto by_points = [](const Offsets& o) { return o.point; };
+  const auto by_half_arcs = [](const Offsets& o) { return 2 * o.arc; };
+  const auto by_faces = [](const Offsets& o) { return o.face; };
+  add_shifted(
+      [](SpaceDraft & d) -> auto& { return d.maps.origin; }, by_points);
+  add_shifted(
+      [](SpaceDraft & d) -> auto& { return d.maps.next; }, by_half_arcs);
+  add_shifted(
+      [](SpaceDraft & d) -> auto& { return d.maps.face; }, by_faces);
+  add_shifted(
+      [](SpaceDraft & d) -> auto& { return d.maps.first_out; }, by_half_arcs);
+  add_shifted(
+      [](SpaceDraft & d) -> auto& { return d.maps.point_face; }, by_faces);
+  add_shifted(
+      [](SpaceDraft & d) -> auto& { return d.twin; }, by_points);
+  add(
+      [](SpaceDraft & d) -> auto& { return d.vertex_of_point; },
+      [&begins](auto& all, const auto& own, std::size_t i) {
+        for (const VertexId v : own) all.push_back(VertexId(v.value() + begins[i].vertex));
+      });
+  add(
+      [](SpaceDraft & d) -> auto& { return d.begin; },
+      [&begins](auto& all, const auto& own, std::size_t i) {
+        const Offsets& at = begins[i].offsets;
+        for (const Offsets& o : own) {
+          all.push_back({o.point + at.point, o.arc + at.arc, o.face + at.face});
+        }
+      });
+  add_same([](SpaceDraft & d) -> auto& { return d.maps.direction; });
+  add_same([](SpaceDraft & d) -> auto& { return d.maps.circle; });
+  add_same([](SpaceDraft & d) -> auto& { return d.arc_origin; });
+  add_same([](SpaceDraft & d) -> auto& { return d.vertex_point; });
+  add_same([](SpaceDraft & d) -> auto& { return d.maps.point_mark; });
+  add_same([](SpaceDraft & d) -> auto& { return d.maps.arc_mark; });
+  add_same([](SpaceDraft & d) -> auto& { return d.maps.face_mark; });
+  add_same([](SpaceDraft & d) -> auto& { return d.vertex_mark; });
+  add_same([](SpaceDraft & d) -> auto& { return d.is_passed; });
+  run_jobs(context, jobs.size(), [&](std::size_t i, Context&) { jobs[i](); });
 }
 
 void SpaceDraft::reserve_more(std::size_t vertices, std::size_t point_count, std::size_t arcs,
@@ -360,14 +444,19 @@ class CornerLinker {
   std::vector<UseId> radial_;              // The uses of an edge.
 };
 
-/// Numbers the edge uses and links them along facets and around edges, one edge at a time. Returns
-/// the arc of each use.
-IdVector<UseId, std::uint32_t> link_uses(const SpaceDraft& draft, const PassedPoints& passed,
-                                         const std::vector<HalfedgeId>& halfedge_of_point,
-                                         SpaceComplex& out) {
-  const SphereMap& maps = draft.maps;
-  std::vector<UseId> use_of_arc(maps.arc_count());
+/// The edge uses and the arcs of which they are made.
+struct UsesOfArcs {
+  std::vector<UseId> use_of_arc;  // Invalid for arcs that make no use.
   IdVector<UseId, std::uint32_t> arc_of_use;
+};
+
+/// Numbers the edge uses, which are not linked yet.
+UsesOfArcs number_uses(const SpaceDraft& draft, const PassedPoints& passed,
+                       const std::vector<HalfedgeId>& halfedge_of_point, SpaceComplex& out) {
+  const SphereMap& maps = draft.maps;
+  UsesOfArcs uses;
+  auto& [use_of_arc, arc_of_use] = uses;
+  use_of_arc.resize(maps.arc_count());
   out.use_halfedge.reserve(maps.arc_count());
   arc_of_use.reserve(maps.arc_count());
   for (std::uint32_t a = 0; a < maps.arc_count(); ++a) {
@@ -379,12 +468,24 @@ IdVector<UseId, std::uint32_t> link_uses(const SpaceDraft& draft, const PassedPo
   out.use_next.resize(out.use_count());
   out.use_prev.resize(out.use_count());
   out.use_radial.resize(out.use_count());
-  CornerLinker linker(draft, use_of_arc, out);
-  for (std::uint32_t i = 0; i < halfedge_of_point.size(); ++i) {
-    if (i > draft.twin[i] || passed.contains(i) || maps.first_out[i] == kNone) continue;
-    linker.link_edge(i, SpaceComplex::edge_of(halfedge_of_point[i]));
-  }
-  return arc_of_use;
+  return uses;
+}
+
+/// Links the uses along facets and around edges, one edge at a time. Each link is written at one
+/// edge only, so edges are independent of each other.
+void link_uses(const SpaceDraft& draft, const PassedPoints& passed,
+               const std::vector<HalfedgeId>& halfedge_of_point,
+               const std::vector<UseId>& use_of_arc, SpaceComplex& out, Context& context) {
+  run_ranges(context, halfedge_of_point.size(), kLeastPoints,
+             [&](std::size_t, std::size_t begin, std::size_t end, Context& own) {
+               own.check_limits("assemble");
+               CornerLinker linker(draft, use_of_arc, out);
+               for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+                 if (i > draft.twin[i] || passed.contains(i)) continue;
+                 if (draft.maps.first_out[i] == kNone) continue;
+                 linker.link_edge(i, SpaceComplex::edge_of(halfedge_of_point[i]));
+               }
+             });
 }
 
 // ---- facets
@@ -557,8 +658,14 @@ std::vector<FacetId> number_facets(const SpaceDraft& draft,
 /// Replaces the cycle of each use by its facet. The facet_origin of a facet becomes the least of
 /// those of its corners.
 void set_facets_of_uses(const SpaceDraft& draft, const IdVector<UseId, std::uint32_t>& arc_of_use,
-                        const std::vector<FacetId>& facet_of_cycle, SpaceComplex& out) {
-  for (FacetId& f : out.use_facet) f = facet_of_cycle[f.value()];
+                        const std::vector<FacetId>& facet_of_cycle, SpaceComplex& out,
+                        Context& context) {
+  run_ranges(context, out.use_count(), kLeastPoints,
+             [&](std::size_t, std::size_t begin, std::size_t end, Context&) {
+               for (std::size_t u = begin; u < end; ++u) {
+                 out.use_facet[u] = facet_of_cycle[out.use_facet[u].value()];
+               }
+             });
   for (std::uint32_t u = 0; u < out.use_count(); ++u) {
     const FacetId f = out.use_facet[u];
     PLUMB_CHECK(draft.maps.arc_mark[arc_of_use[u]] == out.facet_mark[f]);
@@ -576,7 +683,7 @@ void gather_facets(const SpaceDraft& draft, const VertexNumbers& vertex_number,
   FacetNesting nesting = nest_planes(draft, vertex_number, first_use, out, context);
   const std::vector<FacetId> facet_of_cycle =
       number_facets(draft, arc_of_use, first_use, nesting, out);
-  set_facets_of_uses(draft, arc_of_use, facet_of_cycle, out);
+  set_facets_of_uses(draft, arc_of_use, facet_of_cycle, out, context);
 }
 
 // ---- volumes
@@ -586,7 +693,8 @@ void gather_facets(const SpaceDraft& draft, const VertexNumbers& vertex_number,
 void copy_volume_marks(const SpaceDraft& draft, const PassedPoints& passed,
                        const VertexNumbers& vertex_number,
                        const std::vector<HalfedgeId>& halfedge_of_point,
-                       const IdVector<UseId, std::uint32_t>& arc_of_use, SpaceComplex& out) {
+                       const IdVector<UseId, std::uint32_t>& arc_of_use, SpaceComplex& out,
+                       Context& context) {
   const SphereMap& maps = draft.maps;
   IdVector<VolumeId, std::uint8_t> is_marked(out.volume_count(), 0);
   // Sets the mark of a volume, or checks it if it is known already.
@@ -595,12 +703,25 @@ void copy_volume_marks(const SpaceDraft& draft, const PassedPoints& passed,
     out.volume_mark[volume] = mark;
     is_marked[volume] = 1;
   };
-  for (std::uint32_t u = 0; u < out.use_count(); ++u) {
-    const auto& volumes = out.facet_volume[out.use_facet[u]];
+  const auto mark_at = [&](UseId u, std::uint32_t side) {
+    return maps.face_mark[maps.face[2 * arc_of_use[u] + side]];
+  };
+  // One corner of each facet sets the marks, and all others must agree.
+  for (std::uint32_t f = 0; f < out.facet_count(); ++f) {
+    const UseId u = out.cycles_of(FacetId(f))[0];
     for (std::uint32_t side = 0; side < 2; ++side) {
-      set_mark(volumes[side], maps.face_mark[maps.face[2 * arc_of_use[u] + side]]);
+      set_mark(out.facet_volume[f][side], mark_at(u, side));
     }
   }
+  run_ranges(context, out.use_count(), kLeastPoints,
+             [&](std::size_t, std::size_t begin, std::size_t end, Context&) {
+               for (std::size_t u = begin; u < end; ++u) {
+                 const auto& volumes = out.facet_volume[out.use_facet[u]];
+                 for (std::uint32_t side = 0; side < 2; ++side) {
+                   PLUMB_CHECK(out.volume_mark[volumes[side]] == mark_at(UseId(u), side));
+                 }
+               }
+             });
   for (std::uint32_t i = 0; i < halfedge_of_point.size(); ++i) {
     if (passed.contains(i) || maps.first_out[i] != kNone) continue;
     set_mark(out.edge_volume[SpaceComplex::edge_of(halfedge_of_point[i])],
@@ -624,30 +745,48 @@ SpaceComplex whole_space(const SpaceDraft& draft) {
 
 }  // namespace
 
-SpaceComplex assemble(SpaceDraft draft, Context& context) {
+SpaceComplex assemble(SpaceDraft draft, Context& whole) {
   if (draft.vertex_count() == 0) return whole_space(draft);
+  const bool is_small = draft.maps.point_count() < kLeastPoints;
+  Context context = Context::of_job(whole, std::stop_token(), is_small ? 1U : whole.threads(),
+                                    JobProgress::Reported);
   SpaceComplex out;
   context.checkpoint("assemble", 0, 5);
+  WorkPhase phase("vertices and edges");
   const PassedPoints passed = splice(draft);
   const VertexNumbers vertex_number = make_vertices(draft, out);
-  const std::vector<HalfedgeId> halfedge_of_point = make_edges(draft, passed, vertex_number, out);
-  const IdVector<VertexId, std::uint8_t> connected = find_connected(draft, out.vertex_count());
+  std::vector<HalfedgeId> halfedge_of_point;
+  IdVector<VertexId, std::uint8_t> connected;
+  run_jobs(context, 2, [&](std::size_t i, Context&) {
+    if (i == 0) {
+      halfedge_of_point = make_edges(draft, passed, vertex_number, out);
+    } else {
+      connected = find_connected(draft, out.vertex_count());
+    }
+  });
   release(draft.vertex_point, draft.vertex_mark, draft.maps.direction);
   context.checkpoint("assemble", 1, 5);
-  IdVector<UseId, std::uint32_t> arc_of_use;
+  phase.next("edge uses");
+  UsesOfArcs uses;
   run_jobs(context, 2, [&](std::size_t i, Context&) {
     if (i == 0) {
       out.list_stars(out.vertex_count());
     } else {
-      arc_of_use = link_uses(draft, passed, halfedge_of_point, out);
+      uses = number_uses(draft, passed, halfedge_of_point, out);
     }
   });
+  link_uses(draft, passed, halfedge_of_point, uses.use_of_arc, out, context);
+  const IdVector<UseId, std::uint32_t> arc_of_use = std::move(uses.arc_of_use);
+  release(uses.use_of_arc);
   release(draft.maps.next, draft.twin);
+  phase.next("facets");
   gather_facets(draft, vertex_number, arc_of_use, out, context);
   release(draft.maps.origin, draft.maps.circle, draft.arc_origin);
   context.checkpoint("assemble", 3, 5);
+  phase.next("volumes");
   label_volumes(out, context, connected);
-  copy_volume_marks(draft, passed, vertex_number, halfedge_of_point, arc_of_use, out);
+  phase.next("marks of volumes");
+  copy_volume_marks(draft, passed, vertex_number, halfedge_of_point, arc_of_use, out, context);
   return out;
 }
 

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "plumb/base/context.h"
@@ -51,8 +52,8 @@ struct SpaceDraft {
   /// place inside an edge, no point has a face around it, none has a twin.
   void resize(std::size_t vertices, std::size_t points, std::size_t arcs, std::size_t faces);
 
-  /// Appends the vertices of a draft over the same tables, in their order.
-  void append(const SpaceDraft& other);
+  /// Appends the vertices of drafts over the same tables, in their order, and uses them up.
+  void take_all(std::span<SpaceDraft* const> parts, Context& context);
 
   /// Reserves memory for so many vertices, points, arcs and faces besides those there are.
   void reserve_more(std::size_t vertices, std::size_t point_count, std::size_t arcs,

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/boolean/combiner.h"
 #include "plumb/space/complex/space_boxes.h"
@@ -109,7 +110,9 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
                        const SpaceComplex& b, std::array<SpaceComplex, 2>* owned,
                        const MarkTable& f, const CommonOrigin& origin, MemoryCharge& memory,
                        Context& context) {
+  WorkPhase phase("contacts");
   const std::vector<Contact> contacts = find_contacts(a, b, *tables, context);
+  phase.next("labels of vertices");
   memory.add(draft_bytes(a.use_count() + b.use_count(), contacts.size()), kMemoryName);
   const std::array<const SpaceComplex*, 2> operands{&a, &b};
   // Both operands are labelled at once; neither changes the tables.
@@ -119,6 +122,7 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
     touched[i].emplace(*operands[i], contacts, i);
     labels[i] = label_vertices(*touched[i], *operands[1 - i], contacts, i, *tables, own);
   });
+  phase.next("vertices of the result");
   Combiner combiner(operands, tables, contacts, f, origin);
   if (context.threads() == 1) {  // One combiner makes all of it, nothing is appended.
     combiner.overlay_contacts(context);
@@ -127,6 +131,7 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
       touched[i].reset();
       if (owned != nullptr) free_kept((*owned)[i]);
     }
+    phase.next("pairs of half-edges");
     return combiner.finish();
   }
   constexpr std::size_t kContactsAtOnce = 512;
@@ -143,7 +148,9 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
       part.keep_vertices(i, *touched[i], labels[i], own);
     }
   });
-  combiner.append(parts);
+  phase.next("joining the parts");
+  combiner.append(parts, context);
+  phase.next("pairs of half-edges");
   return combiner.finish();
 }
 
@@ -153,10 +160,13 @@ SpaceComplex boolean_op(SpaceComplex a, SpaceComplex b, MarkFunction f, Context&
   Context own = with_useful_threads(a, b, context);
   MemoryCharge memory(context);
   memory.add(memory_bytes(a) + memory_bytes(b), kMemoryName);
+  WorkPhase phase("uniting tables");
   const std::shared_ptr<SpaceTables> tables = unite_tables(a, b);
   std::array<SpaceComplex, 2> operands{std::move(a), std::move(b)};
+  phase.next("draft");
   CombinedDraft draft = draft_of(tables, operands[0], operands[1], &operands, MarkTable(f),
                                  lesser_origin, memory, own);
+  phase.next("assembling");
   operands = {};  // The peak of memory is yet to come: the draft and the result at once.
   return assembled(std::move(draft), own);
 }

@@ -110,25 +110,17 @@ void Combiner::face_kept_ends(std::size_t operand, const TouchedComplex& own,
 }
 
 // Appending shifts indices of points; names of lines are ids of the operands and stay.
-void Combiner::append(std::span<std::optional<Combiner>> parts) {
-  std::size_t vertices = 0, ends = 0;
-  SpaceDraft::Offsets sum{};
-  for (const std::optional<Combiner>& part : parts) {
-    const SpaceDraft::Offsets size = part->draft_.end();
-    sum = {sum.point + size.point, sum.arc + size.arc, sum.face + size.face};
-    vertices += part->draft_.vertex_count();
-    ends += part->ends_.size();
-  }
-  draft_.reserve_more(vertices, sum.point, sum.arc, sum.face);
-  ends_.reserve(ends);
+void Combiner::append(std::span<std::optional<Combiner>> parts, Context& context) {
+  std::uint32_t offset = draft_.end().point;
+  std::vector<SpaceDraft*> drafts;
   for (std::optional<Combiner>& part : parts) {
-    const std::uint32_t offset = draft_.end().point;
-    draft_.append(part->draft_);
+    drafts.push_back(&part->draft_);
     for (const LineEnd& end : part->ends_) {
       ends_.push_back({end.line, end.point + offset, end.sign});
     }
-    part.reset();
+    offset += part->draft_.end().point;
   }
+  draft_.take_all(drafts, context);
 }
 
 CombinedDraft Combiner::finish() {

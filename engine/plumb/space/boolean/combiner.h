@@ -56,9 +56,9 @@ class Combiner {
   /// there. `labels` has the volume around each of them.
   void keep_vertices(std::size_t operand, const TouchedComplex& own,
                      std::span<const VolumeId> labels, Context& context);
-  /// Appends what other combiners of the same operands have made, in the order given, and destroys
+  /// Appends what other combiners of the same operands have made, in the order given, and uses
   /// them.
-  void append(std::span<std::optional<Combiner>> parts);
+  void append(std::span<std::optional<Combiner>> parts, Context& context);
   /// Pairs all half-edges and returns the draft. The combiner is used up.
   CombinedDraft finish();
 
