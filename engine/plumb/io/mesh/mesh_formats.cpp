@@ -257,13 +257,14 @@ std::size_t weld_vertices(PolygonMesh& mesh, Context& context, std::vector<std::
 
 void write_coordinates(TextOutput& out, const Point3& p) { out << p.x << ' ' << p.y << ' ' << p.z; }
 
+void write_face_line(TextOutput& out, std::span<const std::uint32_t> face) {
+  out << std::uint64_t{face.size()};
+  for (const std::uint32_t v : face) out << ' ' << v;
+  out << '\n';
+}
+
 void write_face_lines(TextOutput& out, const PolygonMesh& mesh) {
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    const auto face = mesh.face(f);
-    out << std::uint64_t{face.size()};
-    for (const std::uint32_t v : face) out << ' ' << v;
-    out << '\n';
-  }
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) write_face_line(out, mesh.face(f));
 }
 
 void require_doubles(const PolygonMesh& mesh) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -113,12 +114,19 @@ std::size_t weld_vertices(PolygonMesh& mesh, Context& context,
 /// Writes "x y z", as format_double() does.
 void write_coordinates(TextOutput& out, const Point3& p);
 
+/// Writes a line for a face: how many corners, and the corners numbered from 0.
+void write_face_line(TextOutput& out, std::span<const std::uint32_t> face);
+
 /// Writes a line for each face: how many corners, and the corners numbered from 0.
 void write_face_lines(TextOutput& out, const PolygonMesh& mesh);
 
 /// Throws Error{NumberOutOfRange} if a vertex lies beyond the largest double. For writers that
 /// round.
 void require_doubles(const PolygonMesh& mesh);
+
+/// Does the same as write_mesh() without a context. The threads of the context make the text of OFF
+/// and OBJ.
+void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format, Context& context);
 
 /// Throws Error{BadArgument} if a face is no triangle.
 void require_triangles(const PolygonMesh& mesh);

@@ -24,6 +24,7 @@
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/mesh/obj_attributes.h"
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/line_writer.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/strong_id.h"
@@ -418,21 +419,19 @@ MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& co
   });
 }
 
-void write_obj(std::ostream& stream, const PolygonMesh& mesh) {
+void write_obj(std::ostream& stream, const PolygonMesh& mesh, Context& context) {
   require_doubles(mesh);
-  TextOutput out(stream);
-  out << "# plumb\n";
-  for (const Point3& p : mesh.points) {
+  stream << "# plumb\n";
+  write_lines(stream, mesh.points.size(), context, [&](TextOutput& out, std::size_t i) {
     out << "v ";
-    write_coordinates(out, p);
+    write_coordinates(out, mesh.points[i]);
     out << '\n';
-  }
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+  });
+  write_lines(stream, mesh.face_count(), context, [&](TextOutput& out, std::size_t f) {
     out << 'f';
     for (const std::uint32_t v : mesh.face(f)) out << ' ' << std::uint64_t{v} + 1;
     out << '\n';
-  }
-  out.flush();
+  });
 }
 
 }  // namespace plumb

@@ -33,8 +33,8 @@ MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& co
 // Writes meshes as OBJ (docs/formats.md, "OBJ").
 
 /// Writes a mesh. read_obj() of the text gives the same mesh, except that exact coordinates are
-/// rounded. Throws Error{NumberOutOfRange} if a vertex lies beyond the largest double, and what
-/// `out` throws.
-void write_obj(std::ostream& out, const PolygonMesh& mesh);
+/// rounded. The threads of the context make the text. Throws Error{NumberOutOfRange} if a vertex
+/// lies beyond the largest double, and what `out` throws.
+void write_obj(std::ostream& out, const PolygonMesh& mesh, Context& context = unlimited_context());
 
 }  // namespace plumb

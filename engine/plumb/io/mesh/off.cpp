@@ -28,6 +28,7 @@
 #include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/io/text/line_writer.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/strong_id.h"
@@ -759,6 +760,16 @@ void write_point(TextOutput& out, const PolygonMesh& mesh, std::uint32_t i, Mesh
   out << format_exact(p.x) << ' ' << format_exact(p.y) << ' ' << format_exact(p.z);
 }
 
+/// Writes a line with point i, whichever point was written before.
+void write_point_line(TextOutput& out, const PolygonMesh& mesh, std::uint32_t i,
+                      MeshNumbers numbers) {
+  const auto exact =
+      std::ranges::lower_bound(mesh.exact, i, {}, [](const auto& e) { return e.first; });
+  auto next_exact = static_cast<std::size_t>(exact - mesh.exact.begin());
+  write_point(out, mesh, i, numbers, next_exact);
+  out << '\n';
+}
+
 /// Writes the keyword and the counts; `variant` precedes OFF.
 void write_head(TextOutput& out, const char* variant, const PolygonMesh& mesh) {
   out << variant << "OFF\n" << std::uint64_t{mesh.points.size()} << ' ';
@@ -876,17 +887,17 @@ bool is_off_color_index(const MeshMaterial& material) {
          name.find_first_not_of("0123456789") == name.npos;
 }
 
-void write_off(std::ostream& stream, const PolygonMesh& mesh, MeshNumbers numbers) {
+void write_off(std::ostream& stream, const PolygonMesh& mesh, MeshNumbers numbers,
+               Context& context) {
   if (numbers == MeshNumbers::Nearest) require_doubles(mesh);
-  TextOutput out(stream);
-  write_head(out, "", mesh);
-  std::size_t next_exact = 0;
-  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) {
-    write_point(out, mesh, i, numbers, next_exact);
-    out << '\n';
-  }
-  write_face_lines(out, mesh);
-  out.flush();
+  TextOutput head(stream);
+  write_head(head, "", mesh);
+  head.flush();
+  write_lines(stream, mesh.points.size(), context, [&](TextOutput& out, std::size_t i) {
+    write_point_line(out, mesh, static_cast<std::uint32_t>(i), numbers);
+  });
+  write_lines(stream, mesh.face_count(), context,
+              [&](TextOutput& out, std::size_t f) { write_face_line(out, mesh.face(f)); });
 }
 
 void write_off(std::ostream& stream, const PolygonMesh& mesh, const MeshAttributes& attributes,

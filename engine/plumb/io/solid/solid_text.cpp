@@ -21,6 +21,7 @@
 
 #include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/glb.h"
+#include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/nef3_writer.h"
 #include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
@@ -286,7 +287,7 @@ void SolidText::write_file(const std::string& path, Context& context) const {
 
 void SolidText::write(std::ostream& out, Context& context) const {
   if (format_.mesh && attributes_.empty()) {
-    write_mesh(out, mesh_, *format_.mesh);
+    write_mesh(out, mesh_, *format_.mesh, context);
   } else if (format_.mesh) {
     write_mesh(out, mesh_, attributes_, *format_.mesh, has_library() ? library_ : std::string());
   } else {
