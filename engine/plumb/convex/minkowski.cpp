@@ -13,17 +13,26 @@
 // parts only, those in the boundary of no other part of their set. Erosion by B is the complement
 // of (complement of A) + (-B); for bounded A the complement is taken within a box that is wide
 // enough. Proofs: docs/design/walls.md, section Minkowski sums.
+//
+// With threads, closed operands are decomposed at the same time, and ranges of their pairs are
+// added in parallel. The list of sums does not depend on the number of threads.
 // Tested by tests/convex/minkowski_test.cpp.
 #include "plumb/convex/minkowski.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "plumb/base/internal/parallel.h"
+#include "plumb/base/internal/parallel_ranges.h"
+#include "plumb/base/internal/work_log.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/convex/part/cut_set.h"
 #include "plumb/convex/sum/convex_sum.h"
@@ -333,18 +342,46 @@ class PairSums {
   std::size_t begun_ = 0, expected_ = 0;
 };
 
-std::vector<Nef3> sums_of_closed(const Nef3& a, const Nef3& b, Context& context) {
-  const auto parts_a = closed_parts(a, context), parts_b = closed_parts(b, context);
-  PairSums sums(context);
-  sums.charge(memory_of(parts_a) + memory_of(parts_b));
-  sums.expect(parts_a.size() * parts_b.size());
-  for (const ConvexPart& p : parts_a) {
-    for (const ConvexPart& q : parts_b) {
-      sums.begin_pair();
-      sums.add(convex_sum(p.body, q.body, SumMarks::Closed, sums.quiet()));
-    }
+/// A part of each operand.
+using PartPair = std::pair<const ConvexPart*, const ConvexPart*>;
+
+/// Adds the parts of each pair. Each sum depends on its pair alone, and the sums come in the order
+/// of the pairs. What they occupy is charged to `charges`.
+std::vector<Nef3> sums_of_pairs(std::span<const PartPair> pairs, std::deque<MemoryCharge>& charges,
+                                Context& context) {
+  constexpr std::size_t kLeastPairs = 4;  // So many pairs are worth a thread.
+  std::vector<Nef3> sums(pairs.size());
+  const std::size_t ranges = count_ranges(context, pairs.size(), kLeastPairs);
+  const std::size_t first = charges.size();
+  for (std::size_t i = 0; i < ranges; ++i) charges.emplace_back(context);
+  run_ranges(context, pairs.size(), kLeastPairs,
+             [&](std::size_t range, std::size_t begin, std::size_t end, Context& own) {
+               // Reports one phase, not one for each pair.
+               Context quiet = Context::of_job(own, {}, own.threads(), JobProgress::Silent);
+               for (std::size_t i = begin; i < end; ++i) {
+                 own.checkpoint("sums of parts", i, pairs.size());
+                 sums[i] = convex_sum(pairs[i].first->body, pairs[i].second->body, SumMarks::Closed,
+                                      quiet);
+                 charges[first + range].add(sums[i].bytes() + kBytesPerSet, kMemoryName);
+               }
+             });
+  return sums;
+}
+
+/// The sums of pairs of parts of closed operands. A deque does not move its elements.
+std::vector<Nef3> sums_of_closed(const Nef3& a, const Nef3& b, std::deque<MemoryCharge>& charges,
+                                 Context& context) {
+  WorkPhase phase("convex parts");
+  std::array<std::vector<ConvexPart>, 2> parts;
+  run_jobs(context, 2,
+           [&](std::size_t i, Context& own) { parts[i] = closed_parts(i == 0 ? a : b, own); });
+  charges.emplace_back(context).add(memory_of(parts[0]) + memory_of(parts[1]), kMemoryName);
+  std::vector<PartPair> pairs;
+  for (const ConvexPart& p : parts[0]) {
+    for (const ConvexPart& q : parts[1]) pairs.emplace_back(&p, &q);
   }
-  return sums.take();
+  phase.next("sums of parts");
+  return sums_of_pairs(pairs, charges, context);
 }
 
 /// The sums of pairs of parts if at least one operand is not closed.
@@ -472,8 +509,16 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   if (a.is_empty() || b.is_empty()) return Nef3::empty();
   require_bounded(a);
   require_bounded(b);
-  std::vector<Nef3> sums = a.is_closed() && b.is_closed() ? sums_of_closed(a, b, context)
-                                                          : OpenSums(a, b, context).run();
+  // What the sums occupy stays charged until they are united.
+  std::deque<MemoryCharge> charges;
+  std::vector<Nef3> sums;
+  std::optional<OpenSums> open_sums;
+  if (a.is_closed() && b.is_closed()) {
+    sums = sums_of_closed(a, b, charges, context);
+  } else {
+    sums = open_sums.emplace(a, b, context).run();
+  }
+  const WorkPhase phase("union of the sums");
   return united(std::move(sums), context);
 }
 
