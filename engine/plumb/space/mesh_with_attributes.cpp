@@ -132,7 +132,7 @@ MeshWithAttributes mesh_with_attributes(const Nef3& set, const AttributeOptions&
   complex.tables = tables;
   AttributeOptions used = options;
   if (options.type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
-  SourceTriangles triangles(set.sources(), *tables, context);
+  SourceTriangles triangles(set.sources(), complex, *tables, context);
   const CutBoundary cut = cut_boundary(complex, *tables, triangles, used, context);
 
   MeshToRound input = mesh_of_pieces(cut, triangles, complex);

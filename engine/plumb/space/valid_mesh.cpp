@@ -303,7 +303,7 @@ void append_pieces(PolygonMesh mesh, std::span<const FacetId> facet, const ToMes
   SpaceComplex complex = set.complex();
   const std::shared_ptr<SpaceTables> tables = copy(*complex.tables);
   complex.tables = tables;
-  SourceTriangles triangles(set.sources(), *tables, context);
+  SourceTriangles triangles(set.sources(), complex, *tables, context);
   const CutBoundary cut =
       cut_boundary(complex, *tables, triangles, {.faces = options.faces}, context);
   const MeshToRound made = mesh_of_pieces(cut, triangles, complex);

@@ -590,18 +590,28 @@ std::size_t edge_of_definition(const SpaceTables& tables, const CornerPoints& co
   return (i + 1) % 3 == j ? i : j;
 }
 
+/// Whether a point is known to be a corner of a triangle without arithmetic.
+bool is_known_corner(const CutState& state, const SourceTriangle& triangle,
+                     const CornerPoints& corners, SpacePoint p) {
+  if (p.is_input()) return corner_index(corners, state.tables.planes.point(p.input())) < 3;
+  std::size_t i = 0;
+  while (i < 3 && !state.sources.has_definition_of(triangle, i, p)) ++i;
+  return i < 3;
+}
+
 /// Whether all vertices of a facet lie in a triangle of its plane. Vertices that are corners of the
 /// triangle need no arithmetic; in general position most vertices are.
 bool is_in_triangle(CutState& state, FacetId f, const SourceTriangle& triangle) {
   const SpaceComplex& c = state.complex;
+  state.sources.place_if_moved(triangle);
   CornerPoints corners{};
   for (std::size_t i = 0; i < 3; ++i) corners[i] = state.sources.doubles(triangle, i);
   std::vector<std::pair<SpacePoint, std::size_t>> others;  // Points, and the edges they are on.
   for_each_use(c, f, [&](UseId u) {
     const SpacePoint p = c.vertex_point[c.use_origin(u)];
-    const bool is_corner =
-        p.is_input() && corner_index(corners, state.tables.planes.point(p.input())) < 3;
-    if (!is_corner) others.emplace_back(p, edge_of_definition(state.tables, corners, p));
+    if (is_known_corner(state, triangle, corners, p)) return;
+    const std::size_t edge = edge_of_definition(state.tables, corners, p);
+    others.emplace_back(p, edge < 3 ? edge : state.sources.edge_of_neighbour(triangle, p));
   });
   if (others.empty()) return true;
   FlatPoints shown(state.tables.points);
@@ -635,7 +645,7 @@ std::vector<UseId> short_cycle(const SpaceComplex& c, FacetId f, std::size_t mos
 
 /// Returns the use of a facet at each corner of a face of a source, if the facet is exactly this
 /// face and its corners are doubles; otherwise nothing.
-std::vector<UseId> uses_at_corners(const CutState& state, FacetId f, const SourceTriangle& t) {
+std::vector<UseId> uses_at_corners(CutState& state, FacetId f, const SourceTriangle& t) {
   const SpaceComplex& c = state.complex;
   const auto corners = state.sources.mesh_of(t).face(t.face);
   const std::size_t n = corners.size();

@@ -2,9 +2,10 @@
 //
 // Most planes of a set are defined by the three corners of a source triangle, so they are found by
 // a hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
-// interned from three input points, many at a time. Moved points are exact; the plane of a moved
-// triangle is interned from its exact coefficients. In all cases the table gives equal planes the
-// same id, which is what everything else rests on.
+// interned from three input points, many at a time. The plane of a moved triangle is computed
+// before the move, and its image is looked up among the planes of facets (moved_planes.h), because
+// only triangles in these planes are ever asked for. A moved point gets its exact place when it is
+// asked for. In all cases equal planes have the same id, which is what everything else rests on.
 //
 // Two triangles of a plane have the same channel if its function over the first triangle, which is
 // affine, takes the values of the second triangle at the corners of the second one. The test is
@@ -44,27 +45,6 @@ Rational determinant_of(const AffineMap3& map) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// Returns the places of the points of a mesh. Points that are doubles and were not moved have no
-/// valid place yet.
-std::vector<SpacePoint> places_of(const PolygonMesh& mesh, const AffineMap3& map,
-                                  SpaceTables& tables, Context& context) {
-  std::vector<SpacePoint> places(mesh.points.size());
-  if (is_identity(map)) {
-    for (const auto& [i, p] : mesh.exact) places[i] = add_point(tables, p);
-    return places;
-  }
-  std::size_t next_exact = 0;
-  for (std::uint32_t i = 0; i < places.size(); ++i) {
-    if (i % kStepsOfCheckpoint == 0) context.checkpoint("place sources", i, places.size());
-    const bool is_exact = next_exact < mesh.exact.size() && mesh.exact[next_exact].first == i;
-    const Point3& p = mesh.points[i];
-    const RationalPoint3 at =
-        is_exact ? mesh.exact[next_exact++].second : RationalPoint3{p.x, p.y, p.z};
-    places[i] = add_point(tables, image(map, at));
-  }
-  return places;
-}
-
 /// Returns the places of three points of a plane, counter-clockwise seen from above.
 std::vector<SpacePoint> places_of(const Plane3& plane, const AffineMap3& map, SpaceTables& tables) {
   const RationalPoint3 n{plane.a, plane.b, plane.c};
@@ -99,16 +79,23 @@ bool is_identity(const AffineMap3& map) {
   return true;
 }
 
-SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, SpaceTables& tables,
-                                 Context& context)
+SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, const SpaceComplex& complex,
+                                 SpaceTables& tables, Context& context)
     : sources_(sources), tables_(tables) {
   const PlanesByCorners known(tables.planes);
+  const std::vector<PlaneId> planes_of_facets(complex.facet_plane.begin(),
+                                              complex.facet_plane.end());
+  const MovedPlanes wanted(tables.planes, planes_of_facets);
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
     context.check_limits("place sources");
     is_mirrored_.push_back(determinant_of(sources[s].map) < 0 ? 1 : 0);
     const std::size_t first = triangles_.size();
     add_triangles(s, context);
-    find_planes(s, first, known, context);
+    if (moves_[s]) {
+      find_moved_planes(s, first, wanted, context);
+    } else {
+      find_planes(s, first, known, context);
+    }
   }
   sort_by_plane(tables.planes.size());
 }
@@ -116,15 +103,71 @@ SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, SpaceTab
 void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
   const auto& [mesh_source, map] = sources_[source];
   if (mesh_source->plane) {
+    moves_.emplace_back();
     places_.push_back(places_of(*mesh_source->plane, map, tables_));
     triangles_.push_back({source, 0, {0, 1, 2}, {}, false});
     return;
   }
-  places_.push_back(places_of(mesh_source->mesh, map, tables_, context));
+  moves_.emplace_back();
+  if (!is_identity(map)) moves_.back().emplace(map);
+  add_exact_points(source, context);
   triangles_.reserve(triangles_.size() + mesh_source->mesh.face_count());
   for (const FaceTriangle& t : triangles_of_faces(mesh_source->mesh, context)) {
     triangles_.push_back({source, t.face, t.corner, {}, false});
   }
+}
+
+/// Places the points of a mesh that are not doubles.
+void SourceTriangles::add_exact_points(std::uint32_t source, Context& context) {
+  const PolygonMesh& mesh = sources_[source].source->mesh;
+  places_.emplace_back(mesh.points.size());
+  std::size_t steps = 0;
+  for (const auto& [i, p] : mesh.exact) {
+    if (steps++ % kStepsOfCheckpoint == 0)
+      context.checkpoint("place sources", i, mesh.points.size());
+    places_.back()[i] = image_of(source, p);
+  }
+}
+
+SpacePoint SourceTriangles::image_of(std::uint32_t source, const RationalPoint3& point) {
+  return add_point(tables_, moves_[source] ? image(sources_[source].map, point) : point);
+}
+
+/// Interns the planes of triangles whose corners are doubles in a table of their own, before they
+/// are moved. This is much faster than to intern moved planes, and the exact image of a plane is
+/// computed only if a facet may lie in it.
+void SourceTriangles::find_moved_planes(std::uint32_t source, std::size_t first,
+                                        const MovedPlanes& wanted, Context& context) {
+  const PolygonMesh& mesh = sources_[source].source->mesh;
+  PlaneTable own;
+  own.add_points(mesh.points);
+  std::vector<std::uint32_t> by_doubles, others;
+  std::vector<std::array<InputPointId, 3>> corners;
+  for (auto t = static_cast<std::uint32_t>(first); t < triangles_.size(); ++t) {
+    std::array<InputPointId, 3> ids;
+    bool has_exact = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t p = point_index(triangles_[t], i);
+      has_exact = has_exact || places_[source][p].is_valid();
+      ids[i] = InputPointId(p);
+    }
+    (has_exact ? others : by_doubles).push_back(t);
+    if (!has_exact) corners.push_back(ids);
+  }
+  std::vector<OrientedPlane> planes(corners.size());
+  own.intern_triangles(corners, planes);
+  std::vector<std::optional<OrientedPlane>> image(own.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (i % kStepsOfCheckpoint == 0) context.checkpoint("planes of sources", i, planes.size());
+    if (!planes[i].is_valid()) continue;
+    auto& known = image[planes[i].plane().value()];
+    if (!known) known = wanted.image_of(own, planes[i].plane(), *moves_[source]);
+    if (!known->is_valid()) continue;
+    SourceTriangle& triangle = triangles_[by_doubles[i]];
+    triangle.plane = known->plane();
+    triangle.is_opposite = known->is_opposite() != planes[i].is_opposite();
+  }
+  intern_planes(others, context);
 }
 
 /// Most planes of a set are defined by the corners of the source triangle itself. A plane that is
@@ -202,6 +245,40 @@ void SourceTriangles::sort_by_plane(std::size_t planes) {
   for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
     if (has_plane(triangles_[i])) by_plane_[next[triangles_[i].plane.value()]++] = i;
   }
+}
+
+bool SourceTriangles::has_definition_of(const SourceTriangle& t, std::size_t i,
+                                        SpacePoint p) const {
+  const SpacePoint corner = places_[t.source][point_index(t, i)];
+  if (p.is_input() || !corner.is_valid() || corner.is_input()) return false;
+  if (p == corner) return true;
+  const PointSource &a = tables_.points.source(p), &b = tables_.points.source(corner);
+  if (a.is_line() || b.is_line()) return false;
+  return b.has_plane(a.plane(0)) && b.has_plane(a.plane(1)) && b.has_plane(a.plane(2));
+}
+
+std::size_t SourceTriangles::edge_of_neighbour(const SourceTriangle& t, SpacePoint p) const {
+  constexpr std::size_t kMostTriangles = 8;
+  if (p.is_input() || tables_.points.source(p).is_line()) return 3;
+  const PointSource& planes = tables_.points.source(p);
+  const auto has_corner = [&](const SourceTriangle& other, std::size_t i) {
+    const std::uint32_t point = point_index(t, i);
+    return point_index(other, 0) == point || point_index(other, 1) == point ||
+           point_index(other, 2) == point;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (planes.plane(k) == t.plane) continue;
+    const auto near = in_plane(planes.plane(k));
+    if (near.size() > kMostTriangles) continue;
+    for (const std::uint32_t n : near) {
+      const SourceTriangle& other = triangles_[n];
+      if (other.source != t.source || is_plane(other)) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (has_corner(other, i) && has_corner(other, (i + 1) % 3)) return i;
+      }
+    }
+  }
+  return 3;
 }
 
 bool SourceTriangles::has_same_attributes(std::uint32_t s, std::uint32_t t) {

@@ -3,13 +3,16 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/space/complex/space_tables.h"
+#include "plumb/space/set/moved_planes.h"
 #include "plumb/space/set/planes_by_corners.h"
 #include "plumb/space/source_mesh.h"
+#include "plumb/space/space_complex.h"
 
 namespace plumb {
 
@@ -29,9 +32,11 @@ struct SourceTriangle {
 /// when they are asked for, because most of them never are.
 class SourceTriangles {
  public:
-  /// Finds the planes of the triangles of all sources, and adds to `tables` those that it does not
-  /// have. Throws what the context throws.
-  SourceTriangles(std::span<const PlacedSource> sources, SpaceTables& tables, Context& context);
+  /// Finds the planes of the triangles of all sources. Planes that `tables` does not have are added
+  /// to it. A moved triangle gets a plane only if a facet of `complex`, whose tables are `tables`,
+  /// lies in its plane. Throws what the context throws.
+  SourceTriangles(std::span<const PlacedSource> sources, const SpaceComplex& complex,
+                  SpaceTables& tables, Context& context);
 
   /// Returns a triangle.
   const SourceTriangle& operator[](std::uint32_t t) const { return triangles_[t]; }
@@ -53,15 +58,28 @@ class SourceTriangles {
   }
   /// Returns the coordinates of a point of the mesh of a source in the set if they are doubles that
   /// need no arithmetic, otherwise nullptr. The result is valid until the tables change.
-  const Point3* doubles(std::uint32_t source, std::uint32_t point) const {
-    const SpacePoint known = places_[source][point];
+  const Point3* doubles(std::uint32_t source, std::uint32_t point) {
+    const SpacePoint known = moves_[source] ? place(source, point) : places_[source][point];
     if (!known.is_valid()) return &sources_[source].source->mesh.points[point];
     return known.is_input() ? &tables_.planes.point(known.input()) : nullptr;
   }
   /// Returns the same for corner i of a triangle.
-  const Point3* doubles(const SourceTriangle& t, std::size_t i) const {
+  const Point3* doubles(const SourceTriangle& t, std::size_t i) {
     return doubles(t.source, point_index(t, i));
   }
+  /// Places the corners of a moved triangle, so that doubles() does not change the tables.
+  void place_if_moved(const SourceTriangle& t) {
+    if (!moves_[t.source]) return;
+    for (std::size_t i = 0; i < 3; ++i) place(t, i);
+  }
+  /// Whether a constructed point has the same definition as corner i of a triangle. Requires that
+  /// the triangle was not moved or that place_if_moved() was called. A result of false does not
+  /// mean that the points are different.
+  bool has_definition_of(const SourceTriangle& t, std::size_t i, SpacePoint p) const;
+  /// Returns i if a triangle of the same source that lies in one of the planes of a constructed
+  /// point has the corners i and i + 1 of triangle t, otherwise 3. The point lies in the plane of
+  /// t, and so on the line of these corners.
+  std::size_t edge_of_neighbour(const SourceTriangle& t, SpacePoint p) const;
   /// Whether a triangle stands for its whole plane.
   bool is_plane(const SourceTriangle& t) const {
     return sources_[t.source].source->plane.has_value();
@@ -82,9 +100,15 @@ class SourceTriangles {
   SpacePoint place(std::uint32_t source, std::uint32_t point) {
     SpacePoint& known = places_[source][point];
     if (known.is_valid()) return known;
-    known = SpacePoint(tables_.planes.add_point(sources_[source].source->mesh.points[point]));
+    const Point3& at = sources_[source].source->mesh.points[point];
+    known = moves_[source] ? image_of(source, {at.x, at.y, at.z})
+                           : SpacePoint(tables_.planes.add_point(at));
     return known;
   }
+  SpacePoint image_of(std::uint32_t source, const RationalPoint3& point);
+  void add_exact_points(std::uint32_t source, Context& context);
+  void find_moved_planes(std::uint32_t source, std::size_t first, const MovedPlanes& wanted,
+                         Context& context);
   void add_triangles(std::uint32_t source, Context& context);
   void find_planes(std::uint32_t source, std::size_t first, const PlanesByCorners& known,
                    Context& context);
@@ -96,9 +120,13 @@ class SourceTriangles {
 
   std::span<const PlacedSource> sources_;
   SpaceTables& tables_;
-  // For each source, the places of its points. A place that is not valid is the point itself.
+  // For each source, the places of its points. If a place is not valid, it is the point itself, or
+  // the image of the point if the source was moved.
   std::vector<std::vector<SpacePoint>> places_;
-  std::vector<std::uint8_t> is_mirrored_;  // For each source, whether its map mirrors.
+  // For each source, whether its map mirrors.
+  std::vector<std::uint8_t> is_mirrored_;
+  // For each source, its map if it moves a mesh.
+  std::vector<std::optional<MovedPlanes::Map>> moves_;
   std::vector<SourceTriangle> triangles_;
   std::vector<std::uint32_t> begin_;     // For each plane, where its triangles start in by_plane_.
   std::vector<std::uint32_t> by_plane_;  // Triangles, sorted by planes.

@@ -28,6 +28,7 @@
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/complex/tidy_tables.h"
+#include "plumb/space/set/integer_map.h"
 
 namespace plumb {
 namespace {
@@ -39,83 +40,6 @@ RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactor
   for (std::size_t k = 0; k < 3; ++k) image[k] = dot(n, cofactors[k]) / determinant;
   return image;
 }
-
-/// An affine map x -> M x + t in integers without a common factor. With a common denominator c let
-/// M = A / c and t = b / c. A point X / w goes to (A X + b w) / (c w). Up to the factor |det A|,
-/// which is positive, a plane n.x + d = 0 goes to c s (n adj A).x + |det A| d - s (n adj A).b,
-/// where s is the sign of det A.
-class IntegerMap {
- public:
-  explicit IntegerMap(const AffineMap3& map) {
-    for (const RationalRow& row : map.matrix) take_denominators(row);
-    take_denominators(map.offset);
-    std::array<IntegerVector, 3> a;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) point_[i][j] = a[i][j] = whole(map.matrix[i][j]);
-      point_[i][3] = whole(map.offset[i]);
-    }
-    set_planes(a);
-  }
-
-  /// Returns the sign of det M.
-  Sign determinant() const { return determinant_; }
-
-  /// Returns the image of a point in homogeneous coordinates, the last one positive.
-  IntegerRow image_of_point(const IntegerRow& x) const {
-    return {product(point_[0], x), product(point_[1], x), product(point_[2], x), weight_ * x[3]};
-  }
-  /// Returns the image of a plane, primitive, with the image of its positive side as its positive
-  /// side.
-  IntegerRow image_of_plane(const IntegerRow& plane) const {
-    return primitive({product(plane_[0], plane), product(plane_[1], plane),
-                      product(plane_[2], plane), product(plane_[3], plane)});
-  }
-
- private:
-  using IntegerVector = std::array<Integer, 3>;
-
-  void take_denominators(const RationalRow& row) {
-    for (const Rational& x : row) weight_ = lcm(weight_, denominator(x));
-  }
-  Integer whole(const Rational& x) const { return numerator(x) * (weight_ / denominator(x)); }
-
-  void set_planes(const std::array<IntegerVector, 3>& a) {
-    const std::array<IntegerVector, 3> columns{cross(a[1], a[2]), cross(a[2], a[0]),
-                                               cross(a[0], a[1])};  // Of adj A.
-    const Integer det = dot(a[0], columns[0]);
-    determinant_ = sign_of(det.sign());
-    const Integer sign = det.sign();
-    plane_[3][3] = abs(det);
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        plane_[k][j] = weight_ * sign * columns[k][j];
-        plane_[3][j] -= sign * columns[k][j] * point_[k][3];
-      }
-    }
-    divide_planes();
-  }
-  /// Divides the map of planes by the common factor of its numbers.
-  void divide_planes() {
-    Integer common = 0;
-    for (const IntegerRow& row : plane_) {
-      for (const Integer& x : row) common = gcd(common, x);
-    }
-    for (IntegerRow& row : plane_) {
-      for (Integer& x : row) x /= common;
-    }
-  }
-
-  static Integer product(const IntegerRow& a, const IntegerRow& b) {
-    Integer sum;
-    for (std::size_t i = 0; i < 4; ++i) mpz_addmul(sum.mpz(), a[i].mpz(), b[i].mpz());
-    return sum;
-  }
-
-  std::array<IntegerRow, 3> point_;  // The rows of A, each followed by a coordinate of b.
-  std::array<IntegerRow, 4> plane_;  // Row k gives coefficient k of a plane.
-  Integer weight_ = 1;               // The common denominator c.
-  Sign determinant_ = Sign::Zero;
-};
 
 /// Whether a positive integer is a power of two.
 bool is_power_of_two(const Integer& x) { return lsb(x) == msb(x); }
@@ -174,7 +98,7 @@ class Images {
  private:
   OrientedPlane image_of(PlaneId p) {
     if (complex_.planes().is_frame(p)) return image_of_far(p);
-    return intern(whole_map_.image_of_plane(complex_.planes().coefficients(p)));
+    return intern(primitive(whole_map_.image_of_plane(complex_.planes().coefficients(p))));
   }
   /// A plane of the frame becomes a far plane: its offset scales with R and is not shifted.
   OrientedPlane image_of_far(PlaneId p) {
