@@ -92,6 +92,30 @@ std::vector<Place> part_in_triangle(const Place& a, const Place& b, const PlaceT
   return {at_part(a, along, low), at_part(a, along, high)};
 }
 
+/// Whether a triangle lies behind the plane through p, seen along the normal, where only corners in
+/// `common` may lie in the plane.
+bool lies_behind(const PlaceTriangle& triangle, const Place& p, const Place& normal,
+                 const std::vector<Place>& common) {
+  return std::ranges::all_of(triangle, [&](const Place& corner) {
+    const int side = dot(normal, from_to(p, corner)).sign();
+    return side < 0 || (side == 0 && std::ranges::find(common, corner) != common.end());
+  });
+}
+
+/// Whether the plane of the triangle t, or a plane through a side of it that is perpendicular to t,
+/// separates it from the triangle s. Then s and t meet at most in the hull of `common`.
+bool is_separated(const PlaceTriangle& s, const PlaceTriangle& t,
+                  const std::vector<Place>& common) {
+  const Place normal = normal_of(t);
+  if (lies_behind(s, t[0], normal, common)) return true;
+  if (lies_behind(s, t[0], {-normal[0], -normal[1], -normal[2]}, common)) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Place inward = cross(normal, from_to(t[i], t[(i + 1) % 3]));
+    if (lies_behind(s, t[i], inward, common)) return true;
+  }
+  return false;
+}
+
 bool is_between(const Place& p, const Place& a, const Place& b) {
   const Place along = from_to(a, b), to = from_to(a, p), off = cross(along, to);
   const Rational at = dot(along, to);
@@ -166,6 +190,7 @@ bool meet_elsewhere(const PolygonMesh& mesh, std::span<const std::uint32_t> a,
     return common.size() == 1 && p == common[0];
   };
   const PlaceTriangle s = triangle_of(mesh, a), t = triangle_of(mesh, b);
+  if (is_separated(s, t, common) || is_separated(t, s, common)) return false;
   const std::array<std::pair<const PlaceTriangle*, const PlaceTriangle*>, 2> orders{
       std::pair(&s, &t), std::pair(&t, &s)};
   for (const auto& [edges, other] : orders) {
