@@ -105,6 +105,49 @@ TEST(SurfaceFile, MemoryIsLimited) {
   EXPECT_THROW(static_cast<void>(read_heights(text, "field", false, charge, context)), Error);
 }
 
+/// A large grid is refused before it is built, and only if its solid would be refused, too.
+TEST(SurfaceFile, GridsWhoseSolidsDoNotFitAreRefusedAtOnce) {
+  constexpr std::size_t kSide = 100;
+  std::string text;
+  for (std::size_t i = 0; i < kSide * kSide; ++i) text += i % kSide == 0 ? "\n1" : " 2";
+  const auto refusal = [&](std::uint64_t bytes, auto&& make) -> std::string {
+    Limits limits;
+    limits.max_memory_bytes = bytes;
+    Context context(limits);
+    try {
+      MemoryCharge charge(context);
+      make(charge, context);
+    } catch (const Error& error) {
+      return error.message();
+    }
+    return "";
+  };
+  const HeightGrid grid = grid_of(text);
+  const std::string read = refusal(15'000'000, [&](MemoryCharge& charge, Context& context) {
+    (void)read_heights(text, "field", false, charge, context);
+  });
+  EXPECT_EQ(read.find("the solid of a surface needs "), 0U) << read;
+  const std::string built = refusal(15'000'000, [&](MemoryCharge& charge, Context& context) {
+    (void)surface_mesh(grid, false, charge, context);
+  });
+  EXPECT_EQ(built.find("the solid of a surface needs "), 0U) << built;
+  const PolygonMesh mesh = [&] {
+    Context context;
+    MemoryCharge charge(context);
+    return surface_mesh(grid, false, charge, context);
+  }();
+  // The estimate is below what the set charges, so nothing is refused that would fit.
+  const std::string set = refusal(20'000'000, [&](MemoryCharge&, Context& context) {
+    (void)Nef3::from_mesh(mesh, {}, context);
+  });
+  EXPECT_NE(set, "");
+  EXPECT_EQ(refusal(20'000'000,
+                    [&](MemoryCharge& charge, Context& context) {
+                      (void)read_heights(text, "field", false, charge, context);
+                    }),
+            "");
+}
+
 /// An image of three columns and two rows, and its heights in OpenSCAD, the lower row first.
 struct Image {
   std::string hex;

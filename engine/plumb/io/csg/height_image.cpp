@@ -8,6 +8,7 @@
 // Tested by tests/io/surface_file_test.cpp.
 #include "plumb/io/csg/height_image.h"
 
+#include <algorithm>
 #include <array>
 #include <csetjmp>
 #include <cstring>
@@ -48,19 +49,21 @@ class PngImage {
     png_set_strip_16(png_);
     png_set_gray_to_rgb(png_);
     png_set_strip_alpha(png_);
-    png_set_interlace_handling(png_);
+    passes_ = png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     return true;
   }
-  /// Reads the pixels to `rows`. Returns false if there is an error.
-  bool read(png_bytepp rows) {
+  /// Reads the next `count` rows of a pass to `rows`. Returns false if there is an error.
+  bool read_rows(png_bytepp rows, std::size_t count) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    png_read_image(png_, rows);
+    png_read_rows(png_, rows, nullptr, static_cast<png_uint_32>(count));
     return true;
   }
 
   std::size_t width() const { return png_get_image_width(png_, info_); }
   std::size_t height() const { return png_get_image_height(png_, info_); }
+  /// Returns how many times all rows have to be read; several times if the image is interlaced.
+  int passes() const { return passes_; }
   std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
   std::string message() const { return message_.data(); }
 
@@ -82,7 +85,21 @@ class PngImage {
   std::array<char, 128> message_{};
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
+  int passes_ = 1;
 };
+
+/// Reads all rows of an image. Returns false if there is an error.
+bool read_pixels(PngImage& image, std::vector<png_bytep>& rows, Context& context) {
+  constexpr std::size_t kBytesPerCheckpoint = std::size_t{1} << 20U;
+  const std::size_t step = std::max<std::size_t>(1, kBytesPerCheckpoint / image.row_bytes());
+  for (int pass = 0; pass < image.passes(); ++pass) {
+    for (std::size_t row = 0; row < rows.size(); row += step) {
+      context.checkpoint("read", row, rows.size());
+      if (!image.read_rows(&rows[row], std::min(step, rows.size() - row))) return false;
+    }
+  }
+  return true;
+}
 
 HeightGrid heights_of(const std::vector<png_byte>& pixels, std::size_t rows, std::size_t columns,
                       bool is_inverted) {
@@ -104,7 +121,7 @@ HeightGrid heights_of(const std::vector<png_byte>& pixels, std::size_t rows, std
 }  // namespace
 
 HeightGrid read_height_image(std::string_view bytes, const std::string& name, bool is_inverted,
-                             MemoryCharge& charge) {
+                             MemoryCharge& charge, Context& context) {
   PngImage image(bytes);
   const auto fail = [&](ErrorCode code, const std::string& message) {
     throw Error(code, "the image " + message, {name, 1, 1});
@@ -114,19 +131,22 @@ HeightGrid read_height_image(std::string_view bytes, const std::string& name, bo
   if (rows > kMostHeights / columns) {
     fail(ErrorCode::ResourceLimit, "has more than 2^24 pixels");
   }
+  require_room_for_solid(rows, columns, context);
   constexpr std::uint64_t kPixelBytes = 3 + sizeof(double);
   charge.add(rows * (columns * kPixelBytes + sizeof(png_bytep)), "a surface");
   if (image.row_bytes() != 3 * columns) fail(ErrorCode::BadShape, "has pixels of an unknown kind");
   std::vector<png_byte> pixels(3 * rows * columns);
   std::vector<png_bytep> starts(rows);
   for (std::size_t row = 0; row < rows; ++row) starts[row] = &pixels[3 * row * columns];
-  if (!image.read(starts.data())) fail(ErrorCode::BadShape, "cannot be read: " + image.message());
+  if (!read_pixels(image, starts, context))
+    fail(ErrorCode::BadShape, "cannot be read: " + image.message());
   return heights_of(pixels, rows, columns, is_inverted);
 }
 
 #else
 
-HeightGrid read_height_image(std::string_view, const std::string& name, bool, MemoryCharge&) {
+HeightGrid read_height_image(std::string_view, const std::string& name, bool, MemoryCharge&,
+                             Context&) {
   throw Error(ErrorCode::UnknownFormat,
               "images are not read, because plumb was built without libpng", {name, 1, 1});
 }

@@ -63,6 +63,7 @@ HeightGrid read_height_text(std::string_view text, const std::string& name, Memo
   if (grid.columns > 0 && grid.rows > kMostHeights / grid.columns) {
     throw Error(ErrorCode::ResourceLimit, "a surface has at most 2^24 heights", {name, 1, 1});
   }
+  require_room_for_solid(grid.rows, grid.columns, context);
   charge.add(grid.rows * grid.columns * sizeof(double), "a surface");
   grid.heights.assign(grid.rows * grid.columns, 0);
   std::size_t begin = 0;
@@ -85,6 +86,7 @@ class SurfaceBuilder {
         context_(context) {}
 
   PolygonMesh build() {
+    find_bottom();
     add_points();
     for (std::size_t row = 1; row < grid_.rows; ++row) {
       context_.checkpoint("surface", row, grid_.rows);
@@ -99,29 +101,32 @@ class SurfaceBuilder {
     return static_cast<std::uint32_t>(row * grid_.columns + column);
   }
 
+  void find_bottom() {
+    for (const double height : grid_.heights) bottom_ = std::min(height - 1, bottom_);
+  }
+
   void add_points() {
-    double bottom = 0;
-    for (const double height : grid_.heights) bottom = std::min(height - 1, bottom);
     for (std::size_t row = 0; row < grid_.rows; ++row) {
+      context_.checkpoint("surface", 0, grid_.rows);
       for (std::size_t column = 0; column < grid_.columns; ++column) {
         mesh_.points.push_back(point(row, column, grid_.at(row, column)));
       }
     }
     // The corners of the border, from the first row up the first column and on.
-    for (std::size_t row = 0; row + 1 < grid_.rows; ++row) add_to_border(row, 0, bottom);
-    for (std::size_t c = 0; c + 1 < grid_.columns; ++c) add_to_border(grid_.rows - 1, c, bottom);
-    for (std::size_t r = grid_.rows; --r > 0;) add_to_border(r, grid_.columns - 1, bottom);
-    for (std::size_t c = grid_.columns; --c > 0;) add_to_border(0, c, bottom);
+    for (std::size_t row = 0; row + 1 < grid_.rows; ++row) add_to_border(row, 0);
+    for (std::size_t c = 0; c + 1 < grid_.columns; ++c) add_to_border(grid_.rows - 1, c);
+    for (std::size_t r = grid_.rows; --r > 0;) add_to_border(r, grid_.columns - 1);
+    for (std::size_t c = grid_.columns; --c > 0;) add_to_border(0, c);
   }
 
   Point3 point(std::size_t row, std::size_t column, double z) const {
     return {origin_[0] + static_cast<double>(column), origin_[1] + static_cast<double>(row), z};
   }
 
-  void add_to_border(std::size_t row, std::size_t column, double bottom) {
+  void add_to_border(std::size_t row, std::size_t column) {
     border_.push_back(top(row, column));
     floor_.push_back(static_cast<std::uint32_t>(mesh_.points.size()));
-    mesh_.points.push_back(point(row, column, bottom));
+    mesh_.points.push_back(point(row, column, bottom_));
   }
 
   /// Adds the four triangles between a corner and the corner before it in both directions.
@@ -150,6 +155,7 @@ class SurfaceBuilder {
   const HeightGrid& grid_;
   std::array<double, 2> origin_;
   Context& context_;
+  double bottom_ = 0;
   PolygonMesh mesh_;
   std::vector<std::uint32_t> border_;  // Corners of the field, clockwise seen from above.
   std::vector<std::uint32_t> floor_;   // The points below them.
@@ -157,15 +163,24 @@ class SurfaceBuilder {
 
 }  // namespace
 
+void require_room_for_solid(std::size_t rows, std::size_t columns, Context& context) {
+  // Less than what Nef3::from_mesh() charges for the four triangles of a square.
+  constexpr std::uint64_t kSquareBytes = 2000;
+  if (rows < 2 || columns < 2) return;
+  MemoryCharge probe(context);
+  probe.add(kSquareBytes * (rows - 1) * (columns - 1), "the solid of a surface");
+}
+
 HeightGrid read_heights(std::string_view bytes, const std::string& name, bool is_inverted,
                         MemoryCharge& charge, Context& context) {
-  return is_png(bytes) ? read_height_image(bytes, name, is_inverted, charge)
+  return is_png(bytes) ? read_height_image(bytes, name, is_inverted, charge, context)
                        : read_height_text(bytes, name, charge, context);
 }
 
 PolygonMesh surface_mesh(const HeightGrid& grid, bool is_centred, MemoryCharge& charge,
                          Context& context) {
   if (grid.rows < 2 || grid.columns < 2) return {};
+  require_room_for_solid(grid.rows, grid.columns, context);
   constexpr std::uint64_t kBytes = 2 * sizeof(Point3) + 16 * sizeof(std::uint32_t);
   charge.add(2 * kBytes * grid.heights.size(), "a surface");
   return SurfaceBuilder(grid, is_centred, context).build();

@@ -23,6 +23,11 @@ struct HeightGrid {
   double at(std::size_t row, std::size_t column) const { return heights[row * columns + column]; }
 };
 
+/// Throws Error{ResourceLimit} if the memory that is left cannot hold the solid of a grid. It is
+/// called as soon as the size of a grid is known, because reading and building a large grid takes
+/// seconds.
+void require_room_for_solid(std::size_t rows, std::size_t columns, Context& context);
+
 /// Reads a file: an image if it begins like PNG, otherwise a text. Each line of a text is a row of
 /// numbers; blank lines and lines that begin with # are passed over. Heights that are missing at
 /// the end of a row are 0. `is_inverted` has an effect on images alone. `charge` pays for the grid

@@ -115,6 +115,7 @@ class HeaderReader {
   RecordReader& in_;
   TextCursor& cursor_;
   bool keeps_attributes_;
+  std::uint32_t lines_read_ = 0;
   std::size_t kept_ = 0;  // Properties of the last element that are kept as single numbers.
   PlyHeader header_;
   bool has_format_ = false;
@@ -133,6 +134,7 @@ void HeaderReader::read_magic() {
 
 /// Reads a line of the header; returns false at its end.
 bool HeaderReader::read_line() {
+  in_.begin_record("line", lines_read_++);
   if (!cursor_.next_line()) {
     fail(ErrorCode::CountMismatch, "the file ends within its header; end_header is missing");
   }

@@ -73,7 +73,7 @@ class DxfReader {
     content_.drawing.end_insert = static_cast<std::uint32_t>(content_.inserts.size());
     read_blocks();
     content_.curves.curves = placed_curves(content_, only_layer_, options_.name, charge_, context_);
-    for (const DxfCurve& curve : content_.curves.curves) layers_.insert(std::string(curve.layer));
+    note_layers();
     ShapeCollector shapes(context_, text_.size());
     const DxfRingRules rules{options_.rings == RingRule::Odd, selection_.as_openscad};
     add_dxf_rings(content_.curves, text_, options_, rules, shapes, context_);
@@ -87,6 +87,15 @@ class DxfReader {
     int code;
     double number;
   };
+
+  void note_layers() {
+    constexpr std::size_t kCurvesPerCheckpoint = 4096;
+    const std::vector<DxfCurve>& curves = content_.curves.curves;
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      if (c % kCurvesPerCheckpoint == 0) context_.checkpoint("layers", c, curves.size());
+      layers_.insert(std::string(curves[c].layer));
+    }
+  }
 
   // ---------------------------------------------------------------- pairs
 

@@ -424,9 +424,11 @@ double reach_of_rounding(const SvgDrawing& drawing) {
 
 /// Flattens all curves. `curve_of_ring` gets the curve of each ring.
 SvgDrawing flattened(const DxfCurves& drawing, SvgOutline outline, TextCursor& cursor,
-                     std::vector<std::uint32_t>& curve_of_ring) {
+                     std::vector<std::uint32_t>& curve_of_ring, Context& context) {
+  constexpr std::uint32_t kCurvesPerCheckpoint = 1024;
   CurveFlattener flattener(drawing, outline);
   for (std::uint32_t c = 0; c < drawing.curves.size(); ++c) {
+    if (c % kCurvesPerCheckpoint == 0) context.checkpoint("flatten", c, drawing.curves.size());
     cursor.move_to(drawing.curves[c].where);
     flattener.add(drawing.curves[c], cursor);
     while (curve_of_ring.size() < outline.ring_count()) curve_of_ring.push_back(c);
@@ -465,7 +467,8 @@ void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOp
   if (!tolerance && by_itself > 0 && std::isfinite(by_itself)) tolerance = by_itself;
   std::vector<std::uint32_t> curve_of_ring;
   TextCursor cursor(text, options.name);
-  SvgDrawing flat = flattened(drawing, SvgOutline(text, tolerance, context), cursor, curve_of_ring);
+  SvgDrawing flat =
+      flattened(drawing, SvgOutline(text, tolerance, context), cursor, curve_of_ring, context);
   const double reach = reach_of_rounding(flat);
   std::vector<std::uint32_t> order(flat.ring_count());  // The rings, area by area.
   std::iota(order.begin(), order.end(), 0U);
