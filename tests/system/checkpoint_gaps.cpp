@@ -1,12 +1,13 @@
 // How long operations on large inputs go without a checkpoint: checkpoint_gaps [SIZE [ROOM]]
 //
 // Prints the longest time between two, in seconds of CPU time, and between which phases. SIZE and
-// ROOM: those of large_operations.h. Exit status 1 when a stop may have to wait longer than
-// kLongest.
+// ROOM: those of large_operations.h and large_models.h. Exit status 1 when a stop may have to wait
+// longer than kLongest.
 #include <cstdio>
 #include <cstdlib>
 
 #include "generate/counted_checkpoints.h"
+#include "system/large_models.h"
 #include "system/large_operations.h"
 
 namespace plumb::testing {
@@ -35,6 +36,9 @@ void measure(const std::string& name, const std::function<void(Context&)>& run) 
 
 int main(int argc, char** argv) {
   using namespace plumb::testing;
-  measure_large_operations(argc > 1 ? std::atof(argv[1]) : 1, argc > 2 ? argv[2] : "", measure);
+  const double size = argc > 1 ? std::atof(argv[1]) : 1;
+  const char* const room = argc > 2 ? argv[2] : "";
+  measure_large_operations(size, room, measure);
+  measure_large_models(size, room, measure);
   return is_good ? 0 : 1;
 }
