@@ -27,7 +27,7 @@ namespace plumb::testing {
 namespace {
 
 constexpr std::size_t kRecord = 4;
-constexpr std::size_t kMostShapes = 12;
+constexpr std::size_t kMostShapes = 8;
 
 std::string geojson(const Layer& layer) {
   std::ostringstream out;

@@ -7,4 +7,4 @@
 #include "record_target.h"
 
 const plumb::fuzz::RecordTarget plumb::fuzz::kTarget{
-    plumb::testing::kNearSolidRecord, 6, plumb::testing::valid_mesh_of_program_disagreement};
+    plumb::testing::kNearSolidRecord, 3, plumb::testing::valid_mesh_of_program_disagreement};
