@@ -2595,6 +2595,114 @@ static void test_layer(void) {
   FAILS_WITH(plumb_layer_read("{", 1, NULL, NULL, &layer, NULL, NULL, &error), PLUMB_SYNTAX, ":1:");
 }
 
+/* Two squares, and between them a slit that opens to the outside at both ends. */
+static const char kSlit[] =
+    "{\"type\":\"FeatureCollection\",\"features\":["
+    "{\"type\":\"Feature\",\"id\":9,\"properties\":{\"name\":\"west\"},\"geometry\":"
+    "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]}},"
+    "{\"type\":\"Feature\",\"id\":2,\"properties\":{\"name\":\"east\"},\"geometry\":"
+    "{\"type\":\"Polygon\",\"coordinates\":[[[4.0625,0],[8,0],[8,4],[4.0625,4],[4.0625,0]]]}}]}";
+
+/* Returns the feature that gets the slit; -1 if the report has another number of regions than 1. */
+static int owner_of_slit(const plumb_layer* layer, const plumb_layer_options* options) {
+  plumb_layer* repaired = NULL;
+  plumb_layer_report* report = NULL;
+  int owner = -1;
+  OK(plumb_layer_repair_with(layer, options, &repaired, &report, NULL, &error));
+  if (plumb_layer_report_count(report) == 1) {
+    CHECK(plumb_layer_report_kind(report, 0) == PLUMB_LAYER_GAP);
+    CHECK(plumb_layer_report_is_open(report, 0) && !plumb_layer_report_is_open(report, 1));
+    owner = (int)plumb_layer_report_owner(report, 0);
+  }
+  plumb_layer_free(repaired);
+  plumb_layer_report_free(report);
+  return owner;
+}
+
+static void test_layer_options(void) {
+  const uint32_t ranks[2] = {1, 0}, east_first[2] = {1, 0}, unknown[2] = {0, 2};
+  plumb_layer_options options = PLUMB_LAYER_OPTIONS_INIT, bad;
+  plumb_layer *layer = NULL, *repaired = NULL;
+  plumb_layer_report* report = NULL;
+  uint32_t east = 9;
+  OK(plumb_layer_read(kSlit, sizeof kSlit - 1, NULL, NULL, &layer, NULL, NULL, &error));
+  options.gaps_below = 0.25;
+  CHECK(owner_of_slit(layer, &options) == 0); /* Both borders are equally long. */
+  options.owner = PLUMB_OWNER_LOWEST_ID;
+  CHECK(owner_of_slit(layer, &options) == 1);
+  OK(plumb_layer_repair(layer, PLUMB_OWNER_LOWEST_ID, 0.25, &repaired, &report, NULL, &error));
+  CHECK(plumb_layer_report_owner(report, 0) == 1);
+  plumb_layer_free(repaired);
+  plumb_layer_report_free(report);
+  options.owner = PLUMB_OWNER_FIRST;
+  CHECK(owner_of_slit(layer, &options) == 0);
+  options.ranks = ranks;
+  options.rank_count = 2;
+  CHECK(owner_of_slit(layer, &options) == 1);
+  bad = options;
+  bad.owner = PLUMB_OWNER_LARGEST;
+  FAILS(plumb_layer_repair_with(layer, &bad, &repaired, NULL, NULL, &error), PLUMB_BAD_ARGUMENT);
+  bad = options;
+  bad.rank_count = 1;
+  FAILS(plumb_layer_repair_with(layer, &bad, &repaired, NULL, NULL, &error), PLUMB_BAD_ARGUMENT);
+  options.owner = PLUMB_OWNER_LARGEST;
+  options.rank_count = 0;
+  CHECK(owner_of_slit(layer, &options) == 0);
+  options.preferences = east_first;
+  options.preference_count = 1;
+  CHECK(owner_of_slit(layer, &options) == 1);
+  OK(plumb_layer_find(layer, "east", &east, &error));
+  CHECK(east == 1);
+  OK(plumb_layer_find(layer, "9", &east, &error));
+  CHECK(east == 0);
+  FAILS(plumb_layer_find(layer, "north", &east, &error), PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_layer_find(layer, NULL, &east, &error), PLUMB_BAD_ARGUMENT);
+  options.preferences = unknown;
+  FAILS(plumb_layer_repair_with(layer, &options, &repaired, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  options.preference_count = 0;
+  OK(plumb_layer_check_with(layer, &options, &report, NULL, &error));
+  CHECK(plumb_layer_report_is_open(report, 0) && plumb_layer_report_has_defects(report));
+  CHECK(plumb_layer_report_owner(report, 0) == 0xffffffffU);
+  plumb_layer_report_free(report);
+  options.enclosed_only = true;
+  CHECK(owner_of_slit(layer, &options) == -1);
+  OK(plumb_layer_check_with(layer, &options, &report, NULL, &error));
+  CHECK(!plumb_layer_report_has_defects(report));
+  plumb_layer_report_free(report);
+  options.struct_size = 1;
+  FAILS(plumb_layer_check_with(layer, &options, &report, NULL, &error), PLUMB_BAD_ARGUMENT);
+  plumb_layer_free(layer);
+}
+
+static void test_simplify_reports(void) {
+  plumb_plane_set *toothed = square_at("0 0 8 0 8 8 5 8 4 8.5 3 8 0 8"), *simple = NULL;
+  plumb_simplify_report report = PLUMB_SIMPLIFY_REPORT_INIT;
+  plumb_layer *layer = NULL, *result = NULL;
+  OK(plumb_plane_set_simplify_with_report(toothed, 0.5, 0, INFINITY, &simple, &report, NULL,
+                                          &error));
+  CHECK(report.corners_before == 7 && report.corners_after == 4 && report.fixed == 0);
+  CHECK(report.borders_moved >= 0.5 && report.borders_moved < 1 && report.rounding_moved == 0);
+  CHECK(has_area(simple, "64"));
+  plumb_plane_set_free(simple);
+  OK(plumb_layer_of_faces(toothed, &layer, NULL, &error));
+  OK(plumb_layer_simplify_with_report(layer, 0.5, 0, INFINITY, &result, &report, NULL, &error));
+  CHECK(report.corners_before == 7 && report.corners_after == 4 && report.overlaps == 0);
+  plumb_layer_free(result);
+  OK(plumb_layer_simplify_with_report(layer, 0.5, 0, 0.25, &result, &report, NULL, &error));
+  CHECK(report.corners_after > 4 && report.borders_moved <= 0.25);
+  plumb_layer_free(result);
+  OK(plumb_layer_simplify_with_report(layer, 0.5, 0, 0.25, &result, NULL, NULL, &error));
+  plumb_layer_free(result);
+  report.struct_size = 0;
+  FAILS(plumb_layer_simplify_with_report(layer, 0.5, 0, 0.25, &result, &report, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_plane_set_simplify_with_report(toothed, 1, 2, 1, &simple, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  plumb_layer_free(layer);
+  plumb_plane_set_free(toothed);
+}
+
 int main(int count, char** arguments) {
   if (count > 1) folder = arguments[1];
   test_versions();
@@ -2638,6 +2746,8 @@ int main(int count, char** arguments) {
   test_cells();
   test_layer();
   test_layer_operations();
+  test_layer_options();
+  test_simplify_reports();
   printf("%d failed\n", failures);
   return failures == 0 ? 0 : 1;
 }

@@ -262,14 +262,25 @@ plumb_status layers() {
       R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[2,0],[0,2],[0,0]]]}},)"
       R"({"type":"Feature","id":2,"properties":{},)"
       R"("geometry":{"type":"Polygon","coordinates":[[[1,0],[3,0],[1,2],[1,0]]]}}]})";
-  Layer layer, repaired;
-  LayerReport found;
+  constexpr std::uint32_t kPairs[] = {1, 0};
+  Layer layer, repaired, again, simple;
+  LayerReport found, checked;
   Bytes text;
+  plumb_layer_options options = PLUMB_LAYER_OPTIONS_INIT;
+  plumb_simplify_report simplified = PLUMB_SIMPLIFY_REPORT_INIT;
+  std::uint32_t feature = 0;
   TRY(plumb_layer_read(kFeatures, sizeof kFeatures - 1, nullptr, nullptr, layer.out(), nullptr,
                        nullptr, report));
   TRY(plumb_layer_repair(layer, PLUMB_OWNER_LARGEST, -1, repaired.out(), found.out(), nullptr,
                          report));
   TRY(plumb_layer_report_write(found, layer, "text", text.out(), nullptr, report));
+  options.owner = PLUMB_OWNER_LOWEST_ID;
+  options.preferences = kPairs;
+  options.preference_count = 1;
+  TRY(plumb_layer_find(layer, "2", &feature, report));
+  TRY(plumb_layer_repair_with(layer, &options, again.out(), nullptr, nullptr, report));
+  TRY(plumb_layer_check_with(layer, &options, checked.out(), nullptr, report));
+  TRY(plumb_layer_simplify_with_report(again, 1, 0, 1, simple.out(), &simplified, nullptr, report));
   return PLUMB_OK;
 }
 

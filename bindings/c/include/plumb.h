@@ -1821,6 +1821,30 @@ PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, doub
                                                 double kept, double within, plumb_plane_set** out,
                                                 double* moved, const plumb_context* context,
                                                 plumb_error** error);
+/** What a simplification has changed. */
+typedef struct plumb_simplify_report {
+  size_t struct_size;      /**< sizeof(plumb_simplify_report). */
+  uint64_t corners_before; /**< The corners of the original borders. */
+  uint64_t corners_after;  /**< The corners of the simplified borders. */
+  /** Corners of a layer that cannot be removed because three or more borders meet there. For a set
+   * of the plane, this number is 0. */
+  uint64_t fixed;
+  /** Corners that the bounds allow to remove, but that are kept for another reason: their triangle
+   * contains another corner, or a ring would collapse. */
+  uint64_t blocked;
+  /** Overlaps of features of a layer, which went to the first feature. For a set of the plane, this
+   * number is 0. */
+  uint64_t overlaps;
+  double borders_moved; /**< A bound for the distance by which borders have moved. */
+  double
+      rounding_moved; /**< A bound for the distance by which rounding has moved borders before. */
+} plumb_simplify_report;
+#define PLUMB_SIMPLIFY_REPORT_INIT \
+  { sizeof(plumb_simplify_report), 0, 0, 0, 0, 0, 0.0, 0.0 }
+/** Does the same as plumb_plane_set_simplify(), and fills a report, which may be null. */
+PLUMB_API plumb_status plumb_plane_set_simplify_with_report(
+    const plumb_plane_set* set, double tolerance, double kept, double within, plumb_plane_set** out,
+    plumb_simplify_report* report, const plumb_context* context, plumb_error** error);
 /** Finds nearest points of the closures of two sets. *out receives five numbers: the square of the
  * distance, the nearest point of a, and the nearest point of b. cells[0] and cells[1] receive the
  * cells of a and b that contain these points; `cells` may be null. */
@@ -1915,6 +1939,11 @@ PLUMB_API plumb_status plumb_layer_id(const plumb_layer* layer, size_t feature, 
  * properties. */
 PLUMB_API plumb_status plumb_layer_properties(const plumb_layer* layer, size_t feature,
                                               plumb_bytes** out, plumb_error** error);
+/** Finds the feature whose id is `id_or_name`. If there is none, finds the feature whose property
+ * "name" or "NAME" is `id_or_name`. Fails with PLUMB_BAD_ARGUMENT if there is none, or more than
+ * one. */
+PLUMB_API plumb_status plumb_layer_find(const plumb_layer* layer, const char* id_or_name,
+                                        uint32_t* feature, plumb_error** error);
 PLUMB_API void plumb_layer_free(plumb_layer* layer); /**< Releases a layer. */
 
 /** Selects the feature that gets an overlap or a gap. */
@@ -1923,7 +1952,10 @@ enum plumb_owner {
   PLUMB_OWNER_LONGEST_BORDER = 0,
   PLUMB_OWNER_LARGEST = 1,  /**< The feature with the largest area. */
   PLUMB_OWNER_SMALLEST = 2, /**< The feature with the smallest area. */
-  PLUMB_OWNER_FIRST = 3     /**< The feature that comes first in the layer. */
+  PLUMB_OWNER_FIRST = 3,    /**< The feature that comes first in the layer. */
+  /** The feature with the lowest id. Numbers come first, ordered by value, then texts, ordered by
+   * bytes, then features without an id. */
+  PLUMB_OWNER_LOWEST_ID = 4
 };
 /** The kinds of regions in a plumb_layer_report. */
 enum plumb_layer_region_kind {
@@ -1944,6 +1976,35 @@ PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, d
 PLUMB_API plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
                                          plumb_layer_report** out, const plumb_context* context,
                                          plumb_error** error);
+/** Options of plumb_layer_repair_with() and plumb_layer_check_with(). */
+typedef struct plumb_layer_options {
+  size_t struct_size; /**< sizeof(plumb_layer_options). */
+  int owner;          /**< A constant of plumb_owner. */
+  /** Whether gaps that open to the outside or into a hole stay as they are. */
+  bool enclosed_only;
+  double gaps_below; /**< See plumb_layer_repair(). */
+  /** For PLUMB_OWNER_FIRST: ranks[f] is the rank of feature f. The feature of the least rank gets a
+   * region; features of equal ranks rank in the order of the layer. Null stands for this order. */
+  const uint32_t* ranks;
+  size_t rank_count; /**< The number of ranks, which is 0 or the number of features. */
+  /** Pairs of features; they come before `owner`. A feature that may get a region is left out if it
+   * is the second of a pair whose first may get the region too, unless this leaves nobody. */
+  const uint32_t* preferences;
+  size_t preference_count; /**< The number of pairs; `preferences` has twice as many entries. */
+} plumb_layer_options;
+#define PLUMB_LAYER_OPTIONS_INIT \
+  { sizeof(plumb_layer_options), 0, false, -1.0, NULL, 0, NULL, 0 }
+/** Does the same as plumb_layer_repair(), with options, which may be null. */
+PLUMB_API plumb_status plumb_layer_repair_with(const plumb_layer* layer,
+                                               const plumb_layer_options* options,
+                                               plumb_layer** out, plumb_layer_report** report,
+                                               const plumb_context* context, plumb_error** error);
+/** Does the same as plumb_layer_check(), with options, which may be null. Only `enclosed_only` and
+ * `gaps_below` matter. */
+PLUMB_API plumb_status plumb_layer_check_with(const plumb_layer* layer,
+                                              const plumb_layer_options* options,
+                                              plumb_layer_report** out,
+                                              const plumb_context* context, plumb_error** error);
 /** Makes a layer with a feature for each group. groups[f] is the group of feature f, which is less
  * than group_count. If groups[f] is 0xffffffff, feature f is left out. `count` is the number of
  * features. */
@@ -1970,12 +2031,19 @@ PLUMB_API plumb_status plumb_layer_overlay(const plumb_layer* first, const plumb
 PLUMB_API plumb_status plumb_layer_simplify(const plumb_layer* layer, double tolerance, double kept,
                                             plumb_layer** out, const plumb_context* context,
                                             plumb_error** error);
+/** Does the same as plumb_layer_simplify(), moves no point of a border farther than `within` (which
+ * may be infinite), and fills a report, which may be null. */
+PLUMB_API plumb_status plumb_layer_simplify_with_report(
+    const plumb_layer* layer, double tolerance, double kept, double within, plumb_layer** out,
+    plumb_simplify_report* report, const plumb_context* context, plumb_error** error);
 /** The number of its regions. */
 PLUMB_API size_t plumb_layer_report_count(const plumb_layer_report* report);
 /** Whether the layer has overlaps or gaps. */
 PLUMB_API bool plumb_layer_report_has_defects(const plumb_layer_report* report);
 /** Returns the kind of region i, a constant of plumb_layer_region_kind; -1 if there is none. */
 PLUMB_API int plumb_layer_report_kind(const plumb_layer_report* report, size_t i);
+/** Whether region i is a gap that opens to the outside or into a hole. */
+PLUMB_API bool plumb_layer_report_is_open(const plumb_layer_report* report, size_t i);
 /** Returns the exact area of region i, one number. */
 PLUMB_API plumb_status plumb_layer_report_area(const plumb_layer_report* report, size_t i,
                                                plumb_numbers** out, plumb_error** error);

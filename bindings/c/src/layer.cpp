@@ -9,6 +9,7 @@
 #include "handles.h"
 #include "plumb/convex/voronoi.h"
 #include "plumb/io/layer_io.h"
+#include "plumb/io/layer_properties.h"
 #include "plumb/plane/layer_dissolve.h"
 #include "plumb/plane/layer_overlay.h"
 #include "plumb/plane/layer_simplify.h"
@@ -37,9 +38,10 @@ Layer layer_of(LayerFile file, plumb_notes& notes) {
 }
 
 OwnerRule rule_of_owner(int owner) {
-  if (owner < PLUMB_OWNER_LONGEST_BORDER || owner > PLUMB_OWNER_FIRST) {
+  if (owner < PLUMB_OWNER_LONGEST_BORDER || owner > PLUMB_OWNER_LOWEST_ID) {
     fail_argument("owner is no constant of plumb_owner");
   }
+  if (owner == PLUMB_OWNER_LOWEST_ID) return OwnerRule::First;  // Of the ranks of ids.
   return static_cast<OwnerRule>(owner);
 }
 
@@ -84,6 +86,55 @@ LayerRepairOptions gap_options(OwnerRule rule, double gaps_below) {
   LayerRepairOptions options{rule, std::nullopt};
   if (gaps_below >= 0) options.gaps_below = gaps_below;
   return options;
+}
+
+std::vector<std::uint32_t> ranks_of(const Layer& layer, const plumb_layer_options& asked) {
+  const std::span<const std::uint32_t> ranks = array(asked.ranks, asked.rank_count, "ranks");
+  if (!ranks.empty() && asked.owner != PLUMB_OWNER_FIRST) {
+    fail_argument("ranks need the owner PLUMB_OWNER_FIRST");
+  }
+  if (asked.owner == PLUMB_OWNER_LOWEST_ID) return id_ranks(layer);
+  return {ranks.begin(), ranks.end()};
+}
+
+std::vector<OwnerPreference> preferences_of(const plumb_layer_options& asked) {
+  const std::span<const std::uint32_t> features =
+      array(asked.preferences, asked.preference_count, "preferences", 2);
+  std::vector<OwnerPreference> preferences;
+  for (std::size_t i = 0; i < features.size(); i += 2) {
+    preferences.push_back({features[i], features[i + 1]});
+  }
+  return preferences;
+}
+
+LayerRepairOptions repair_options_of(const Layer& layer, const plumb_layer_options* options) {
+  const plumb_layer_options asked = options_of(options, PLUMB_LAYER_OPTIONS_INIT);
+  LayerRepairOptions known = gap_options(rule_of_owner(asked.owner), asked.gaps_below);
+  known.open_gaps = !asked.enclosed_only;
+  known.rank = ranks_of(layer, asked);
+  known.preferences = preferences_of(asked);
+  return known;
+}
+
+/// Makes the layer and, if it is wanted, the report.
+void repair(const Layer& layer, const LayerRepairOptions& options, plumb_layer** out,
+            plumb_layer_report** report, Context& context) {
+  RepairedLayer repaired = repair_layer(layer, options, context);
+  auto made = std::make_unique<plumb_layer>(plumb_layer{std::move(repaired.layer)});
+  if (report != nullptr) *report = new plumb_layer_report{std::move(repaired.report)};
+  *out = made.release();
+}
+
+plumb_simplify_report facts_of(const SimplifiedLayer& made) {
+  plumb_simplify_report facts = PLUMB_SIMPLIFY_REPORT_INIT;
+  facts.corners_before = made.corners_before;
+  facts.corners_after = made.corners_after;
+  facts.fixed = made.fixed;
+  facts.blocked = made.blocked;
+  facts.overlaps = made.overlaps;
+  facts.borders_moved = made.borders_moved;
+  facts.rounding_moved = made.rounding.largest_move;
+  return facts;
 }
 
 /// Returns the layer with coordinates that are doubles, so that features still share borders.
@@ -207,6 +258,14 @@ plumb_status plumb_layer_properties(const plumb_layer* layer, std::size_t featur
               [&] { return std::string(layer_with(layer, feature).properties(feature)); });
 }
 
+plumb_status plumb_layer_find(const plumb_layer* layer, const char* id_or_name,
+                              std::uint32_t* feature, plumb_error** error) {
+  return guarded(error, [&] {
+    const Layer& given = need(layer, "layer").layer;
+    need(feature, "feature") = feature_called(given, text(id_or_name, "id_or_name"));
+  });
+}
+
 void plumb_layer_free(plumb_layer* layer) { delete layer; }
 
 // --- repair -------------------------------------------------------------------------------------
@@ -219,11 +278,23 @@ plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps
   return guarded(error, [&] {
     need(out, "out");
     Call call(context);
-    const LayerRepairOptions options = gap_options(rule_of_owner(owner), gaps_below);
-    RepairedLayer repaired = repair_layer(need(layer, "layer").layer, options, call);
-    auto made = std::make_unique<plumb_layer>(plumb_layer{std::move(repaired.layer)});
-    if (report != nullptr) *report = new plumb_layer_report{std::move(repaired.report)};
-    *out = made.release();
+    const Layer& given = need(layer, "layer").layer;
+    LayerRepairOptions options = gap_options(rule_of_owner(owner), gaps_below);
+    if (owner == PLUMB_OWNER_LOWEST_ID) options.rank = id_ranks(given);
+    repair(given, options, out, report, call);
+  });
+}
+
+plumb_status plumb_layer_repair_with(const plumb_layer* layer, const plumb_layer_options* options,
+                                     plumb_layer** out, plumb_layer_report** report,
+                                     const plumb_context* context, plumb_error** error) {
+  if (out != nullptr) *out = nullptr;
+  if (report != nullptr) *report = nullptr;
+  return guarded(error, [&] {
+    need(out, "out");
+    Call call(context);
+    const Layer& given = need(layer, "layer").layer;
+    repair(given, repair_options_of(given, options), out, report, call);
   });
 }
 
@@ -234,6 +305,16 @@ plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
     Call call(context);
     const LayerRepairOptions options = gap_options(OwnerRule::First, gaps_below);
     return plumb_layer_report{check_layer(need(layer, "layer").layer, options, call)};
+  });
+}
+
+plumb_status plumb_layer_check_with(const plumb_layer* layer, const plumb_layer_options* options,
+                                    plumb_layer_report** out, const plumb_context* context,
+                                    plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    const Layer& given = need(layer, "layer").layer;
+    return plumb_layer_report{check_layer(given, repair_options_of(given, options), call)};
   });
 }
 
@@ -276,6 +357,19 @@ plumb_status plumb_layer_simplify(const plumb_layer* layer, double tolerance, do
   });
 }
 
+plumb_status plumb_layer_simplify_with_report(const plumb_layer* layer, double tolerance,
+                                              double kept, double within, plumb_layer** out,
+                                              plumb_simplify_report* report,
+                                              const plumb_context* context, plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    SimplifiedLayer made =
+        simplify_layer(need(layer, "layer").layer, {tolerance, kept, within}, call);
+    if (report != nullptr) fill(report, facts_of(made), "report");
+    return plumb_layer{std::move(made.layer)};
+  });
+}
+
 std::size_t plumb_layer_report_count(const plumb_layer_report* report) {
   return report == nullptr ? 0 : report->report.regions.size();
 }
@@ -287,6 +381,11 @@ bool plumb_layer_report_has_defects(const plumb_layer_report* report) {
 int plumb_layer_report_kind(const plumb_layer_report* report, std::size_t i) {
   const LayerRegion* const region = region_of(report, i);
   return region == nullptr ? -1 : static_cast<int>(region->kind);
+}
+
+bool plumb_layer_report_is_open(const plumb_layer_report* report, std::size_t i) {
+  const LayerRegion* const region = region_of(report, i);
+  return region != nullptr && region->is_open;
 }
 
 plumb_status plumb_layer_report_area(const plumb_layer_report* report, std::size_t i,

@@ -372,6 +372,27 @@ plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, double toleran
   });
 }
 
+plumb_status plumb_plane_set_simplify_with_report(const plumb_plane_set* set, double tolerance,
+                                                  double kept, double within, plumb_plane_set** out,
+                                                  plumb_simplify_report* report,
+                                                  const plumb_context* context,
+                                                  plumb_error** error) {
+  return make(out, error, [&] {
+    Call call(context);
+    SimplifiedSet made = simplify_borders(need(set, "set").set, {tolerance, kept, within}, call);
+    if (report != nullptr) {
+      plumb_simplify_report facts = PLUMB_SIMPLIFY_REPORT_INIT;
+      facts.corners_before = made.corners_before;
+      facts.corners_after = made.corners_after;
+      facts.blocked = made.blocked;
+      facts.borders_moved = made.borders_moved;
+      facts.rounding_moved = made.rounding.largest_move;
+      fill(report, facts, "report");
+    }
+    return std::move(made.set);
+  });
+}
+
 plumb_status plumb_plane_set_minkowski_sum(const plumb_plane_set* a, const plumb_plane_set* b,
                                            plumb_plane_set** out, const plumb_context* context,
                                            plumb_error** error) {

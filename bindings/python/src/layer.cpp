@@ -10,6 +10,7 @@
 #include "binding.h"
 #include "plumb/convex/voronoi.h"
 #include "plumb/io/layer_io.h"
+#include "plumb/io/layer_properties.h"
 #include "plumb/io/text/files.h"
 #include "plumb/plane/layer_dissolve.h"
 #include "plumb/plane/layer_overlay.h"
@@ -17,6 +18,7 @@
 #include "plumb/plane/plane_arrays.h"
 #include "plumb/plane/plane_faces.h"
 #include "plumb/plane/set_features.h"
+#include "simplify_report.h"
 
 namespace plumb::python {
 namespace {
@@ -30,10 +32,41 @@ OwnerRule owner_rule(const std::string& name) {
   if (name == "longest-border") return OwnerRule::LongestBorder;
   if (name == "largest") return OwnerRule::Largest;
   if (name == "smallest") return OwnerRule::Smallest;
-  if (name == "first") return OwnerRule::First;
+  if (name == "first" || name == "lowest-id") return OwnerRule::First;
   throw Error(
       ErrorCode::BadArgument,
-      "rule must be 'longest-border', 'largest', 'smallest' or 'first', not '" + name + "'");
+      "rule must be 'longest-border', 'largest', 'smallest', 'first' or 'lowest-id', not '" + name +
+          "'");
+}
+
+/// A feature: its index, or its id or name as a text.
+using FeatureName = std::variant<std::uint32_t, std::string>;
+
+std::uint32_t feature_of(const Layer& layer, const FeatureName& name) {
+  if (const auto* const index = std::get_if<std::uint32_t>(&name)) return *index;
+  return feature_called(layer, std::get<std::string>(name));
+}
+
+/// The arguments of repaired().
+struct RepairWords {
+  std::string rule;
+  std::optional<double> gaps_below;
+  bool enclosed_only;
+  std::optional<std::vector<std::uint32_t>> ranks;
+  std::vector<std::pair<FeatureName, FeatureName>> preferences;
+};
+
+LayerRepairOptions options_of(const Layer& layer, const RepairWords& words) {
+  LayerRepairOptions options{owner_rule(words.rule), words.gaps_below, !words.enclosed_only};
+  if (words.ranks && words.rule != "first") {
+    throw Error(ErrorCode::BadArgument, "ranks need the rule 'first'");
+  }
+  if (words.ranks) options.rank = *words.ranks;
+  if (words.rule == "lowest-id") options.rank = id_ranks(layer);
+  for (const auto& [winner, loser] : words.preferences) {
+    options.preferences.push_back({feature_of(layer, winner), feature_of(layer, loser)});
+  }
+  return options;
 }
 
 nb::object parsed(std::string_view json) {
@@ -88,15 +121,14 @@ Layer layer_of(LayerFile file) {
   return std::move(file.layer);
 }
 
-Repair repaired(Context& context, const Layer& layer, const std::string& rule,
-                const std::optional<double>& gaps_below) {
-  RepairedLayer result = repair_layer(layer, {owner_rule(rule), gaps_below}, context);
+Repair repaired(Context& context, const Layer& layer, const RepairWords& words) {
+  RepairedLayer result = repair_layer(layer, options_of(layer, words), context);
   return {std::move(result.layer), std::move(result.report)};
 }
 
 LayerReport checked_layer(Context& context, const Layer& layer,
-                          const std::optional<double>& gaps_below) {
-  return check_layer(layer, {OwnerRule::First, gaps_below}, context);
+                          const std::optional<double>& gaps_below, bool enclosed_only) {
+  return check_layer(layer, {OwnerRule::First, gaps_below, !enclosed_only}, context);
 }
 
 Layer dissolved(Context& context, const Layer& layer, const std::vector<std::uint32_t>& groups) {
@@ -105,8 +137,17 @@ Layer dissolved(Context& context, const Layer& layer, const std::vector<std::uin
   return dissolve_layer(layer, groups, count, context).layer;
 }
 
-Layer simplified(Context& context, const Layer& layer, double tolerance, double kept) {
-  return simplify_layer(layer, {tolerance, kept}, context).layer;
+std::pair<Layer, SimplifyReport> simplified_with_report(Context& context, const Layer& layer,
+                                                        double tolerance, double kept,
+                                                        double within) {
+  SimplifiedLayer made = simplify_layer(layer, {tolerance, kept, within}, context);
+  const SimplifyReport report = report_of(made);
+  return {std::move(made.layer), report};
+}
+
+Layer simplified(Context& context, const Layer& layer, double tolerance, double kept,
+                 double within) {
+  return simplify_layer(layer, {tolerance, kept, within}, context).layer;
 }
 
 Layer parts_of(Context& context, const Layer& layer, const Nef2& set) {
@@ -228,9 +269,31 @@ void def_making(nb::class_<Layer>& c) {
                  "set"_a);
 }
 
+void bind_simplify_report(nb::module_& m) {
+  nb::class_<SimplifyReport> c(m, "SimplifyReport",
+                               "What simplified_with_report() of a set or a layer has changed.");
+  c.def_ro("corners_before", &SimplifyReport::corners_before,
+           "The number of corners of the original borders.");
+  c.def_ro("corners_after", &SimplifyReport::corners_after,
+           "The number of corners of the simplified borders.");
+  c.def_ro("fixed", &SimplifyReport::fixed,
+           "The number of corners of a layer that cannot be removed because three or more borders "
+           "meet there. It is 0 for a set.");
+  c.def_ro("blocked", &SimplifyReport::blocked,
+           "The number of corners that the bounds allow to remove, but that are kept for another "
+           "reason: their triangle contains another corner, or a ring would collapse.");
+  c.def_ro("overlaps", &SimplifyReport::overlaps,
+           "The number of overlaps of features, which went to the first feature.");
+  c.def_ro("borders_moved", &SimplifyReport::borders_moved,
+           "An upper bound for the distance by which borders have moved.");
+  c.def_ro("rounding_moved", &SimplifyReport::rounding_moved,
+           "An upper bound for the distance by which rounding has moved borders before.");
+}
+
 }  // namespace
 
 void bind_layer(nb::module_& m) {
+  bind_simplify_report(m);
   nb::class_<LayerReport> report(m, "LayerReport",
                                  "The regions that Layer.check() or "
                                  "Layer.repaired() found, and the changes of "
@@ -266,8 +329,17 @@ void bind_layer(nb::module_& m) {
           "remains.",
           "path"_a);
   def_run(c, "check", &checked_layer,
-          "Return the overlaps, gaps and holes of the layer as a LayerReport without owners.",
-          "gaps_below"_a = nb::none());
+          "Return the overlaps, gaps and holes of the layer as a LayerReport without owners. Gaps "
+          "that open to the outside or into a hole are found unless `enclosed_only` is true.",
+          "gaps_below"_a = nb::none(), "enclosed_only"_a = false);
+  c.def(
+      "find",
+      [](const Layer& layer, const std::string& id_or_name) {
+        return feature_called(layer, id_or_name);
+      },
+      "id_or_name"_a,
+      "Return the index of the feature that has the id `id_or_name`. If there is none, return that "
+      "of the feature whose property 'name' or 'NAME' is `id_or_name`.");
   def_run(c, "dissolved", &dissolved,
           "Return a layer with a feature for each group. `groups` contains the group of each "
           "feature, which is a number 0, 1, ...",
@@ -275,9 +347,14 @@ void bind_layer(nb::module_& m) {
   def_run(c, "simplified", &simplified,
           "Return the layer with fewer corners on its borders. Features of the result do not "
           "overlap. A corner and its two neighbours form a triangle. A corner is removed only if "
-          "the area of its triangle is at most `tolerance`, and if more than the fraction `kept` "
-          "of the removable corners remains.",
-          "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0);
+          "the area of its triangle is at most `tolerance`, if more than the fraction `kept` of "
+          "the removable corners remains, and if no point of a border moves farther than `within`.",
+          "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0,
+          "within"_a = std::numeric_limits<double>::infinity());
+  def_run(c, "simplified_with_report", &simplified_with_report,
+          "Do the same as simplified(), and return also a SimplifyReport.",
+          "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0,
+          "within"_a = std::numeric_limits<double>::infinity());
   def_run(c, "parts", &parts_of,
           "Divide a set into the parts that the features cover, and return them as a layer. Each "
           "part is a feature with the id and the properties of the feature that covers it. A part "
@@ -298,18 +375,28 @@ void bind_layer(nb::module_& m) {
   c.def(
       "repaired",
       [](const Layer& layer, const std::string& rule, const std::optional<double>& gaps_below,
-         unsigned threads, std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
+         bool enclosed_only, const std::optional<std::vector<std::uint32_t>>& ranks,
+         const std::vector<std::pair<FeatureName, FeatureName>>& preferences, unsigned threads,
+         std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
          nb::object progress) {
+        const RepairWords words{rule, gaps_below, enclosed_only, ranks, preferences};
         Repair result = run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
-                            [&](Context& k) { return repaired(k, layer, rule, gaps_below); });
+                            [&](Context& k) { return repaired(k, layer, words); });
         return std::pair(std::move(result.layer), std::move(result.report));
       },
-      "rule"_a = "longest-border", "gaps_below"_a = nb::none(), nb::kw_only(), "threads"_a = 1U,
-      "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
-      with_limits("Return the layer without overlaps and gaps, and a LayerReport. `rule` selects "
-                  "the feature that gets an overlap or a gap: 'longest-border', 'largest', "
-                  "'smallest' or 'first'. A region that no feature covers is a gap if it is "
-                  "narrower than `gaps_below`."));
+      "rule"_a = "longest-border", "gaps_below"_a = nb::none(), "enclosed_only"_a = false,
+      "ranks"_a = nb::none(), "preferences"_a = std::vector<std::pair<FeatureName, FeatureName>>(),
+      nb::kw_only(), "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
+      "progress"_a = nb::none(),
+      with_limits(
+          "Return the layer without overlaps and gaps, and a LayerReport. `rule` selects the "
+          "feature that gets an overlap or a gap: 'longest-border', 'largest', 'smallest', 'first' "
+          "or 'lowest-id'. A region that no feature covers is a gap if it is narrower than "
+          "`gaps_below`. Gaps that open to the outside or into a hole are filled unless "
+          "`enclosed_only` is true. `ranks` contains a number for each feature; under the rule "
+          "'first', the feature with the least number gets a region. `preferences` are pairs of "
+          "features, as indices or as texts for find(): the second feature of a pair does not get "
+          "a region that the first may get."));
 }
 
 }  // namespace plumb::python

@@ -20,6 +20,7 @@
 #include "plumb/plane/plane_offset.h"
 #include "plumb/plane/plane_rounding.h"
 #include "plumb/plane/plane_simplify.h"
+#include "simplify_report.h"
 
 namespace plumb::python {
 namespace {
@@ -214,6 +215,14 @@ Nef3 extruded(Context& context, const Nef2& outline, double height, bool centred
   return linear_extrusion(outline, options, context);
 }
 
+std::pair<Nef2, SimplifyReport> simplified_set_with_report(Context& context, const Nef2& set,
+                                                           double tolerance, double kept,
+                                                           double within) {
+  SimplifiedSet made = simplify_borders(set, {tolerance, kept, within}, context);
+  const SimplifyReport report = report_of(made);
+  return {std::move(made.set), report};
+}
+
 using FlatMesh = std::pair<ArrayOut<double, 2>, ArrayOut<std::uint32_t, 3>>;
 
 FlatMesh arrays_of(const PlaneTriangulation& triangulation) {
@@ -269,6 +278,10 @@ void def_plane_models(nb::class_<Nef2>& c) {
       "point of a border moves farther than `within`. Coordinates are rounded to doubles.",
       "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0,
       "within"_a = std::numeric_limits<double>::infinity());
+  def_run(c, "simplified_with_report", &simplified_set_with_report,
+          "Do the same as simplified(), and return also a SimplifyReport.",
+          "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0,
+          "within"_a = std::numeric_limits<double>::infinity());
   def_run(c, "offset", &offset_of,
           "Return the closure of the set, grown by a positive distance or shrunk by a negative "
           "distance. `join` is the shape at convex corners: 'round', 'mitre', 'square' or "
