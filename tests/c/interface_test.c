@@ -390,6 +390,10 @@ static void test_mesh_arrays(void) {
              "xyz is a null pointer");
   FAILS(plumb_mesh_from_triangles(kCube, SIZE_MAX, kTriangles, 12, &mesh, &error),
         PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_mesh_from_triangles(kCube, 8, kTriangles, SIZE_MAX, &mesh, &error),
+        PLUMB_BAD_ARGUMENT);
+  FAILS(plumb_mesh_from_polygons(kCube, 8, bad_begin, SIZE_MAX, kSquares, 3, &mesh, &error),
+        PLUMB_BAD_ARGUMENT);
   memcpy(not_finite, kCube, sizeof kCube);
   not_finite[20] = NAN;
   FAILS_WITH(plumb_mesh_from_triangles(not_finite, 8, kTriangles, 12, &mesh, &error),
@@ -2658,6 +2662,9 @@ static void test_layer_options(void) {
   FAILS(plumb_layer_find(layer, "north", &east, &error), PLUMB_BAD_ARGUMENT);
   FAILS(plumb_layer_find(layer, NULL, &east, &error), PLUMB_BAD_ARGUMENT);
   options.preferences = unknown;
+  FAILS(plumb_layer_repair_with(layer, &options, &repaired, NULL, NULL, &error),
+        PLUMB_BAD_ARGUMENT);
+  options.preference_count = SIZE_MAX;
   FAILS(plumb_layer_repair_with(layer, &options, &repaired, NULL, NULL, &error),
         PLUMB_BAD_ARGUMENT);
   options.preference_count = 0;

@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -179,12 +181,17 @@ class Call {
 // --- arrays -------------------------------------------------------------------------------------
 
 /// Returns the array of `count` records of `width` elements. Throws Error{BadArgument} for a null
-/// pointer to elements, and for more records than ids can number.
+/// pointer to elements, for more records than ids can number, and for more bytes than an array can
+/// have, which is less where addresses have 32 bits.
 template <class T>
 std::span<const T> array(const T* data, std::size_t count, const char* name,
                          std::size_t width = 1) {
   if (count > 0 && data == nullptr) fail_null(name);
   if (count > 0xffffffffU) fail_argument(std::string(name) + " has 2^32 entries or more");
+  constexpr auto kMostBytes = static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max());
+  if (count > kMostBytes / sizeof(T) / width) {
+    fail_argument(std::string(name) + " has more entries than an array can have");
+  }
   return {data, count * width};
 }
 

@@ -32,7 +32,8 @@ std::span<const std::uint32_t> offsets(const std::uint32_t* begin, std::size_t c
                                        const char* name) {
   static constexpr std::uint32_t kNothing = 0;
   if (count == 0 && begin == nullptr) return {&kNothing, 1};
-  return array(&need(begin, name), count + 1, name);
+  // The largest number has no successor; array() refuses it.
+  return array(&need(begin, name), std::max(count, count + 1), name);
 }
 
 std::span<const Rational> records(const plumb_numbers* numbers, const char* name,

@@ -751,11 +751,9 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
    * their triangle has at most the area `tolerance`, while more than the part `kept` of them is
    * left, and while no point of a border moves farther than `within`.
    */
-  simplified(options?: Options&{
-    tolerance?: number;
-    kept?: number;
-    within?: number
-  }): PlaneSet;
+  simplified(options?: SimplifyOptions): PlaneSet;
+  /** Does the same as simplified(), and says what it has changed. */
+  simplifiedWithReport(options?: SimplifyOptions): {set: PlaneSet; report: SimplifyReport};
   minkowskiSum(other: PlaneSet, options?: Options): PlaneSet;
   decompose(options?: Options&{
     method?: 'best'|'cuts'|'diagonals'|'optimal';
@@ -907,6 +905,8 @@ export interface LayerReport {
   hasDefects: boolean;
   regions: {
     kind: 'overlap'|'gap'|'hole'; area: Fraction;
+    /** Whether it is a gap that opens to the outside or into a hole. */
+    isOpen: boolean;
     /** Twice the area divided by the perimeter. */
     width: number;
     features: number[];
@@ -915,6 +915,52 @@ export interface LayerReport {
   }[];
   text: string;
   geoJson: object;
+}
+/** Bounds for the simplification of borders. A corner is removed only if all of them allow it. */
+export interface SimplifyOptions extends Options {
+  /** The largest area of the triangle of a corner and its two neighbours. */
+  tolerance?: number;
+  /** The fraction of the removable corners that remains, from 0 to 1. */
+  kept?: number;
+  /** The largest distance by which a point of a border may move. */
+  within?: number;
+}
+/** What a simplification has changed. */
+export interface SimplifyReport {
+  cornersBefore: number;
+  cornersAfter: number;
+  /**
+   * The corners of a layer that cannot be removed because three or more borders meet there. 0 for a
+   * set.
+   */
+  fixed: number;
+  /** The corners that the bounds allow to remove, but that are needed to keep borders apart. */
+  blocked: number;
+  /** The overlaps of features, which went to the first feature. */
+  overlaps: number;
+  /** An upper bound for the distance by which borders have moved. */
+  bordersMoved: number;
+  /** An upper bound for the distance by which rounding has moved borders before. */
+  roundingMoved: number;
+}
+/** Options of Layer.check(). */
+export interface LayerCheckOptions extends Options {
+  /** An enclosed region that no feature covers is a gap if it is narrower than this number. */
+  gapsBelow?: number;
+  /** Whether gaps that open to the outside or into a hole stay as they are. */
+  enclosedOnly?: boolean;
+}
+/** Options of Layer.repaired(). */
+export interface LayerRepairOptions extends LayerCheckOptions {
+  /** Selects the feature that gets an overlap or a gap. */
+  owner?: 'longest border'|'largest'|'smallest'|'first'|'lowest id';
+  /** A number for each feature: under the owner 'first', the one with the least number is first. */
+  ranks?: ArrayLike<number>|null;
+  /**
+   * Pairs of features, which come before `owner`: the second feature of a pair does not get a region
+   * that the first may get. A feature is given by its index, or by a text for find().
+   */
+  preferences?: readonly(readonly[number | string, number|string])[];
 }
 /** A list of features, such as countries. A feature has polygons, an id and properties. */
 export class Layer extends Handle {
@@ -943,15 +989,17 @@ export class Layer extends Handle {
   readonly featureCount: number;
   ids(): unknown[];
   properties(): (Record<string, unknown>|null)[];
+  /**
+   * Returns the index of the feature with the id `idOrName`. If there is none, returns that of the
+   * feature whose property 'name' or 'NAME' is `idOrName`.
+   */
+  find(idOrName: string): number;
   write(format: 'geojson'|'topojson'|'wkt', options?: Options): Uint8Array;
   toGeoJson(options?: Options): object;
-  /** An enclosed region that no feature covers is a gap if it is narrower than gapsBelow. */
-  check(options?: Options&{gapsBelow?: number}): LayerReport;
+  /** Returns the overlaps, gaps and holes of the layer. */
+  check(options?: LayerCheckOptions): LayerReport;
   /** Returns the layer without overlaps and gaps. */
-  repaired(options?: Options&{
-    owner?: 'longest border'|'largest'|'smallest'|'first';
-    gapsBelow?: number
-  }): {layer: Layer; report: LayerReport};
+  repaired(options?: LayerRepairOptions): {layer: Layer; report: LayerReport};
   /**
    * Returns a layer with one feature for each group. groups[f] is the group of feature f, or null
    * if the feature is left out.
@@ -959,13 +1007,13 @@ export class Layer extends Handle {
   dissolved(groups: readonly(number|null)[], options?: Options): Layer;
   /**
    * Returns the layer with fewer corners. A corner and its two neighbours along the border form a
-   * triangle. A corner is removed only if the area of its triangle is at most `tolerance`, and if
-   * more than the fraction `kept` of the removable corners remains.
+   * triangle. A corner is removed only if the area of its triangle is at most `tolerance`, if more
+   * than the fraction `kept` of the removable corners remains, and if no point of a border moves
+   * farther than `within`.
    */
-  simplified(options?: Options&{
-    tolerance?: number;
-    kept?: number
-  }): Layer;
+  simplified(options?: SimplifyOptions): Layer;
+  /** Does the same as simplified(), and says what it has changed. */
+  simplifiedWithReport(options?: SimplifyOptions): {layer: Layer; report: SimplifyReport};
   /** Returns a layer with one feature for each pair of overlapping features of the two layers. */
   overlaid(other: Layer, options?: Options&{pairs?: 'all' | 'first' | 'both' | 'first only'}):
       {layer: Layer; pairs: [number | null, number|null][]};

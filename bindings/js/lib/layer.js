@@ -9,18 +9,51 @@ import {
   decode,
   engine,
   inFrame,
+  isWanted,
   real,
+  shown,
+  Struct,
   takeBytes,
   takeIndices,
   taken,
 } from './memory.js';
 import {PlaneSet} from './plane_set.js';
-import {readOptions, self} from './sets.js';
+import {readOptions, self, simplified} from './sets.js';
 
-const owners = ['longest border', 'largest', 'smallest', 'first'];
+const owners = ['longest border', 'largest', 'smallest', 'first', 'lowest id'];
 const kinds = ['overlap', 'gap', 'hole'];
 const pairsKept = ['all', 'first', 'both', 'first only'];
 const none = 0xffffffff;
+const optionsLayout = new Struct({
+  owner: 'i32',
+  enclosed_only: 'bool',
+  gaps_below: 'f64',
+  ranks: 'pointer',
+  rank_count: 'u32',
+  preferences: 'pointer',
+  preference_count: 'u32',
+});
+
+/** The options of a check or a repair, as a struct of C. */
+function layerOptions(frame, layer, {owner, gapsBelow, enclosedOnly, ranks, preferences}) {
+  const noArray = {address: 0, count: 0};
+  const numbers = isWanted(ranks) ? frame.numbers(Uint32Array, ranks, 'ranks') : noArray;
+  const features = preferences.map((pair) => {
+    if (!Array.isArray(pair) || pair.length !== 2)
+      throw badArgument(`a preference must be a pair of features, not ${shown(pair)}`);
+    return pair.map((feature) => (typeof feature === 'string' ? layer.find(feature) : feature));
+  });
+  const pairs = frame.records(Uint32Array, features.flat(), 2, 'preferences');
+  return frame.struct(optionsLayout, {
+    owner: constant(owners, owner, 'owner'),
+    enclosed_only: enclosedOnly,
+    gaps_below: real(gapsBelow, 'gapsBelow'),
+    ranks: numbers.address,
+    rank_count: numbers.count,
+    preferences: pairs.address,
+    preference_count: pairs.count,
+  });
+}
 
 /** Features with polygons, ids and properties, such as countries. */
 export class Layer extends Handle {
@@ -75,6 +108,14 @@ export class Layer extends Handle {
   get featureCount() { return engine()._plumb_layer_feature_count(self(this)) >>> 0; }
   ids() { return jsonOfFeatures(this, 'plumb_layer_id'); }
   properties() { return jsonOfFeatures(this, 'plumb_layer_properties'); }
+  /** The index of the feature with this id, or else with this name. */
+  find(idOrName) {
+    return inFrame(undefined, (frame) => {
+      const feature = frame.block(4);
+      frame.check('plumb_layer_find', self(this), frame.text(idOrName, 'idOrName'), feature);
+      return frame.u32(feature);
+    });
+  }
   write(format, options) {
     return inFrame(
         options,
@@ -86,19 +127,28 @@ export class Layer extends Handle {
   /**
    * `gapsBelow`: by default a ten thousandth of the diagonal of the layer, and no small lakes.
    */
-  check({gapsBelow = -1, ...options} = {}) {
-    return inFrame(
-        options,
-        (frame) => reportOf(
-            frame.make('plumb_layer_check', self(this), real(gapsBelow, 'gapsBelow')), this,
-            frame));
-  }
-  repaired({owner = 'longest border', gapsBelow = -1, ...options} = {}) {
+  check({gapsBelow = -1, enclosedOnly = false, ...options} = {}) {
     return inFrame(options, (frame) => {
+      const asked = layerOptions(
+          frame, this, {owner: 'first', gapsBelow, enclosedOnly, ranks: null, preferences: []});
+      return reportOf(frame.make('plumb_layer_check_with', self(this), asked), this, frame);
+    });
+  }
+  /** `ranks` need the owner 'first'. `preferences`: [winner, loser], ... */
+  repaired(
+      {
+        owner = 'longest border',
+        gapsBelow = -1,
+        enclosedOnly = false,
+        ranks = null,
+        preferences = [],
+        ...options
+      } = {}) {
+    return inFrame(options, (frame) => {
+      const asked =
+          layerOptions(frame, this, {owner, gapsBelow, enclosedOnly, ranks, preferences});
       const out = frame.block(4), report = frame.block(4);
-      frame.check(
-          'plumb_layer_repair', self(this), constant(owners, owner, 'owner'),
-          real(gapsBelow, 'gapsBelow'), out, report, frame.context());
+      frame.check('plumb_layer_repair_with', self(this), asked, out, report, frame.context());
       const layer = wrap(Layer, frame.u32(out));
       try {
         return {layer, report: reportOf(frame.u32(report), this, frame)};
@@ -120,14 +170,12 @@ export class Layer extends Handle {
           Layer, frame.make('plumb_layer_dissolve', self(this), address, length, groupCount));
     });
   }
-  simplified({tolerance = Infinity, kept = 0, ...options} = {}) {
-    return inFrame(
-        options,
-        (frame) => wrap(
-            Layer,
-            frame.make(
-                'plumb_layer_simplify', self(this), real(tolerance, 'tolerance'),
-                real(kept, 'kept'))));
+  simplified(options) { return this.simplifiedWithReport(options).layer; }
+  simplifiedWithReport(options) {
+    return inFrame(options, (frame) => {
+      const {made, report} = simplified(frame, 'plumb_layer_simplify_with_report', this, options);
+      return {layer: wrap(Layer, made), report};
+    });
   }
   overlaid(other, {pairs = 'all', ...options} = {}) {
     return inFrame(options, (frame) => {
@@ -166,6 +214,7 @@ function factsOf(report, layer, frame) {
     const owner = engine()._plumb_layer_report_owner(report, i) >>> 0;
     return {
       kind: kinds[engine()._plumb_layer_report_kind(report, i)],
+      isOpen: engine()._plumb_layer_report_is_open(report, i) !== 0,
       area: takeNumbers(frame.makeBriefly('plumb_layer_report_area', report, i))[0],
       width: engine()._plumb_layer_report_width(report, i),
       features: Array.from(copyOf(Uint32Array, features, frame.u32(length))),

@@ -25,6 +25,7 @@ import {
   readOptions,
   ruleOf,
   self,
+  simplified,
   takeSets,
   transformed,
   translated,
@@ -251,13 +252,12 @@ export class PlaneSet extends PointSet {
           frame.make('plumb_plane_set_offset', self(this), real(distance, 'distance'), how));
     });
   }
-  simplified({tolerance = Infinity, kept = 0, within = Infinity, ...options} = {}) {
+  simplified(options) { return this.simplifiedWithReport(options).set; }
+  simplifiedWithReport(options) {
     return inFrame(options, (frame) => {
-      const out = frame.block(4), moved = 0;
-      frame.check(
-          'plumb_plane_set_simplify', self(this), real(tolerance, 'tolerance'), real(kept, 'kept'),
-          real(within, 'within'), out, moved, frame.context());
-      return wrap(PlaneSet, frame.u32(out));
+      const {made, report} =
+          simplified(frame, 'plumb_plane_set_simplify_with_report', this, options);
+      return {set: wrap(PlaneSet, made), report};
     });
   }
   minkowskiSum(other, options) {

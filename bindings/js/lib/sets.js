@@ -6,7 +6,17 @@
 // (`cells`). Every operation takes options last: {timeout, memoryLimit, onProgress, signal}.
 import {takeNumbers, vector, vectors, withNumbers} from './fraction.js';
 import {addressesOf, addressOf, Handle, wrap} from './handle.js';
-import {badArgument, copyOf, decode, engine, inFrame, shown, Struct, takeBytes} from './memory.js';
+import {
+  badArgument,
+  copyOf,
+  decode,
+  engine,
+  inFrame,
+  real,
+  shown,
+  Struct,
+  takeBytes,
+} from './memory.js';
 
 export const operations = {
   union: 14,
@@ -212,6 +222,37 @@ export function distanceBetween(set, other, options) {
 }
 
 /** The sets of a list, which is released. */
+const simplifyLayout = new Struct({
+  corners_before: 'u64',
+  corners_after: 'u64',
+  fixed: 'u64',
+  blocked: 'u64',
+  overlaps: 'u64',
+  borders_moved: 'f64',
+  rounding_moved: 'f64',
+});
+
+/** Calls a function of C that simplifies a set or a layer: the address of what it made, and what
+ * it says. */
+export function simplified(frame, name, object, options) {
+  const {tolerance = Infinity, kept = 0, within = Infinity} = options ?? {};
+  const out = frame.block(4), facts = frame.struct(simplifyLayout);
+  frame.check(
+      name, self(object), real(tolerance, 'tolerance'), real(kept, 'kept'), real(within, 'within'),
+      out, facts, frame.context());
+  const told = simplifyLayout.read(facts);
+  const report = {
+    cornersBefore: told.corners_before,
+    cornersAfter: told.corners_after,
+    fixed: told.fixed,
+    blocked: told.blocked,
+    overlaps: told.overlaps,
+    bordersMoved: told.borders_moved,
+    roundingMoved: told.rounding_moved,
+  };
+  return {made: frame.u32(out), report};
+}
+
 export function takeSets(Class, list) {
   const length = engine()[`_${Class.prefix}_list_count`](list) >>> 0;
   try {

@@ -314,6 +314,9 @@ export const cases = {
     const {PlaneSet} = plumb, square = PlaneSet.box([0, 0], [8, 8]);
     const toothed = PlaneSet.polygon([[0, 0], [8, 0], [8, 8], [5, 8], [4, '17/2'], [3, 8], [0, 8]]);
     check(toothed.simplified({tolerance: 0.5}).equals(square));
+    const {set, report} = toothed.simplifiedWithReport({tolerance: 0.5});
+    check(set.equals(square) && report.bordersMoved >= 0.5 && report.bordersMoved < 1);
+    checkEqual([report.cornersBefore, report.cornersAfter], [7, 4]);
     check(toothed.simplified({tolerance: 0.5, within: 0.25}).equals(toothed));
     check(toothed.simplified({tolerance: 0}).equals(toothed));
     check(toothed.simplified({kept: 1}).equals(toothed));

@@ -498,8 +498,48 @@ export const cases = {
     checkEqual([pieces.featureCount, pairs], [2, [[0, 0], [1, 0]]]);
     checkEqual(Layer.voronoi([1, 1, 3, 1, 2, 3], [0, 0, 4, 4]).featureCount, 3);
     check(layer.simplified({tolerance: 0}).toGeoJson().features.length === 2);
+    const {layer: same, report: told} = layer.simplifiedWithReport({within: 1e-9});
+    checkEqual([same.featureCount, told.overlaps, told.bordersMoved], [2, 1, 0]);
     checkEqual(layer.joined(layer).featureCount, 4);
     checkEqual(layer.parts(PlaneSet.box([2, 0], [20, 4])).properties(), [{x: 0}, {x: 3}, null]);
+  },
+
+  'layers: the options of a repair'(plumb) {
+    const {Layer} = plumb;
+    const square = (id, name, from, to) => ({
+      type: 'Feature',
+      id,
+      properties: {name},
+      geometry: {
+        type: 'Polygon',
+        coordinates: [[[from, 0], [to, 0], [to, 4], [from, 4], [from, 0]]],
+      },
+    });
+    // A slit that opens to the outside at both ends.
+    const layer = Layer.read({
+      type: 'FeatureCollection',
+      features: [square(9, 'west', 0, 4), square(2, 'east', 4.0625, 8)],
+    });
+    const owner = (options) => {
+      const {layer: made, report} = layer.repaired({gapsBelow: 0.25, ...options});
+      check(!made.check({gapsBelow: 0.25}).hasDefects);
+      checkEqual(report.regions.map(({kind, isOpen}) => [kind, isOpen]), [['gap', true]]);
+      return report.regions[0].owner;
+    };
+    checkEqual([owner({owner: 'first'}), owner({owner: 'lowest id'})], [0, 1]);
+    checkEqual(owner({owner: 'first', ranks: [1, 0]}), 1);
+    checkEqual(owner({preferences: [[1, 0]]}), 1);
+    checkEqual(owner({preferences: [['east', '9']]}), 1);
+    checkEqual([layer.find('east'), layer.find('9')], [1, 0]);
+    check(layer.check({gapsBelow: 0.25}).regions[0].isOpen);
+    for (const found
+             of [layer.check({gapsBelow: 0.25, enclosedOnly: true}),
+                 layer.repaired({gapsBelow: 0.25, enclosedOnly: true}).report])
+      checkEqual([found.hasDefects, found.regions.length], [false, 0]);
+    for (const wrong
+             of [{ranks: [1, 0]}, {owner: 'first', ranks: [0]}, {preferences: [[0, 2]]},
+                 {preferences: [['north', 0]]}, {preferences: [0, 1]}])
+      failure(plumb, 'BAD_ARGUMENT', () => layer.repaired(wrong));
   },
 
   'meshes: check and repair'({checkMesh, repairMesh, readMesh, writeMesh, delaunay}) {

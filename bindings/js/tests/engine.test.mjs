@@ -183,8 +183,8 @@ test('a report that cannot be written leaves nothing behind', {skip}, async () =
       'GEOMETRYCOLLECTION(POLYGON((0 0,4 0,4 4,0 4,0 0)),' +
       'POLYGON((3 0,7 0,7 4,3 4,3 0)))');
   const makers = {
-    plumb_layer_repair: {4: 'plumb_layer_free', 3: 'plumb_layer_report_free'},
-    plumb_layer_check: {3: 'plumb_layer_report_free'},
+    plumb_layer_repair_with: {4: 'plumb_layer_free', 3: 'plumb_layer_report_free'},
+    plumb_layer_check_with: {3: 'plumb_layer_report_free'},
     plumb_layer_report_area: {2: 'plumb_numbers_free'},
   };
   const {engine} = await import(join(dist, 'memory.js'));

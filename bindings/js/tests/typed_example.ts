@@ -52,6 +52,7 @@ const lost: string = lostAttributes(traced, 'stl');
 const ids: Uint32Array|null = readMesh('', {attributes: true}).attributes.faceId;
 const files: Record<string, Uint8Array> = box.writeFiles('a.obj', {rounding: 'nearest'});
 const fewer: PlaneSet = outline.simplified({within: 0.1});
+const bordersMoved: number = outline.simplifiedWithReport({within: 0.1}).report.bordersMoved;
 const scene: number = Scene.fromMesh(vertices, triangles).addPoint(0, ['1/3', 0.5]);
 const sphere: boolean = SphereSet.halfSphere([0, 0, 1]).isSubsetOf(SphereSet.whole());
 if (box instanceof PlumbError) throw new Error('never');
@@ -92,6 +93,7 @@ export {
   direct,
   disposed,
   exact,
+  bordersMoved,
   fewer,
   files,
   flat,

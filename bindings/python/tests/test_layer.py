@@ -61,6 +61,64 @@ def test_rules_and_gaps() -> None:
     assert [r["kind"] for r in wide.repaired(gaps_below=100)[1].regions] == ["gap"]
 
 
+def slit() -> plumb.Layer:
+    """Two squares, and between them a slit that opens to the outside at both ends."""
+    west = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]
+    east = [(4.0625, 0.0), (8.0, 0.0), (8.0, 4.0), (4.0625, 4.0)]
+    text = collection(west, east).replace('"id": 8', '"id": 2')
+    return plumb.Layer.parse(text)
+
+
+def test_the_options_of_a_repair() -> None:
+    layer = slit()
+
+    def owner(**options: Any) -> object:
+        repaired, report = layer.repaired(gaps_below=0.25, **options)
+        (region,) = report.regions
+        assert region["kind"] == "gap" and region["open"]
+        assert not repaired.check(gaps_below=0.25).has_defects
+        return region["owner"]
+
+    assert owner(rule="first") == 0 and owner(rule="lowest-id") == 1
+    assert owner(rule="first", ranks=[1, 0]) == 1
+    assert owner(preferences=[(1, 0)]) == 1 and owner(preferences=[("f1", "7")]) == 1
+    assert owner(preferences=[(0, 1)]) == 0
+    assert layer.find("f1") == layer.find("2") == 1
+    assert layer.check(gaps_below=0.25).regions[0]["open"]
+    assert layer.check(gaps_below=0.25, enclosed_only=True).regions == []
+    same, report = layer.repaired(gaps_below=0.25, enclosed_only=True)
+    assert report.regions == [] and same.to_geojson() == layer.to_geojson()
+    with pytest.raises(plumb.Error, match="no feature has the id or the name"):
+        layer.repaired(preferences=[("nobody", 0)])
+    with pytest.raises(plumb.Error, match="ranks need the rule 'first'"):
+        layer.repaired(rule="largest", ranks=[1, 0])
+    wrong: list[dict[str, Any]] = [
+        {"rule": "first", "ranks": [1]},
+        {"preferences": [(0, 2)]},
+    ]
+    for options in wrong:
+        with pytest.raises(plumb.Error):
+            layer.repaired(**options)
+
+
+def test_simplifications_say_what_has_moved() -> None:
+    tooth = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (5.0, 8.0), (4.0, 8.5), (3.0, 8.0), (0.0, 8.0)]
+    layer = plumb.Layer.parse(collection(tooth))
+    simple, report = layer.simplified_with_report(tolerance=0.5)
+    assert simple.to_geojson() == layer.simplified(tolerance=0.5).to_geojson()
+    assert (report.corners_before, report.corners_after, report.fixed) == (7, 4, 0)
+    assert 0.5 <= report.borders_moved < 1 and report.rounding_moved == 0
+    kept, report = layer.simplified_with_report(within=0.25)
+    assert report.borders_moved <= 0.25 and "8.5" in kept.to_geojson()
+    assert "8.5" in layer.simplified(within=0.25).to_geojson()
+    flat, told = plumb.PlaneSet.polygon(tooth).simplified_with_report(tolerance=0.5)
+    assert flat == plumb.PlaneSet.box((0, 0), (8, 8))
+    assert (told.corners_before, told.corners_after, told.overlaps) == (7, 4, 0)
+    assert 0.5 <= told.borders_moved < 1
+    overlapping = plumb.Layer.parse(OVERLAPPING)
+    assert overlapping.simplified_with_report(tolerance=0)[1].overlaps == 1
+
+
 def test_dissolving_overlaying_and_simplifying(tmp_path: Path) -> None:
     layer = plumb.Layer.parse(
         collection([(0, 0), (4, 0), (4, 4), (0, 4)], [(4, 0), (8, 0), (8, 4), (4, 4)])

@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "plumb/io/text/file_names.h"
@@ -62,6 +63,7 @@ class InputFile {
     // Without waiting for a program that writes to a named pipe: wait() does that.
     fd_ = uninterrupted(context_, [&] { return system_files::open_input(path); });
     if (fd_ < 0) fail(path_);
+    is_regular_ = regular_size().has_value();
   }
   ~InputFile() {
     if (fd_ != STDIN_FILENO) ::close(fd_);
@@ -70,19 +72,16 @@ class InputFile {
   InputFile& operator=(const InputFile&) = delete;
 
   /// Returns the size if the system knows it: a hint that is never trusted.
-  std::size_t expected_size() const {
-    struct stat status {};
-    if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
-    return static_cast<std::size_t>(status.st_size);
-  }
+  std::size_t expected_size() const { return regular_size().value_or(0); }
 
   /// Waits until something can be read: in slices, so that limits and cancellation take effect
-  /// meanwhile. (A signal that arrives just before a read would not interrupt it.)
+  /// meanwhile. (A signal that arrives just before a read would not interrupt it.) A regular file
+  /// can always be read. It is not asked, because Emscripten's poll() fails for files of Node.
   void wait() const {
     constexpr int kSliceMilliseconds = 50;
     do {
       context_.checkpoint("load", 0, 1);
-    } while (!system_files::wait_for_input(fd_, kSliceMilliseconds));
+    } while (!is_regular_ && !system_files::wait_for_input(fd_, kSliceMilliseconds));
   }
 
   /// Reads some bytes; returns 0 at the end.
@@ -97,7 +96,15 @@ class InputFile {
   }
 
  private:
+  /// Returns the size of a regular file; nothing for a pipe or a device.
+  std::optional<std::size_t> regular_size() const {
+    struct stat status {};
+    if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    return static_cast<std::size_t>(status.st_size);
+  }
+
   int fd_;
+  bool is_regular_ = false;  // Standard input is always asked.
   const std::string& path_;
   Context& context_;
 };
