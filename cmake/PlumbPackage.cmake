@@ -3,7 +3,12 @@
 set(CPACK_PACKAGE_NAME plumb)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_VENDOR "The plumb authors")
-set(PLUMB_PACKAGE_CONTACT "The plumb authors <plumb@localhost>" CACHE STRING "Who answers for the packages: NAME <ADDRESS>")
+# By default who Debian's own tools would name.
+set(plumb_contact "The plumb authors <plumb@localhost>")
+if(NOT "$ENV{DEBFULLNAME}" STREQUAL "" AND NOT "$ENV{DEBEMAIL}" STREQUAL "")
+  set(plumb_contact "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
+set(PLUMB_PACKAGE_CONTACT "${plumb_contact}" CACHE STRING "Who answers for the packages: NAME <ADDRESS>")
 set(CPACK_PACKAGE_CONTACT "${PLUMB_PACKAGE_CONTACT}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_CHECKSUM SHA256)
