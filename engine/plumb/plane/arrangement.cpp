@@ -206,10 +206,27 @@ PlaneComplex arranged_in_order(SweepInput& scene, OrderedInput ordered, OriginsR
   return builder.build(std::move(scene.points));
 }
 
+/// Whether the points of a scene of bounded curves ascend, and its curves by their left ends, as
+/// those of a complex do. Requires input points only, all of them doubles.
+bool is_in_sweep_order(const SweepInput& scene) {
+  const PointTable2& points = scene.points.inputs;
+  for (std::uint32_t i = 1; i < points.size(); ++i) {
+    if (compare_xy(points, i - 1, i) != Sign::Negative) return false;
+  }
+  std::uint32_t last = 0;
+  for (const SweepCurve& c : scene.curves) {
+    const std::uint32_t left = std::min(c.from, c.to);
+    if (left < last || std::max(c.from, c.to) == SweepCurve::kUnbounded) return false;
+    last = left;
+  }
+  return true;
+}
+
 // Whether a scene should be renumbered. Where some points are no doubles, exact arithmetic takes
 // more time than memory.
 bool is_worth_ordering(const SweepInput& scene) {
-  return scene.points.crossings.empty() && scene.points.inputs.all_double();
+  return scene.points.crossings.empty() && scene.points.inputs.all_double() &&
+         !is_in_sweep_order(scene);
 }
 
 /// Throws Error{BadIndex} if an index of a scene names no point.

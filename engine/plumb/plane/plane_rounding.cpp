@@ -15,9 +15,11 @@
 #include "plumb/plane/plane_rounding.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "plumb/plane/complex/plane_draft.h"
 #include "plumb/plane/rounding/labelled_edges.h"
 #include "plumb/plane/rounding/local_repair.h"
 #include "plumb/plane/rounding/vertex_places.h"
@@ -78,6 +80,15 @@ VertexId vertex_at(const PlaneComplex& complex, Point2 p) {
                   : VertexId();
 }
 
+/// Returns pieces of which each edge of a complex has one.
+EdgePieces one_piece_each(std::vector<LabelledEdge> edges) {
+  EdgePieces pieces;
+  pieces.begin.resize(edges.size() + 1);
+  std::iota(pieces.begin.begin(), pieces.begin.end(), std::uint32_t{0});
+  pieces.edges = std::move(edges);
+  return pieces;
+}
+
 class PlaneRounder {
  public:
   PlaneRounder(const PlaneComplex& exact, Context& context)
@@ -122,8 +133,8 @@ class PlaneRounder {
   void snap_again(const EdgePieces& pieces, const PlaneComplex& complex, Rational& step);
   void snap(const EdgePieces& pieces, const HotPixels& pixels, std::vector<Point2> lone);
   RoundedSubdivision finished(Arrangement arrangement);
-  void leave_out_folded(const PlaneComplex& complex, const EdgePieces& pieces,
-                        const FaceLabels& labels);
+  std::vector<std::uint8_t> leave_out_folded(const PlaneComplex& complex, const EdgePieces& pieces,
+                                             const FaceLabels& labels);
   void set_marks(const EdgePieces& pieces, RoundedSubdivision& result) const;
   PlaneRoundingReport report(const RoundedSubdivision& result) const;
   std::size_t count_merged() const;
@@ -209,8 +220,18 @@ void PlaneRounder::snap(const EdgePieces& pieces, const HotPixels& pixels,
 RoundedSubdivision PlaneRounder::finished(Arrangement arrangement) {
   EdgePieces pieces = pieces_of(scene_, arrangement, trace_);
   FaceLabels labels = face_labels(arrangement.complex, pieces);
-  leave_out_folded(arrangement.complex, pieces, labels);
-  if (scene_.edges.size() != arrangement.complex.edge_count()) {
+  const std::vector<std::uint8_t> is_kept = leave_out_folded(arrangement.complex, pieces, labels);
+  if (scene_.edges.size() == arrangement.complex.edge_count()) {
+    // Nothing was left out.
+  } else if (scene_.lone.empty()) {
+    const std::vector<std::uint8_t> all_corners(arrangement.complex.vertex_count(), 1);
+    ReducedComplex reduced = without_edges(arrangement.complex, is_kept, all_corners);
+    arrangement.complex = std::move(reduced.complex);
+    pieces = one_piece_each(scene_.edges);
+    FaceLabels merged;
+    for (const FaceId f : reduced.merged) merged.label.push_back(labels.label[f]);
+    labels = std::move(merged);
+  } else {
     arrangement = arrange_edges(scene_, context_);
     pieces = pieces_of(scene_, arrangement, trace_);
     labels = face_labels(arrangement.complex, pieces);
@@ -225,9 +246,12 @@ RoundedSubdivision PlaneRounder::finished(Arrangement arrangement) {
 }
 
 /// Makes the scene of the edges between different faces, and the lines. Each of them gets the
-/// labels of the faces beside it, so the labels of the scene are clear.
-void PlaneRounder::leave_out_folded(const PlaneComplex& complex, const EdgePieces& pieces,
-                                    const FaceLabels& labels) {
+/// labels of the faces beside it, so the labels of the scene are clear. Returns for each edge
+/// whether it is in the scene.
+std::vector<std::uint8_t> PlaneRounder::leave_out_folded(const PlaneComplex& complex,
+                                                         const EdgePieces& pieces,
+                                                         const FaceLabels& labels) {
+  std::vector<std::uint8_t> is_kept(complex.edge_count(), 0);
   LabelledEdges kept;
   kept.lone = std::move(scene_.lone);
   kept.drift = scene_.drift;
@@ -245,9 +269,11 @@ void PlaneRounder::leave_out_folded(const PlaneComplex& complex, const EdgePiece
       ++trace_.folded;
     } else {
       kept.edges.push_back(edge);
+      is_kept[i] = 1;
     }
   }
   scene_ = std::move(kept);
+  return is_kept;
 }
 
 void PlaneRounder::set_marks(const EdgePieces& pieces, RoundedSubdivision& result) const {

@@ -7,7 +7,8 @@
 //
 // simplify() drops edges first. Whether an edge is dropped depends on the marks of its old faces,
 // which are equal where faces are joined, so the order does not matter; the same holds for vertices
-// once edges are settled (docs/design/sweep.md, Lemma 3). Kept edges stay in the order of the
+// once edges are settled (docs/design/sweep.md, Lemma 3). without_edges() drops the edges that its
+// caller names, and vertices by the same rule, but without marks. Kept edges stay in the order of the
 // sweep, because a chain takes the place of its first edge.
 //
 // Tested by tests/plane/nef2_test.cpp and tests/plane/sweep_unbounded_test.cpp.
@@ -257,10 +258,10 @@ class MergedFaces {
   std::vector<std::uint32_t> parent_;
 };
 
-// One run of simplify().
+// One run of simplify() or without_edges().
 class Simplifier {
  public:
-  explicit Simplifier(PlaneComplex& complex)
+  explicit Simplifier(const PlaneComplex& complex)
       : complex_(complex),
         dcel_(complex.dcel),
         faces_(complex.dcel.face_count()),
@@ -269,13 +270,20 @@ class Simplifier {
         vertex_(complex.vertex_count()),
         halfedge_(2 * complex.edge_count()) {}
 
-  /// Moves the points out of the complex.
-  PlaneComplex run();
+  /// Returns the minimal form. `points` are those of the complex, which are moved out at the end.
+  PlaneComplex minimal(PlanePoints&& points);
+  /// Returns the complex of the edges that are kept.
+  ReducedComplex reduced(std::span<const std::uint8_t> is_kept,
+                         std::span<const std::uint8_t> is_corner);
 
  private:
   void drop_edges();
+  void drop_edge(EdgeId e);
   void place_vertices();
   void place_vertex(VertexId v);
+  void place_corner(VertexId v, bool is_corner);
+  void pass_through();
+  FinishedDraft finished(PlanePoints&& points);
   void collect_kept(VertexId v);
   bool is_straight() const;
   void chain_edges();
@@ -294,7 +302,7 @@ class Simplifier {
                                 : dcel_.face(dcel_.halfedge(v));
   }
 
-  PlaneComplex& complex_;
+  const PlaneComplex& complex_;
   const Dcel& dcel_;
   MergedFaces faces_;
   PlaneDraft draft_;
@@ -313,9 +321,11 @@ void Simplifier::drop_edges() {
     const EdgeId e(i);
     const bool mark = complex_.mark(e);
     is_kept_[i] = complex_.mark(left(e)) != mark || complex_.mark(right(e)) != mark ? 1 : 0;
-    if (is_kept_[i] == 0) faces_.merge(left(e), right(e));
+    if (is_kept_[i] == 0) drop_edge(e);
   }
 }
+
+void Simplifier::drop_edge(EdgeId e) { faces_.merge(left(e), right(e)); }
 
 void Simplifier::collect_kept(VertexId v) {
   kept_here_.clear();
@@ -345,9 +355,7 @@ void Simplifier::place_vertex(VertexId v) {
     const EdgeId e = edge_of(kept_here_[0]);
     const EdgeId f = edge_of(kept_here_[1]);
     if (complex_.mark(e) == mark && complex_.mark(f) == mark && is_straight()) {
-      // The even half-edge is the one that leaves to the right.
-      const bool first_leaves = (kept_here_[0].value() & 1U) == 0;
-      continues_[(first_leaves ? f : e)] = first_leaves ? e : f;
+      pass_through();
       return;
     }
   }
@@ -356,6 +364,26 @@ void Simplifier::place_vertex(VertexId v) {
     draft_.isolated.push_back(vertex_[v]);
     isolated_face_.push_back(any_face(v));
   }
+}
+
+// Lets the edge that arrives from the left continue in the one that leaves to the right. The even
+// half-edge is the one that leaves to the right.
+void Simplifier::pass_through() {
+  const EdgeId e = edge_of(kept_here_[0]);
+  const EdgeId f = edge_of(kept_here_[1]);
+  const bool first_leaves = (kept_here_[0].value() & 1U) == 0;
+  continues_[(first_leaves ? f : e)] = first_leaves ? e : f;
+}
+
+// Keeps a vertex that kept edges meet, unless they are two on one line and it is no corner.
+void Simplifier::place_corner(VertexId v, bool is_corner) {
+  collect_kept(v);
+  if (kept_here_.empty()) return;
+  if (!is_corner && kept_here_.size() == 2 && is_straight()) {
+    pass_through();
+    return;
+  }
+  vertex_[v] = draft_.add_vertex(complex_.vertex_point[v], complex_.mark(v));
 }
 
 void Simplifier::place_vertices() {
@@ -422,9 +450,7 @@ PlaneFaceClasses Simplifier::class_loops(const PlaneLoops& loops) {
   return classes;
 }
 
-PlaneComplex Simplifier::run() {
-  drop_edges();
-  place_vertices();
+FinishedDraft Simplifier::finished(PlanePoints&& points) {
   chain_edges();
   link_vertices();
   collect_ends();
@@ -432,7 +458,29 @@ PlaneComplex Simplifier::run() {
   close_frame(draft_);
   const PlaneLoops loops = trace_loops(draft_);
   const PlaneFaceClasses classes = class_loops(loops);
-  return finish(draft_, loops, classes, std::move(complex_.points)).complex;
+  return finish(draft_, loops, classes, std::move(points));
+}
+
+PlaneComplex Simplifier::minimal(PlanePoints&& points) {
+  drop_edges();
+  place_vertices();
+  return finished(std::move(points)).complex;
+}
+
+ReducedComplex Simplifier::reduced(std::span<const std::uint8_t> is_kept,
+                                   std::span<const std::uint8_t> is_corner) {
+  for (std::size_t i = 0; i < is_kept.size(); ++i) {
+    is_kept_[i] = is_kept[i];
+    if (is_kept[i] == 0) drop_edge(EdgeId(i));
+  }
+  for (std::size_t i = 0; i < is_corner.size(); ++i) place_corner(VertexId(i), is_corner[i] != 0);
+  FinishedDraft result = finished(PlanePoints(complex_.points));
+  ReducedComplex reduced{std::move(result.complex), {}};
+  reduced.merged.reserve(result.first_of_face.size());
+  for (const HalfedgeId h : result.first_of_face) {
+    reduced.merged.push_back(h.is_valid() ? dcel_.face(old_halfedge_[h]) : FaceId(0));
+  }
+  return reduced;
 }
 
 // Combines the mark of each edge with those of the faces beside it, and the mark of each vertex
@@ -465,7 +513,16 @@ PlaneMarks neighbourhood_marks(const PlaneComplex& complex, Combine boolean_op) 
 
 }  // namespace
 
-PlaneComplex simplify(PlaneComplex complex) { return Simplifier(complex).run(); }
+PlaneComplex simplify(PlaneComplex complex) {
+  return Simplifier(complex).minimal(std::move(complex.points));
+}
+
+ReducedComplex without_edges(const PlaneComplex& complex, std::span<const std::uint8_t> is_kept,
+                             std::span<const std::uint8_t> is_corner) {
+  PLUMB_CHECK(is_kept.size() == complex.edge_count());
+  PLUMB_CHECK(is_corner.size() == complex.vertex_count());
+  return Simplifier(complex).reduced(is_kept, is_corner);
+}
 
 PlaneMarks interior_marks(const PlaneComplex& complex) {
   return neighbourhood_marks(complex, [](bool a, bool b) { return a && b; });

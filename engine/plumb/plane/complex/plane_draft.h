@@ -105,6 +105,21 @@ FinishedDraft finish(const PlaneDraft& draft, const PlaneLoops& loops,
 /// audit(complex, AuditForm::Any) finds no flaw. Idempotent.
 PlaneComplex simplify(PlaneComplex complex);
 
+/// A complex of which edges were left out.
+struct ReducedComplex {
+  PlaneComplex complex;        ///< What is left.
+  std::vector<FaceId> merged;  ///< For each face of it, one of the faces that it consists of.
+};
+
+/// Returns the complex of the edges that are kept, in linear time and without a sweep: the steps
+/// are those of simplify(). A vertex with kept edges stays if it is a corner, or if its kept edges
+/// are not two on one line; the others vanish. Marks of what stays are those that it had, and faces
+/// that are joined must have one mark. Requires a complex in which audit(complex, AuditForm::Any)
+/// finds no flaw, and an entry for each edge and for each vertex. The result has the numbering of
+/// an arrangement of the same edges.
+ReducedComplex without_edges(const PlaneComplex& complex, std::span<const std::uint8_t> is_kept,
+                             std::span<const std::uint8_t> is_corner);
+
 /// Returns the marks of the interior: an edge or vertex stays marked only if everything around it
 /// is.
 PlaneMarks interior_marks(const PlaneComplex& complex);

@@ -1,7 +1,7 @@
 // Edges between equal labels are left out, and the pieces of one curve that remain on both sides of
 // a left-out crossing become one curve again, so that rounding does not bend borders at crossings
-// that are no longer there. What is left is arranged again, rounded as one subdivision, and read
-// off face by face. Rounding may remove a narrow face between two faces with equal labels, so edges
+// that are no longer there; this takes linear time (without_edges()). What is left is rounded as one
+// subdivision, and read off face by face. Rounding may remove a narrow face between two faces with equal labels, so edges
 // between equal labels are left out once more. Then neighbouring faces have different labels, and
 // each face is one polygon.
 //
@@ -13,91 +13,34 @@
 #include <utility>
 
 #include "plumb/plane/arrangement.h"
+#include "plumb/plane/complex/plane_draft.h"
 #include "plumb/plane/layer/covered_cells.h"
 #include "plumb/plane/plane_measure.h"
 
 namespace plumb {
 namespace {
 
-/// The edges between faces with different labels, as curves.
-class LabelBorders {
- public:
-  LabelBorders(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,
-               std::span<const std::uint8_t> is_corner)
-      : complex_(complex),
-        label_(label),
-        is_corner_(is_corner),
-        degree_(complex.vertex_count(), 0) {
-    for (std::size_t e = 0; e < complex.edge_count(); ++e) count(EdgeId(e));
-    // Edges are numbered by their left ends, so the first edge of a chain comes first.
-    is_taken_.assign(complex.edge_count(), 0);
-    for (std::size_t e = 0; e < complex.edge_count(); ++e) {
-      if (is_kept(EdgeId(e)) && is_taken_[e] == 0) add_chain(EdgeId(e));
-    }
+/// Returns for each edge whether it lies between faces with different labels.
+std::vector<std::uint8_t> border_edges(const PlaneComplex& complex,
+                                       const std::vector<std::uint32_t>& label) {
+  const Dcel& dcel = complex.dcel;
+  std::vector<std::uint8_t> is_border;
+  is_border.reserve(complex.edge_count());
+  for (std::size_t e = 0; e < complex.edge_count(); ++e) {
+    const HalfedgeId h = first_half(EdgeId(e));
+    is_border.push_back(label[dcel.face(h).value()] != label[dcel.face(twin(h)).value()] ? 1 : 0);
   }
-
-  const std::vector<SweepCurve>& curves() const { return curves_; }
-  const std::vector<SideLabels>& sides() const { return sides_; }
-
- private:
-  std::uint32_t left(EdgeId e) const { return label_[complex_.dcel.face(first_half(e)).value()]; }
-  std::uint32_t right(EdgeId e) const {
-    return label_[complex_.dcel.face(twin(first_half(e))).value()];
-  }
-  bool is_kept(EdgeId e) const { return left(e) != right(e); }
-  void count(EdgeId e);
-  void add_chain(EdgeId first);
-  std::optional<EdgeId> continuation(EdgeId e) const;
-
-  const PlaneComplex& complex_;
-  const std::vector<std::uint32_t>& label_;
-  std::span<const std::uint8_t> is_corner_;
-  // For each vertex, the number of kept edges, and the last one that goes to the right.
-  std::vector<std::uint32_t> degree_;
-  IdVector<VertexId, EdgeId> rightward_ = IdVector<VertexId, EdgeId>(degree_.size());
-  std::vector<std::uint8_t> is_taken_;
-  std::vector<SweepCurve> curves_;
-  std::vector<SideLabels> sides_;
-};
-
-void LabelBorders::count(EdgeId e) {
-  if (!is_kept(e)) return;
-  const HalfedgeId h = first_half(e);
-  ++degree_[complex_.dcel.origin(h).value()];
-  ++degree_[complex_.dcel.target(h).value()];
-  rightward_[complex_.dcel.origin(h)] = e;
+  return is_border;
 }
 
-/// Returns the edge that continues e to the right on the same line, if they meet in a vertex that
-/// is no corner and that no other kept edge meets.
-std::optional<EdgeId> LabelBorders::continuation(EdgeId e) const {
-  const VertexId v = complex_.dcel.target(first_half(e));
-  const bool is_corner = is_corner_.empty()
-                             ? complex_.vertex_point[v] < complex_.points.inputs.size()
-                             : is_corner_[v.value()] != 0;
-  if (is_corner || degree_[v.value()] != 2 || !rightward_[v].is_valid()) return {};
-  const EdgeId next = rightward_[v];
-  const PlaneLine line = complex_.line[e], other = complex_.line[next];
-  const PlanePointsView points(complex_.points);
-  const bool is_straight =
-      line == other || (orient2d(points, line.a, line.b, other.a) == Sign::Zero &&
-                        orient2d(points, line.a, line.b, other.b) == Sign::Zero);
-  return is_straight ? std::optional(next) : std::nullopt;
-}
-
-void LabelBorders::add_chain(EdgeId first) {
-  EdgeId last = first;
-  for (;;) {
-    is_taken_[last.value()] = 1;
-    const std::optional<EdgeId> next = continuation(last);
-    if (!next) break;
-    last = *next;
+/// Returns for each vertex whether it is an input point and no crossing.
+std::vector<std::uint8_t> input_corners(const PlaneComplex& complex) {
+  std::vector<std::uint8_t> is_corner;
+  is_corner.reserve(complex.vertex_count());
+  for (const std::uint32_t p : complex.vertex_point) {
+    is_corner.push_back(p < complex.points.inputs.size() ? 1 : 0);
   }
-  const Dcel& dcel = complex_.dcel;
-  const PlaneLine line = complex_.line[first];
-  curves_.push_back({complex_.vertex_point[dcel.origin(first_half(first))],
-                     complex_.vertex_point[dcel.target(first_half(last))], line.a, line.b});
-  sides_.push_back({left(first), right(first)});
+  return is_corner;
 }
 
 bool has_inner_edges(const LabelledComplex& labelled) {
@@ -143,8 +86,15 @@ LabelledComplex labelled_arrangement(const PlanePoints& points, std::span<const 
 LabelledComplex without_inner_edges(const PlaneComplex& complex,
                                     const std::vector<std::uint32_t>& label,
                                     std::span<const std::uint8_t> is_corner, Context& context) {
-  const LabelBorders borders(complex, label, is_corner);
-  return labelled_arrangement(complex.points, borders.curves(), borders.sides(), {}, context);
+  context.checkpoint("borders", 0, 0);
+  const std::vector<std::uint8_t> corners =
+      is_corner.empty() ? input_corners(complex)
+                        : std::vector<std::uint8_t>(is_corner.begin(), is_corner.end());
+  ReducedComplex reduced = without_edges(complex, border_edges(complex, label), corners);
+  LabelledComplex result{std::move(reduced.complex), {}};
+  result.label.reserve(reduced.merged.size());
+  for (const FaceId f : reduced.merged) result.label.push_back(label[f.value()]);
+  return result;
 }
 
 RoundedLabels rounded_labels(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,

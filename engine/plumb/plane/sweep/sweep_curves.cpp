@@ -71,11 +71,15 @@ PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_
                    const Context* context) {
   constexpr std::uint64_t kStepsPerCheckpoint = std::uint64_t{1} << 16;
   std::uint64_t steps = 0;
-  std::sort(keyed.begin(), keyed.end(), [&](const KeyedPoint& p, const KeyedPoint& q) {
+  const auto is_less = [&](const KeyedPoint& p, const KeyedPoint& q) {
     if (++steps % kStepsPerCheckpoint == 0 && context != nullptr) context->check_limits("sweep");
     const Sign s = order.compare(p, q);
     return s == Sign::Negative || (s == Sign::Zero && p.point < q.point);
-  });
+  };
+  // Points of a complex come in this order.
+  if (!std::is_sorted(keyed.begin(), keyed.end(), is_less)) {
+    std::sort(keyed.begin(), keyed.end(), is_less);
+  }
   PointRanks ranks;
   ranks.order.resize(keyed.size());
   ranks.rank.assign(point_count, PointRanks::kUnused);
