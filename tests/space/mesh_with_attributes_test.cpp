@@ -20,6 +20,7 @@
 #include "generate/near_solids.h"
 #include "oracle/valid_mesh_check.h"
 #include "plumb/predicates/error.h"
+#include "plumb/space/nef3.h"
 #include "plumb/space/repair_mesh.h"
 #include "plumb/testing/dice.h"
 
@@ -406,6 +407,55 @@ TEST(MeshWithAttributes, MapsMoveSourcesAndTurnNormals) {
         }
       }
     }
+  }
+}
+
+/// A face of a result: its source, and its corners with all their numbers, the least corner first.
+using StatedFace = std::tuple<std::uint32_t, std::uint32_t, bool, std::vector<std::vector<double>>>;
+
+std::vector<StatedFace> stated_faces(const MeshWithAttributes& made) {
+  std::vector<StatedFace> faces;
+  for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
+    std::vector<std::vector<double>> corners;
+    for (std::size_t c = made.mesh.face_begin[f]; c < made.mesh.face_begin[f + 1]; ++c) {
+      const Point3& p = made.mesh.points[made.mesh.corners[c]];
+      auto& numbers = corners.emplace_back(std::vector<double>{p.x, p.y, p.z});
+      for (const MeshChannel& channel : made.attributes.channels) {
+        const auto first = channel.values.begin() + static_cast<std::ptrdiff_t>(c * channel.width);
+        numbers.insert(numbers.end(), first, first + channel.width);
+      }
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    const FaceSource& from = made.source[f];
+    faces.emplace_back(from.source, from.face, from.is_flipped, std::move(corners));
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+// Sets that were moved have the same faces and numbers as sets of moved meshes. The coordinates
+// are multiples of 2^-20, so that moved points are doubles. Many spheres hide each other.
+TEST(MeshWithAttributes, MovedSourcesAreLikeMovedMeshes) {
+  Dice dice(11);
+  PolygonMesh sphere = icosphere_mesh(1, 1, {0, 0, 0});
+  for (Point3& p : sphere.points) {
+    for (double* x : {&p.x, &p.y, &p.z}) *x = std::ldexp(std::round(std::ldexp(*x, 20)), -20);
+  }
+  const SharedSource source = random_source(sphere, dice);
+  for (int round = 0; round < 4; ++round) {
+    std::vector<Nef3> moved, of_moved_meshes;
+    for (int i = 0; i < 8; ++i) {
+      const auto step = [&] { return static_cast<double>(dice.between(-6, 6)) / 4; };
+      const Point3 by{i / 4. - 1, step(), step()};  // All are different.
+      moved.push_back(from_source(source).transformed(
+          {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {by.x, by.y, by.z}}));
+      MeshSource other = *source;
+      for (Point3& p : other.mesh.points) p = {p.x + by.x, p.y + by.y, p.z + by.z};
+      of_moved_meshes.push_back(from_source(std::make_shared<const MeshSource>(std::move(other))));
+    }
+    const MeshWithAttributes a = mesh_with_attributes(union_of(moved));
+    const MeshWithAttributes b = mesh_with_attributes(union_of(of_moved_meshes));
+    EXPECT_EQ(stated_faces(a), stated_faces(b)) << round;
   }
 }
 

@@ -393,7 +393,7 @@ class Evaluator {
     if (n.kind == CsgKind::LinearExtrude || n.kind == CsgKind::RotateExtrude) {
       solid = extrusion_of(united_inputs<Nef2>(i), tree_, n, remark, context_);
     } else if (is_primitive(n.kind)) {
-      solid = primitive_solid(tree_, n, remark, context_);
+      solid = plain_primitive(i, remark);
     } else {
       solid = set_of<Nef3>(i, remark);
     }
@@ -402,6 +402,23 @@ class Evaluator {
       solid = painted(solid, *color, phase_of(i), context_);
     }
     if (is_primitive(n.kind) || makes_new_faces(n.kind)) remember_sources(i, solid);
+    return solid;
+  }
+
+  /// Returns the set of a primitive without its colour. Equal primitives of different colours share
+  /// it.
+  Nef3 plain_primitive(std::uint32_t i, std::string& remark) {
+    const auto has_same_shape = [&](const PlainPrimitive& known) {
+      return kind_of(i) == kind_of(known.node) &&
+             std::ranges::equal(numbers_of(i), numbers_of(known.node)) &&
+             std::ranges::equal(tree_.indices_of(node(i)), tree_.indices_of(node(known.node)));
+    };
+    if (primitive_ && has_same_shape(*primitive_)) {
+      remark = primitive_->remark;
+      return primitive_->solid;
+    }
+    Nef3 solid = primitive_solid(tree_, node(i), remark, context_);
+    if (has_colors_) primitive_ = {i, solid, remark};
     return solid;
   }
 
@@ -658,6 +675,13 @@ class Evaluator {
   std::uint64_t needed_ = 0;  // Representatives whose values are needed.
   std::vector<Value> values_;
   std::unordered_map<const MeshSource*, std::uint32_t> rank_;  // The node of each source.
+  /// A primitive without its colour.
+  struct PlainPrimitive {
+    std::uint32_t node;
+    Nef3 solid;
+    std::string remark;
+  };
+  std::optional<PlainPrimitive> primitive_;  // The last one that was computed.
   CsgResult result_;
 };
 

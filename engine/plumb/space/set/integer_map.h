@@ -6,6 +6,7 @@
 #include "plumb/predicates/arithmetic/fingerprint.h"
 #include "plumb/predicates/sign.h"
 #include "plumb/space/boolean/frame.h"
+#include "plumb/space/complex/space_tables.h"
 #include "plumb/space/nef3.h"
 
 namespace plumb {
@@ -48,5 +49,11 @@ class IntegerMap {
   Integer weight_ = 1;               // The common denominator c.
   Sign determinant_ = Sign::Zero;
 };
+
+/// Returns the plane with these coefficients, and adds it if the table does not have it.
+OrientedPlane intern_row(PlaneTable& planes, IntegerRow row);
+/// Adds the point with these homogeneous coordinates, the last of which is positive. It becomes an
+/// input point if its coordinates are doubles.
+SpacePoint add_point(SpaceTables& tables, const IntegerRow& x);
 
 }  // namespace plumb

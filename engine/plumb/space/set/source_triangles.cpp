@@ -19,6 +19,8 @@
 #include <numeric>
 #include <utility>
 
+#include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/scaled.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/planar/triangulate.h"
 #include "plumb/space/set/barycentric_form.h"
@@ -125,12 +127,15 @@ void SourceTriangles::add_exact_points(std::uint32_t source, Context& context) {
   for (const auto& [i, p] : mesh.exact) {
     if (steps++ % kStepsOfCheckpoint == 0)
       context.checkpoint("place sources", i, mesh.points.size());
-    places_.back()[i] = image_of(source, p);
+    places_.back()[i] = add_point(tables_, moves_[source] ? image(sources_[source].map, p) : p);
   }
 }
 
-SpacePoint SourceTriangles::image_of(std::uint32_t source, const RationalPoint3& point) {
-  return add_point(tables_, moves_[source] ? image(sources_[source].map, point) : point);
+SpacePoint SourceTriangles::image_of(const MovedPlanes::Map& map, const Point3& point) {
+  const int low = std::min(Grid{point.x, point.y, point.z}.low(), 0);
+  return add_point(tables_,
+                   map.exact.image_of_point({to_integer(point.x, low), to_integer(point.y, low),
+                                             to_integer(point.z, low), shifted(Integer(1), -low)}));
 }
 
 /// Interns the planes of triangles whose corners are doubles in a table of their own, before they

@@ -101,11 +101,11 @@ class SourceTriangles {
     SpacePoint& known = places_[source][point];
     if (known.is_valid()) return known;
     const Point3& at = sources_[source].source->mesh.points[point];
-    known = moves_[source] ? image_of(source, {at.x, at.y, at.z})
-                           : SpacePoint(tables_.planes.add_point(at));
+    known =
+        moves_[source] ? image_of(*moves_[source], at) : SpacePoint(tables_.planes.add_point(at));
     return known;
   }
-  SpacePoint image_of(std::uint32_t source, const RationalPoint3& point);
+  SpacePoint image_of(const MovedPlanes::Map& map, const Point3& point);
   void add_exact_points(std::uint32_t source, Context& context);
   void find_moved_planes(std::uint32_t source, std::size_t first, const MovedPlanes& wanted,
                          Context& context);

@@ -15,14 +15,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "plumb/predicates/arithmetic/fingerprint.h"
-#include "plumb/predicates/arithmetic/scaled.h"
 #include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
@@ -39,24 +35,6 @@ RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactor
   RationalRow image;
   for (std::size_t k = 0; k < 3; ++k) image[k] = dot(n, cofactors[k]) / determinant;
   return image;
-}
-
-/// Whether a positive integer is a power of two.
-bool is_power_of_two(const Integer& x) { return lsb(x) == msb(x); }
-
-/// Returns the exponent of the lowest bit of x / w, for a power of two w; 0 for x = 0.
-int lowest_exponent(const Integer& x, const Integer& w) {
-  return x.is_zero() ? 0 : trailing_zeros(x) - trailing_zeros(w);
-}
-
-/// Returns x / w for a power of two w if it is a double. Requires a lowest exponent far from the
-/// ends of the range of doubles.
-std::optional<double> as_double(const Integer& x, const Integer& w) {
-  constexpr int kDigits = 53;
-  if (x.is_zero()) return 0.0;
-  const int low = trailing_zeros(x);
-  if (bit_length(x) - low > kDigits) return {};
-  return std::ldexp(mpz_get_d(Integer(x >> low).mpz()), lowest_exponent(x, w));
 }
 
 /// Maps planes and points into a new table, each once. Points go to M x + t, and a plane n.x + d =
@@ -92,13 +70,14 @@ class Images {
       return tables_->points.add((*this)(source.plane(0)).plane(), (*this)(source.plane(1)).plane(),
                                  (*this)(source.plane(2)).plane());
     }
-    return add(whole_map_.image_of_point(homogeneous(points, p)));
+    return add_point(*tables_, whole_map_.image_of_point(homogeneous(points, p)));
   }
 
  private:
   OrientedPlane image_of(PlaneId p) {
     if (complex_.planes().is_frame(p)) return image_of_far(p);
-    return intern(primitive(whole_map_.image_of_plane(complex_.planes().coefficients(p))));
+    return intern_row(tables_->planes,
+                      primitive(whole_map_.image_of_plane(complex_.planes().coefficients(p))));
   }
   /// A plane of the frame becomes a far plane: its offset scales with R and is not shifted.
   OrientedPlane image_of_far(PlaneId p) {
@@ -107,31 +86,6 @@ class Images {
     const RationalRow image =
         image_of_normal(n, cofactors(map_.matrix), plumb::determinant(map_.matrix));
     return far_plane(tables_->planes, image, row[3] * far_scale_);
-  }
-  OrientedPlane intern(IntegerRow row) {
-    auto& [a, b, c, d] = row;
-    return tables_->planes.intern(Rational(std::move(a)), Rational(std::move(b)),
-                                  Rational(std::move(c)), Rational(std::move(d)));
-  }
-
-  /// Adds a point x / w. Nearly all denominators are powers of two: then no fraction needs to be
-  /// reduced.
-  SpacePoint add(const IntegerRow& x) {
-    constexpr int kMostExponent = 900;
-    const Integer& w = x[3];
-    const auto is_ordinary = [&](const Integer& c) {
-      return std::abs(lowest_exponent(c, w)) <= kMostExponent;
-    };
-    if (!is_power_of_two(w) || !std::all_of(x.begin(), x.begin() + 3, is_ordinary)) {
-      return add_point(*tables_, {Rational(x[0], w), Rational(x[1], w), Rational(x[2], w)});
-    }
-    const std::optional<double> a = as_double(x[0], w), b = as_double(x[1], w),
-                                c = as_double(x[2], w);
-    if (a && b && c) return SpacePoint(tables_->planes.add_point({*a, *b, *c}));
-    const std::array<PlaneId, 3> planes{intern({w, 0, 0, -x[0]}).plane(),
-                                        intern({0, w, 0, -x[1]}).plane(),
-                                        intern({0, 0, w, -x[2]}).plane()};
-    return tables_->points.add(planes[0], planes[1], planes[2]);
   }
 
   const SpaceComplex& complex_;
