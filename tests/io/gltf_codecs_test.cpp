@@ -74,6 +74,101 @@ TEST(GltfCodecs, draco) {
   }
 }
 
+// The tetrahedron with colours, texture coordinates and normals, as the library writes it: by
+// edgebreaker with one connectivity for all attributes, and with one for each.
+const std::array<const char*, 2> kDracoChannels{
+    "RFJBQ08CAgEBAAAABAQAAwAAAS8BARAB/wAABAICBAEAAwkCAQEBCQMAAgAJAwADAQAAAgABAQAJBwEQ"
+    "DwEgARADAIiQFBQPOjn1oiECAQD9AAAAAP8AAAAAAAA+AABAPwAAAD8AAIA/AAAAAAAAAAAAAIA/AACA"
+    "PgAAAAAAAAAAAACAPwAAAAAAAIA/AAAAAAAAgL8AAAAAAAAAAAAAgD8AAAAAAAAAAAABAQADAwEgASAD"
+    "APCDJJEAAAAAAP8HAAAAAAAAAAAAAAAAAAAAAIA/Cw==",
+    "RFJBQ08CAgEBAAAABAQDAwAAAS8BARD/AmZA/wJmQP8CZkAEAAAAAQAAAgAA/wAAAQICBAEAAQEDCQIB"
+    "AQABAQkDAAIAAQAJAwADAgEBAQAJBwEQDwEgARADAIiQFBQPOjn1oiEWAT79AAAAAP8AAAAAAAA+AABA"
+    "PwAAAD8AAIA/AAAAAAAAAAAAAIA/AACAPgAAAAAAAAAAAACAPwAAAAAAAIA/AAAAAAAAgL8AAAAAAAAA"
+    "AAAAgD8AAAAAAAAAAAEBAQADAwEQATADAFCCJJEEAAAAAP8HAAAAAAAAAAAAAAAAAAAAAIA/Cw=="};
+
+/// The document of one of these streams. Its attributes have the ids 0 to 3.
+Document channels_document(const std::string& stream) {
+  Document d = draco_document(stream);
+  Json& primitive = d.json["meshes"][0]["primitives"][0];
+  Json& ids = primitive["extensions"]["KHR_draco_mesh_compression"]["attributes"];
+  ids = {{"COLOR_0", 0}, {"TEXCOORD_0", 1}, {"NORMAL", 2}, {"POSITION", 3}};
+  const auto add = [&](const char* member, int component, const char* type, bool normalized) {
+    primitive["attributes"][member] = d.json["accessors"].size();
+    d.json["accessors"].push_back(
+        {{"componentType", component}, {"count", 4}, {"type", type}, {"normalized", normalized}});
+  };
+  add("COLOR_0", 5121, "VEC4", true);
+  add("TEXCOORD_0", 5126, "VEC2", false);
+  add("NORMAL", 5126, "VEC3", false);
+  return d;
+}
+
+MeshFile read_with_attributes(const Document& d) {
+  ReadOptions options{"some.file"};
+  options.attributes = true;
+  Context context;
+  return read_gltf(glb(d), {}, options, context);
+}
+
+/// The numbers of a channel at the corner of the tetrahedron that is at `at`.
+std::vector<double> numbers_at(const MeshFile& file, const std::string& channel, const Point3& at) {
+  for (const MeshChannel& c : file.attributes.channels) {
+    if (c.name != channel) continue;
+    for (std::size_t i = 0; i < file.mesh.corners.size(); ++i) {
+      if (file.mesh.points[file.mesh.corners[i]] != at) continue;
+      const auto first = c.values.begin() + static_cast<std::ptrdiff_t>(i * c.width);
+      return {first, first + static_cast<std::ptrdiff_t>(c.width)};
+    }
+  }
+  return {};
+}
+
+TEST(GltfCodecs, draco_channels) {
+  if (!has_draco()) GTEST_SKIP() << "plumb is built without Draco (libdraco-dev)";
+  using Numbers = std::vector<double>;
+  const std::array<Point3, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  // The stream has 1 - v, because v points down in glTF.
+  const std::array<Numbers, 4> places{{{0, 1}, {1, .75}, {.5, 0}, {.125, .25}}};
+  const std::array<Numbers, 4> normals{{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const std::array<Numbers, 4> bytes{
+      {{255, 0, 0, 255}, {0, 255, 0, 128}, {0, 0, 255, 255}, {10, 20, 30, 40}}};
+  for (const char* text : kDracoChannels) {
+    const MeshFile file = read_with_attributes(channels_document(from_base64(text)));
+    EXPECT_TRUE(file.notes.empty()) << file.notes[0];
+    EXPECT_TRUE(has_same_triangles(file.mesh, expected()));
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      EXPECT_EQ(numbers_at(file, "texcoord_0", corners[i]), places[i]);
+      EXPECT_EQ(numbers_at(file, "normal", corners[i]), normals[i]);
+      Numbers color = bytes[i];
+      for (double& part : color) part /= 255;
+      EXPECT_EQ(numbers_at(file, "color", corners[i]), color);
+    }
+  }
+}
+
+// What cannot be read of the looks of a mesh is named, and the shape is read.
+TEST(GltfCodecs, passes_over_damaged_draco_channels) {
+  if (!has_draco()) GTEST_SKIP() << "plumb is built without Draco (libdraco-dev)";
+  const std::string stream = from_base64(kDracoChannels[0]);
+  const auto expect_passed_over = [&](const std::string& path, const Json& value) {
+    SCOPED_TRACE(path);
+    Document d = channels_document(stream);
+    d.json[Json::json_pointer(path)] = value;
+    const MeshFile file = read_with_attributes(d);
+    EXPECT_TRUE(has_same_triangles(file.mesh, expected()));
+    ASSERT_EQ(file.notes.size(), 1U);
+    EXPECT_NE(file.notes[0].find("that cannot be read"), std::string::npos) << file.notes[0];
+    EXPECT_EQ(file.attributes.channels.size(), 2U);
+  };
+  const std::string ids = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression/attributes";
+  expect_passed_over(ids + "/TEXCOORD_0", 7);
+  expect_passed_over(ids + "/TEXCOORD_0", 2);
+  expect_passed_over(ids + "/TEXCOORD_0", "one");
+  expect_passed_over("/meshes/0/primitives/0/attributes/NORMAL", 99);
+  expect_passed_over("/accessors/2/type", "VEC3");
+  expect_passed_over("/accessors/3/componentType", 5125);
+}
+
 TEST(GltfCodecs, refuses_hostile_draco) {
   if (!has_draco()) GTEST_SKIP() << "plumb is built without Draco (libdraco-dev)";
   expect_refused(glb(draco_document("DRACO")), "bufferViews[2]: compressed by Draco: its bytes");

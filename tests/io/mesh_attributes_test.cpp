@@ -592,6 +592,20 @@ TEST(PlyAttributes, PropertiesOfFacesStayWithTheirFaces) {
   EXPECT_EQ(corner(file.attributes, "heat", 9), (std::vector<double>{1}));
 }
 
+TEST(PlyAttributes, IdsOfMoreThan32BitsAreNamed) {
+  const auto with_id = [](const std::string& id) {
+    return read(
+        ply("", "element face 1\nproperty list int int vertex_index\nproperty uint face_id\n",
+            "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " + id + "\n"),
+        MeshFormat::Ply);
+  };
+  EXPECT_EQ(with_id("4294967294").attributes.face_id, std::vector<std::uint32_t>{4294967294});
+  EXPECT_TRUE(with_id("4294967295").notes.empty()) << "what plumb writes for a face without an id";
+  const MeshFile file = with_id("4294967296");
+  EXPECT_EQ(file.attributes.face_id, std::vector<std::uint32_t>{kNone});
+  EXPECT_TRUE(has_note(file, "numbers of more than 32 bits of face_id"));
+}
+
 TEST(PlyAttributes, TextureCoordinatesMayBeAListOfTheFace) {
   const MeshFile file =
       read(ply("property float s\nproperty float t\n",

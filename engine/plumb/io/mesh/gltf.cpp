@@ -327,7 +327,7 @@ class GltfReader {
     GltfPrimitive p{number, mode, {}, {}};
     const auto draco = in_.extension(primitive, "KHR_draco_mesh_compression");
     if (draco && !(accessors_.can_open(positions) && (!indices || accessors_.can_open(*indices)))) {
-      decompress(*draco, positions, where, p);
+      decompress(*draco, *attributes, positions, where, p);
     } else {
       p.positions = accessors_.vectors(positions, "VEC3");
       if (indices) p.indices = accessors_.indices(*indices);
@@ -348,15 +348,23 @@ class GltfReader {
     return p;
   }
 
-  /// Reads the colours, normals and texture coordinates of a primitive. A compressed mesh has only
-  /// its positions.
-  void add_channels(Id attributes, const std::string& where, GltfPrimitive& p) {
-    add_channel(attributes, "COLOR_0", "color", where, p);
-    add_channel(attributes, "NORMAL", "normal", where, p);
+  /// Calls visit(member, name) with the member of a primitive and the name of the channel, for each
+  /// channel that is read.
+  template <class Visit>
+  static void for_each_channel(const Visit& visit) {
+    visit("COLOR_0", "color");
+    visit("NORMAL", "normal");
     for (std::size_t i = 0; i < kMostTexcoords; ++i) {
       const std::string number = std::to_string(i);
-      add_channel(attributes, "TEXCOORD_" + number, "texcoord_" + number, where, p);
+      visit("TEXCOORD_" + number, "texcoord_" + number);
     }
+  }
+
+  /// Reads the colours, normals and texture coordinates of a primitive.
+  void add_channels(Id attributes, const std::string& where, GltfPrimitive& p) {
+    for_each_channel([&](const std::string& member, const std::string& name) {
+      add_channel(attributes, member, name, where, p);
+    });
   }
 
   /// Reads a channel. As in other formats, what cannot be read of the looks of a mesh is named and
@@ -364,27 +372,38 @@ class GltfReader {
   void add_channel(Id attributes, const std::string& member, const std::string& name,
                    const std::string& where, GltfPrimitive& p) {
     if (!in_.has(attributes, member)) return;
-    if (p.is_compressed) {
-      triangles_.pass_over("compressed colours, normals and texture coordinates");
-      return;
+    const bool is_read = is_sound([&] { read_channel(attributes, member, name, where, p); });
+    if (!is_read) {
+      triangles_.pass_over("colours, normals or texture coordinates that cannot be read");
     }
+  }
+
+  /// Returns whether read() throws no error about the file.
+  template <class Read>
+  static bool is_sound(const Read& read) {
     try {
-      read_channel(attributes, member, name, where, p);
+      read();
     } catch (const Error& error) {
       const bool is_stop =
           error.code() == ErrorCode::ResourceLimit || error.code() == ErrorCode::Cancelled;
       if (is_stop) throw;
-      triangles_.pass_over("colours, normals or texture coordinates that cannot be read");
+      return false;
     }
+    return true;
   }
 
   void read_channel(Id attributes, const std::string& member, const std::string& name,
                     const std::string& where, GltfPrimitive& p) {
     const std::size_t accessor = in_.count(attributes, member.c_str(), {}, where);
-    std::string type = name == "normal" ? "VEC3" : "VEC2";
-    if (name == "color") type = accessors_.type_of(accessor) == "VEC4" ? "VEC4" : "VEC3";
+    const std::string type = type_of_channel(name, accessor);
+    const auto compressed = p.decompressed.find(member);
+    const bool is_missing = p.is_compressed && compressed == p.decompressed.end();
+    if (is_missing && !accessors_.can_open(accessor)) {
+      in_.fail(ErrorCode::BadIndex, where, member + " is not in the compressed data");
+    }
     GltfChannel channel{name, static_cast<std::uint32_t>(type.back() - '0'),
-                        accessors_.vectors(accessor, type)};
+                        compressed != p.decompressed.end() ? compressed->second
+                                                           : accessors_.vectors(accessor, type)};
     if (channel.values.count != p.positions.count) {
       in_.fail(ErrorCode::CountMismatch, where,
                member + " has " + std::to_string(channel.values.count) + " elements, POSITION " +
@@ -394,17 +413,42 @@ class GltfReader {
     p.channels.push_back(std::move(channel));
   }
 
-  /// Reads the triangles of a compressed primitive. Those of a strip are listed, too.
-  void decompress(Id draco, std::size_t positions, const std::string& where, GltfPrimitive& p) {
+  /// Returns the type of the vectors of a channel.
+  std::string type_of_channel(const std::string& name, std::size_t accessor) {
+    if (name != "color") return name == "normal" ? "VEC3" : "VEC2";
+    return accessors_.type_of(accessor) == "VEC4" ? "VEC4" : "VEC3";
+  }
+
+  /// Reads the triangles of a compressed primitive, and its channels if they are kept. The
+  /// triangles of a strip are listed, too.
+  void decompress(Id draco, Id attributes, std::size_t positions, const std::string& where,
+                  GltfPrimitive& p) {
     const auto ids = in_.object(draco, "attributes");
     if (!ids) in_.fail(ErrorCode::Syntax, where, "compressed without attributes");
-    const auto compressed =
-        accessors_.compressed(in_.count(draco, "bufferView", {}, where),
-                              in_.count(*ids, "POSITION", {}, where), positions);
+    std::vector<std::string> members;
+    std::vector<GltfAccessors::CompressedVectors> channels;
+    for_each_channel([&](const std::string& member, const std::string& name) {
+      if (!keeps_attributes_ || !in_.has(attributes, member) || !in_.has(*ids, member)) return;
+      is_sound([&] {
+        const std::size_t accessor = in_.count(attributes, member.c_str(), {}, where);
+        const std::string type = type_of_channel(name, accessor);
+        accessors_.require_vectors(accessor, type);
+        channels.push_back({in_.count(*ids, member.c_str(), {}, where), accessor, type});
+        members.push_back(member);
+      });
+    });
+    const auto compressed = accessors_.compressed(
+        in_.count(draco, "bufferView", {}, where),
+        {in_.count(*ids, "POSITION", {}, where), positions, "VEC3"}, channels);
     p.mode = GltfMode::kTriangles;
     p.is_compressed = true;
     p.positions = compressed.positions;
     p.indices = compressed.corners;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      if (compressed.others[i]) {
+        p.decompressed.emplace(members[i], *compressed.others[i]);
+      }
+    }
   }
 
   GltfDocument in_;

@@ -18,6 +18,9 @@ bool is_index(std::size_t component) {
          component == GltfComponent::kInteger;
 }
 
+/// Returns the number of parts of VEC2, VEC3 or VEC4.
+std::size_t parts_of(std::string_view type) { return type == "VEC4" ? 4 : type == "VEC3" ? 3 : 2; }
+
 }  // namespace
 
 GltfElements GltfAccessors::indices(std::size_t accessor) {
@@ -30,8 +33,7 @@ GltfElements GltfAccessors::indices(std::size_t accessor) {
 
 GltfElements GltfAccessors::vectors(std::size_t accessor, std::string_view type) {
   const std::string where = GltfDocument::entry("accessors", accessor);
-  const std::size_t parts = type == "VEC4" ? 4 : type == "VEC3" ? 3 : 2;
-  return elements(accessor, vectors_of(accessor, type, where), parts, where);
+  return elements(accessor, vectors_of(accessor, type, where), parts_of(type), where);
 }
 
 std::string GltfAccessors::type_of(std::size_t accessor) {
@@ -220,32 +222,63 @@ std::string_view GltfAccessors::decompressed(std::size_t view, Id compression, s
 
 // ---------------------------------------------------------------- Draco
 
-GltfAccessors::Compressed GltfAccessors::compressed(std::size_t view, std::size_t attribute,
-                                                    std::size_t accessor) {
-  const Accessor& a = vectors_of(accessor, "VEC3", GltfDocument::entry("accessors", accessor));
-  const std::string where = GltfDocument::entry("bufferViews", view);
+GltfAccessors::Compressed GltfAccessors::compressed(std::size_t view,
+                                                    const CompressedVectors& positions,
+                                                    std::span<const CompressedVectors> others) {
+  require_vectors(positions.accessor, positions.type);
   const auto [at, is_new] = streams_.try_emplace(view);
-  Stream& stream = at->second;
-  if (is_new) {
-    const std::string_view bytes = view_bytes(view).first;
-    in_.with_where(where, [&] {
-      const DracoMesh mesh(bytes, attribute, context_);
-      charge_.add(mesh.point_count() * 3 * component_bytes(a.component) +
-                      mesh.triangle_count() * 3 * sizeof(std::uint32_t),
-                  "compressed data");
-      stream = {attribute, a.component, mesh.vectors(a.component), mesh.corners()};
-    });
+  const Stream& stream = at->second;
+  if (is_new) decode(view, positions, others, at->second);
+  const std::optional<GltfElements> found = vectors_in(stream, positions);
+  if (!found) {
+    in_.fail(ErrorCode::CountMismatch, GltfDocument::entry("bufferViews", view),
+             "has its positions in two ways");
   }
-  if (stream.attribute != attribute || stream.component != a.component) {
-    in_.fail(ErrorCode::CountMismatch, where, "has its positions in two ways");
-  }
-  const std::size_t bytes = 3 * component_bytes(stream.component);
   Compressed c;
-  c.positions = {stream.positions, bytes, stream.positions.size() / bytes, stream.component,
-                 a.is_normalized};
+  c.positions = *found;
   c.corners = {stream.corners, sizeof(std::uint32_t), stream.corners.size() / sizeof(std::uint32_t),
                GltfComponent::kInteger};
+  for (const CompressedVectors& other : others) c.others.push_back(vectors_in(stream, other));
   return c;
+}
+
+/// Decodes the positions of a stream, and those of the other vectors that it has. Requires
+/// accessors that require_vectors() has checked.
+void GltfAccessors::decode(std::size_t view, const CompressedVectors& positions,
+                           std::span<const CompressedVectors> others, Stream& stream) {
+  const std::string_view bytes = view_bytes(view).first;
+  std::vector<std::size_t> ids{positions.attribute};
+  for (const CompressedVectors& other : others) ids.push_back(other.attribute);
+  in_.with_where(GltfDocument::entry("bufferViews", view), [&] {
+    const DracoMesh mesh(bytes, ids, context_);
+    stream.points = mesh.point_count();
+    charge_.add(mesh.triangle_count() * 3 * sizeof(std::uint32_t), "compressed data");
+    stream.corners = mesh.corners();
+    const auto keep = [&](const CompressedVectors& wanted) {
+      const std::size_t parts = parts_of(wanted.type);
+      if (stream.vectors.contains(wanted.attribute) || !mesh.has(wanted.attribute, parts)) return;
+      const std::size_t component = accessors_.at(wanted.accessor).component;
+      charge_.add(stream.points * parts * component_bytes(component), "compressed data");
+      stream.vectors.emplace(
+          wanted.attribute,
+          Stream::Vectors{component, parts, mesh.vectors(wanted.attribute, parts, component)});
+    };
+    keep(positions);
+    for (const CompressedVectors& other : others) keep(other);
+  });
+}
+
+/// Returns the vectors of a stream if they were decoded as their accessor states them.
+std::optional<GltfElements> GltfAccessors::vectors_in(const Stream& stream,
+                                                      const CompressedVectors& wanted) {
+  const Accessor& a =
+      vectors_of(wanted.accessor, wanted.type, GltfDocument::entry("accessors", wanted.accessor));
+  const auto found = stream.vectors.find(wanted.attribute);
+  if (found == stream.vectors.end()) return {};
+  const Stream::Vectors& vectors = found->second;
+  if (vectors.component != a.component || vectors.parts != parts_of(wanted.type)) return {};
+  return GltfElements{vectors.bytes, vectors.parts * component_bytes(vectors.component),
+                      stream.points, vectors.component, a.is_normalized};
 }
 
 }  // namespace plumb

@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/io/mesh/gltf_codecs.h"
@@ -30,19 +32,32 @@ class GltfAccessors {
   GltfElements indices(std::size_t accessor);
   /// Returns vectors of 2, 3 or 4 floats, bytes or shorts. `type` is VEC2, VEC3 or VEC4.
   GltfElements vectors(std::size_t accessor, std::string_view type);
+  /// Throws the errors of vectors() that do not depend on where the bytes are.
+  void require_vectors(std::size_t accessor, std::string_view type) {
+    vectors_of(accessor, type, GltfDocument::entry("accessors", accessor));
+  }
   /// Returns the type that an accessor states, such as VEC3.
   std::string type_of(std::size_t accessor);
 
   /// Whether an accessor names a view of a buffer that can be opened.
   bool can_open(std::size_t accessor);
 
+  /// Vectors of a compressed mesh.
+  struct CompressedVectors {
+    std::size_t attribute;  ///< The id of the attribute in the stream.
+    std::size_t accessor;   ///< The accessor whose place the attribute takes.
+    std::string type;       ///< VEC2, VEC3 or VEC4.
+  };
   /// A mesh that is compressed as a whole (KHR_draco_mesh_compression).
   struct Compressed {
     GltfElements positions, corners;
+    std::vector<std::optional<GltfElements>> others;  ///< Without a value if they cannot be read.
   };
-  /// Returns the triangles of a compressed mesh, which takes the place of `accessor`. `attribute`
-  /// is what the stream calls positions.
-  Compressed compressed(std::size_t view, std::size_t attribute, std::size_t accessor);
+  /// Returns the triangles of a compressed mesh, and other vectors of its points. A stream is read
+  /// once, with the vectors that are asked for first. Requires require_vectors() for the accessors
+  /// of `others`.
+  Compressed compressed(std::size_t view, const CompressedVectors& positions,
+                        std::span<const CompressedVectors> others);
 
   /// Returns how many accessors have no bytes at all: their elements are zeros.
   std::size_t accessors_of_zeros() const { return accessors_of_zeros_; }
@@ -61,8 +76,13 @@ class GltfAccessors {
   using ViewBytes = std::pair<std::string_view, std::size_t>;
   /// A stream of Draco with what was asked of it.
   struct Stream {
-    std::size_t attribute, component;
-    std::string positions, corners;
+    struct Vectors {
+      std::size_t component, parts;
+      std::string bytes;
+    };
+    std::size_t points = 0;
+    std::string corners;
+    std::map<std::size_t, Vectors> vectors;  // Per attribute.
   };
 
   const Accessor& accessor_of(std::size_t accessor, const std::string& where);
@@ -76,6 +96,10 @@ class GltfAccessors {
                               const std::string& where);
   void replace_some(Id sparse, const Accessor& a, std::size_t bytes, const std::string& where,
                     std::string& all);
+
+  void decode(std::size_t view, const CompressedVectors& positions,
+              std::span<const CompressedVectors> others, Stream& stream);
+  std::optional<GltfElements> vectors_in(const Stream& stream, const CompressedVectors& wanted);
 
   const ViewBytes& view_bytes(std::size_t view);
   ViewBytes found_view(std::size_t view);

@@ -15,6 +15,7 @@
 #include <bit>
 #include <cstring>
 #include <stdexcept>
+#include <vector>
 
 #include "plumb/io/mesh/gltf_parts.h"
 #include "plumb/predicates/error.h"
@@ -140,7 +141,7 @@ struct DracoMesh::Decoded {
   explicit Decoded(Context& context) : charge(context) {}
   MemoryCharge charge;
   draco::Mesh mesh;
-  const draco::PointAttribute* vectors = nullptr;
+  std::vector<int> read;  // The numbers of the attributes that were decoded, within the mesh.
 };
 
 namespace {
@@ -149,12 +150,19 @@ namespace {
   throw Error(code, "compressed by Draco: " + what);
 }
 
+/// Returns the number of the attribute with this id within a mesh; -1 if there is none.
+int number_of(const draco::PointCloud& points, std::size_t id) {
+  return id > UINT32_MAX ? -1 : points.GetAttributeIdByUniqueId(static_cast<std::uint32_t>(id));
+}
+
 /// A decoder of Draco that charges memory before it is allocated.
 template <class Decoder>
 class ChargedDecoder final : public Decoder {
  public:
-  ChargedDecoder(std::size_t attribute, MemoryCharge& charge)
-      : attribute_(static_cast<std::uint32_t>(attribute)), charge_(charge) {}
+  /// Appends the numbers of the attributes that were decoded to `read`.
+  ChargedDecoder(std::span<const std::size_t> attributes, MemoryCharge& charge,
+                 std::vector<int>& read)
+      : attributes_(attributes), charge_(charge), read_(read) {}
 
  protected:
   /// Looks ahead at the counts. Both methods begin with those of triangles and vertices; that of
@@ -194,22 +202,37 @@ class ChargedDecoder final : public Decoder {
                attribute.num_components() * kIntegers + kNumbers;
     }
     charge_.add(bytes * points.num_points(), "compressed vertices");
-    const int wanted = points.GetAttributeIdByUniqueId(attribute_);
-    for (int i = 0; i < this->num_attributes_decoders(); ++i) {
+    std::vector<int> wanted;
+    for (const std::size_t id : attributes_) wanted.push_back(number_of(points, id));
+    std::erase(wanted, -1);
+    for (int i = 0; i < this->num_attributes_decoders() && !wanted.empty(); ++i) {
       // The base class owns the parts, and shows them as constants only.
       auto* const part =
           const_cast<draco::AttributesDecoderInterface*>(this->attributes_decoder(i));
-      if (!part->DecodeAttributes(this->buffer())) return false;
+      if (!can_decode(*part)) return is_read(number_of(points, attributes_[0]));
       for (int k = 0; k < part->GetNumAttributes(); ++k) {
-        if (part->GetAttributeId(k) == wanted) return true;
+        read_.push_back(part->GetAttributeId(k));
+        std::erase(wanted, part->GetAttributeId(k));
       }
     }
     return true;
   }
 
  private:
-  std::uint32_t attribute_;
+  bool is_read(int number) const {
+    return std::find(read_.begin(), read_.end(), number) != read_.end();
+  }
+  bool can_decode(draco::AttributesDecoderInterface& part) {
+    try {
+      return part.DecodeAttributes(this->buffer());
+    } catch (const std::length_error&) {
+      return false;
+    }
+  }
+
+  std::span<const std::size_t> attributes_;
   MemoryCharge& charge_;
+  std::vector<int>& read_;
 };
 
 draco::DracoHeader header_of(draco::DecoderBuffer in) {
@@ -228,9 +251,9 @@ draco::DracoHeader header_of(draco::DecoderBuffer in) {
 }
 
 template <class Decoder>
-void decode(draco::DecoderBuffer& in, std::size_t attribute, MemoryCharge& charge,
-            draco::Mesh& mesh) {
-  ChargedDecoder<Decoder> decoder(attribute, charge);
+void decode(draco::DecoderBuffer& in, std::span<const std::size_t> attributes, MemoryCharge& charge,
+            draco::Mesh& mesh, std::vector<int>& read) {
+  ChargedDecoder<Decoder> decoder(attributes, charge, read);
   const draco::DecoderOptions options;
   if (!decoder.Decode(options, &in, &mesh).ok()) {
     fail_draco(ErrorCode::Syntax, "the bytes are damaged");
@@ -238,49 +261,56 @@ void decode(draco::DecoderBuffer& in, std::size_t attribute, MemoryCharge& charg
 }
 
 template <class Number>
-std::string values_of(const draco::PointAttribute& attribute, std::size_t points) {
-  std::string bytes(points * 3 * sizeof(Number), '\0');
+std::string values_of(const draco::PointAttribute& attribute, std::size_t parts,
+                      std::size_t points) {
+  const std::size_t size = parts * sizeof(Number);
+  std::string bytes(points * size, '\0');
   for (std::size_t i = 0; i < points; ++i) {
-    std::array<Number, 3> value{};
+    std::array<Number, 4> value{};
     const auto entry = attribute.mapped_index(draco::PointIndex(static_cast<std::uint32_t>(i)));
-    if (!attribute.ConvertValue(entry, std::int8_t{3}, value.data())) {
-      fail_draco(ErrorCode::Syntax, "a vertex has no coordinates");
+    if (!attribute.ConvertValue(entry, static_cast<std::int8_t>(parts), value.data())) {
+      fail_draco(ErrorCode::Syntax, "a vertex lacks numbers");
     }
-    std::memcpy(bytes.data() + i * sizeof(value), value.data(), sizeof(value));
+    std::memcpy(bytes.data() + i * size, value.data(), size);
   }
   return bytes;
 }
 
 }  // namespace
 
-DracoMesh::DracoMesh(std::string_view bytes, std::size_t attribute, Context& context)
+DracoMesh::DracoMesh(std::string_view bytes, std::span<const std::size_t> attributes,
+                     Context& context)
     : decoded_(std::make_unique<Decoded>(context)) {
   draco::DecoderBuffer in;
   in.Init(bytes.data(), bytes.size());
-  const auto missing = [&] {
-    fail_draco(ErrorCode::BadIndex, "no attribute " + std::to_string(attribute) + " of 3 numbers");
-  };
-  if (attribute > UINT32_MAX) missing();
   context.checkpoint("read", 0, 1);
   draco::Mesh& mesh = decoded_->mesh;
+  std::vector<int>& read = decoded_->read;
   try {
     if (header_of(in).encoder_method == draco::MESH_SEQUENTIAL_ENCODING) {
-      decode<draco::MeshSequentialDecoder>(in, attribute, decoded_->charge, mesh);
+      decode<draco::MeshSequentialDecoder>(in, attributes, decoded_->charge, mesh, read);
     } else {
-      decode<draco::MeshEdgebreakerDecoder>(in, attribute, decoded_->charge, mesh);
+      decode<draco::MeshEdgebreakerDecoder>(in, attributes, decoded_->charge, mesh, read);
     }
   } catch (const std::length_error&) {
     fail_draco(ErrorCode::Syntax, "the bytes are damaged");
   }
-  const auto* const found = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(attribute));
-  const bool is_sound =
-      found != nullptr && found->num_components() == 3 &&
-      (found->is_mapping_identity() || found->indices_map_size() >= point_count());
-  if (!is_sound) missing();
-  decoded_->vectors = found;
+  if (!has(attributes[0], 3)) {
+    fail_draco(ErrorCode::BadIndex,
+               "no attribute " + std::to_string(attributes[0]) + " of 3 numbers");
+  }
 }
 
 DracoMesh::~DracoMesh() = default;
+
+bool DracoMesh::has(std::size_t attribute, std::size_t parts) const {
+  const int number = number_of(decoded_->mesh, attribute);
+  const std::vector<int>& read = decoded_->read;
+  if (number < 0 || std::find(read.begin(), read.end(), number) == read.end()) return false;
+  const draco::PointAttribute& found = *decoded_->mesh.attribute(number);
+  return static_cast<std::size_t>(found.num_components()) == parts &&
+         (found.is_mapping_identity() || found.indices_map_size() >= point_count());
+}
 
 std::size_t DracoMesh::point_count() const { return decoded_->mesh.num_points(); }
 std::size_t DracoMesh::triangle_count() const { return decoded_->mesh.num_faces(); }
@@ -297,20 +327,22 @@ std::string DracoMesh::corners() const {
   return bytes;
 }
 
-std::string DracoMesh::vectors(std::size_t component) const {
+std::string DracoMesh::vectors(std::size_t attribute, std::size_t parts,
+                               std::size_t component) const {
   const std::size_t points = point_count();
-  const draco::PointAttribute& vectors = *decoded_->vectors;
+  const draco::PointAttribute& vectors =
+      *decoded_->mesh.attribute(number_of(decoded_->mesh, attribute));
   switch (component) {
     case GltfComponent::kSignedByte:
-      return values_of<std::int8_t>(vectors, points);
+      return values_of<std::int8_t>(vectors, parts, points);
     case GltfComponent::kByte:
-      return values_of<std::uint8_t>(vectors, points);
+      return values_of<std::uint8_t>(vectors, parts, points);
     case GltfComponent::kSignedShort:
-      return values_of<std::int16_t>(vectors, points);
+      return values_of<std::int16_t>(vectors, parts, points);
     case GltfComponent::kShort:
-      return values_of<std::uint16_t>(vectors, points);
+      return values_of<std::uint16_t>(vectors, parts, points);
     default:
-      return values_of<float>(vectors, points);
+      return values_of<float>(vectors, parts, points);
   }
 }
 
@@ -320,14 +352,19 @@ bool has_draco() { return false; }
 
 struct DracoMesh::Decoded {};
 
-DracoMesh::DracoMesh(std::string_view /*bytes*/, std::size_t /*attribute*/, Context& /*context*/) {
+DracoMesh::DracoMesh(std::string_view /*bytes*/, std::span<const std::size_t> /*attributes*/,
+                     Context& /*context*/) {
   refuse_without("Draco", "libdraco-dev");
 }
 DracoMesh::~DracoMesh() = default;
 std::size_t DracoMesh::point_count() const { return 0; }
 std::size_t DracoMesh::triangle_count() const { return 0; }
+bool DracoMesh::has(std::size_t /*attribute*/, std::size_t /*parts*/) const { return false; }
 std::string DracoMesh::corners() const { return {}; }
-std::string DracoMesh::vectors(std::size_t /*component*/) const { return {}; }
+std::string DracoMesh::vectors(std::size_t /*attribute*/, std::size_t /*parts*/,
+                               std::size_t /*component*/) const {
+  return {};
+}
 
 #endif
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,14 +34,16 @@ struct MeshoptStream {
 /// context throws. Cost: O(count * stride).
 std::string decode_meshopt(const MeshoptStream& stream, MemoryCharge& charge);
 
-/// A mesh that Draco compressed: its triangles, and one attribute of its points.
+/// A mesh that Draco compressed: its triangles, and some attributes of its points.
 class DracoMesh {
  public:
-  /// Decodes `bytes`, at a cost that is linear in the mesh, up to the attribute with this id. Other
-  /// attributes, which come behind, are not decoded. The memory of the mesh is charged while the
-  /// object exists. Throws Error{UnknownFormat}, Error{CountMismatch} and Error{Syntax};
-  /// Error{BadIndex} if there is no such attribute of 3 components; what the context throws.
-  DracoMesh(std::string_view bytes, std::size_t attribute, Context& context);
+  /// Decodes `bytes`, at a cost that is linear in the mesh, up to the last of the attributes with
+  /// these ids. The first id is that of the positions. Other attributes behind them are not
+  /// decoded. The memory of the mesh is charged while the object exists. Throws
+  /// Error{UnknownFormat}, Error{CountMismatch} and Error{Syntax}; Error{BadIndex} if the positions
+  /// are not there with 3 components; what the context throws. If another attribute is missing or
+  /// damaged, has() says so.
+  DracoMesh(std::string_view bytes, std::span<const std::size_t> attributes, Context& context);
   ~DracoMesh();
   DracoMesh(const DracoMesh&) = delete;
   DracoMesh& operator=(const DracoMesh&) = delete;
@@ -48,12 +51,15 @@ class DracoMesh {
   std::size_t point_count() const;
   std::size_t triangle_count() const;
 
+  /// Whether the attribute with this id was decoded and has this number of components.
+  bool has(std::size_t attribute, std::size_t parts) const;
+
   // The caller charges what these two return.
   /// Returns the corners of all triangles as std::uint32_t.
   std::string corners() const;
-  /// Returns the 3 components of the attribute for each point, as numbers of a component type of
-  /// glTF (GltfComponent).
-  std::string vectors(std::size_t component) const;
+  /// Returns the 2, 3 or 4 components of an attribute for each point, as numbers of a component
+  /// type of glTF (GltfComponent). Requires has().
+  std::string vectors(std::size_t attribute, std::size_t parts, std::size_t component) const;
 
  private:
   struct Decoded;

@@ -13,6 +13,7 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -237,6 +238,8 @@ struct GltfPrimitive {
   std::uint32_t material = MeshAttributes::kNone;  ///< Index into the materials of the document.
   std::vector<GltfChannel> channels = {};          ///< If attributes are kept.
   bool is_compressed = false;                      ///< Whether Draco compressed the vertices.
+  /// The vectors that Draco compressed, by the names of attributes of glTF.
+  std::map<std::string, GltfElements> decompressed = {};
 
   std::size_t corner_count() const { return indices ? indices->count : positions.count; }
 };

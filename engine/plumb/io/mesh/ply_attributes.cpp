@@ -215,17 +215,20 @@ void PlyAttributes::give_face_colors(const Group& group) {
   }
 }
 
-/// An id is a number of 32 bits. A negative number means that there is none.
+/// An id is a number of 32 bits. A negative number means that there is none, and so does the
+/// largest number of 32 bits, with which plumb writes such faces.
 void PlyAttributes::give_ids(const Group& group, std::vector<std::string>& lost) {
-  bool has_negative = false;
+  bool has_negative = false, has_large = false;
   const std::vector<double> values = column(faces_, group);
   for (std::size_t row = 0; row < faces_.rows(); ++row) {
     has_negative |= values[row] < -1;
+    has_large |= values[row] > MeshAttributes::kNone;
     const bool is_id = values[row] >= 0 && values[row] < MeshAttributes::kNone;
     builder_.set_id(first_face_ + row,
                     is_id ? static_cast<std::uint32_t>(values[row]) : MeshAttributes::kNone);
   }
   if (has_negative) lost.push_back("negative numbers of " + group.channel);
+  if (has_large) lost.push_back("numbers of more than 32 bits of " + group.channel);
 }
 
 void PlyAttributes::give_constants(const Group& group, const PolygonMesh& mesh,
