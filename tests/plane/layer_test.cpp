@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -211,6 +212,42 @@ TEST(Layer, hole_that_touches_its_shell_is_no_defect) {
 TEST(Layer, default_width_of_gaps_is_a_part_of_the_diagonal) {
   EXPECT_DOUBLE_EQ(repair_layer(layer_of({box(0, 0, 3, 4)})).report.gaps_below, 5e-4);
   EXPECT_EQ(repair_layer(Layer()).report.gaps_below, 0);
+}
+
+/// The layer with all coordinates multiplied by 2^exponent, which is exact here.
+Layer scaled(const Layer& layer, int exponent) {
+  Layer result = layer;
+  result.points = {};
+  for (std::uint32_t i = 0; i < layer.points.size(); ++i) {
+    const Point2 p = layer.points.approx(i);
+    result.points.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)});
+  }
+  return result;
+}
+
+// Four blocks around a gap between four features, and an overlap.
+TEST(Layer, is_judged_alike_at_every_scale) {
+  const Layer layer = layer_of({box(0, 0, 4, 2), box(4, 0, 6, 4), box(2, 4, 6, 6), box(0, 2, 2, 6),
+                                box(5, 5, 7, 7), box(2, 2 + 0x1p-12, 4, 4)});
+  const RepairedLayer plain = repair_layer(layer, {OwnerRule::Largest, {}, false});
+  ASSERT_EQ(plain.report.count(LayerRegionKind::Gap), 1U);
+  ASSERT_EQ(plain.report.count(LayerRegionKind::Overlap), 1U);
+  for (const int exponent : {-300, 400, 900, 1020}) {
+    SCOPED_TRACE(exponent);
+    for (const bool finds_open : {false, true}) {
+      const RepairedLayer large =
+          repair_layer(scaled(layer, exponent), {OwnerRule::Largest, {}, finds_open});
+      EXPECT_TRUE(std::isfinite(large.report.gaps_below));
+      EXPECT_DOUBLE_EQ(large.report.gaps_below, std::ldexp(plain.report.gaps_below, exponent));
+      ASSERT_EQ(large.report.regions.size(), plain.report.regions.size());
+      for (std::size_t i = 0; i < plain.report.regions.size(); ++i) {
+        EXPECT_EQ(large.report.regions[i].kind, plain.report.regions[i].kind);
+        EXPECT_EQ(large.report.regions[i].owner, plain.report.regions[i].owner);
+        EXPECT_DOUBLE_EQ(large.report.regions[i].width,
+                         std::ldexp(plain.report.regions[i].width, exponent));
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -184,6 +184,20 @@ TEST(OpenGaps, lake_behind_a_filled_channel_becomes_a_hole) {
 // ---------------------------------------------------------------- laws
 
 /// Of what is uncovered, repair covers the gaps of the report; a second repair changes nothing.
+TEST(OpenGaps, repair_says_that_it_ended_after_the_given_rounds) {
+  const Layer layer = two_blocks(3, Rational(1, 8), Rational(1, 3));
+  LayerRepairOptions options = below(0.5);
+  const RepairedLayer whole = repair_layer(layer, options);
+  ASSERT_EQ(open_gaps(whole.report).size(), 1U);
+  EXPECT_FALSE(whole.report.is_stopped);
+  options.most_rounds = 1;
+  const RepairedLayer stopped = repair_layer(layer, options);
+  EXPECT_TRUE(stopped.report.is_stopped);
+  options.open_gaps = false;
+  EXPECT_FALSE(repair_layer(layer, options).report.is_stopped) << "without open gaps, one round";
+  EXPECT_FALSE(check_layer(stopped.layer, options).has_defects());
+}
+
 TEST(OpenGaps, repair_fills_what_the_report_says_and_ends) {
   std::size_t found = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

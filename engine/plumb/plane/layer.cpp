@@ -39,11 +39,10 @@ constexpr std::size_t kCornerNeighbours = 3;
 
 using Numbers = FeatureList;
 
-double length_of(const PlaneComplex& complex, EdgeId e) {
-  const Point2 p = approx(complex.points, complex.vertex_point[complex.dcel.origin(first_half(e))]);
-  const Point2 q = approx(complex.points, complex.vertex_point[complex.dcel.target(first_half(e))]);
-  return std::hypot(q.x - p.x, q.y - p.y);
-}
+// Up to this coordinate, products of four lengths are finite doubles, which crossings and areas
+// need. Layers with larger ones are measured in larger units.
+constexpr double kMostMeasured = 1e75;
+constexpr double kLargeUnit = 0x1p520;
 
 // ---------------------------------------------------------------- regions and their owners
 
@@ -91,7 +90,7 @@ class LayerRepair {
 
   /// Returns segments across gaps that are open. Requires that there were no bridges.
   Bridges bridges() const {
-    if (!options_.open_gaps) return {};
+    if (!options_.open_gaps || unit_ != 1) return {};
     return open_gap_bridges(complex_, owner_, report_.gaps_below, context_);
   }
 
@@ -103,6 +102,8 @@ class LayerRepair {
     find_emptied(result);
     return {std::move(result), std::move(report_)};
   }
+
+  bool has_defects() const { return report_.has_defects(); }
 
   LayerReport check() {
     make_shapes();
@@ -122,7 +123,11 @@ class LayerRepair {
   void measure_regions();
   void measure_features();
   bool is_gap(const LayerRegion& region, std::size_t neighbours) const;
+  double unit() const;
   double diagonal() const;
+  Point2 measured(VertexId v) const;
+  double length_of(EdgeId e) const;
+  double measured_area(const Rational& area) const;
   OpenGapRule open_gap_rule() const;
   std::vector<BorderPiece> borders(bool of_overlaps) const;
   void own_overlaps();
@@ -145,15 +150,18 @@ class LayerRepair {
   std::vector<std::uint32_t> region_;   // For each face, its region in the report.
   std::vector<double> area_;            // For each feature, its area.
   std::vector<std::uint8_t> is_alone_;  // For each feature, whether it alone covers some face.
-  double diagonal_ = 0;                 // The diagonal of the bounding box.
+  double unit_ = 1;                     // The unit of lengths, 1 or kLargeUnit.
+  double diagonal_ = 0;                 // The diagonal of the bounding box, in units.
   std::vector<OwnerPreference> preferences_;  // Sorted by losers.
   LayerReport report_;
 };
 
 /// Finds all regions, and selects their owners.
 void LayerRepair::find() {
+  unit_ = unit();
   diagonal_ = diagonal();
-  report_.gaps_below = options_.gaps_below ? *options_.gaps_below : kGapsPerDiagonal * diagonal_;
+  report_.gaps_below =
+      options_.gaps_below ? *options_.gaps_below : kGapsPerDiagonal * diagonal_ * unit_;
   find_regions();
   measure_regions();
   measure_features();
@@ -206,24 +214,23 @@ void LayerRepair::measure_regions() {
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     const std::uint32_t l = region_[left(e).value()], r = region_[right(e).value()];
     if (l == r) continue;
-    const double length = length_of(complex_, EdgeId(e));
+    const double length = length_of(EdgeId(e));
     if (l != kNobody) perimeter[l] += length;
     if (r != kNobody) perimeter[r] += length;
   }
   for (std::size_t i = 0; i < report_.regions.size(); ++i) {
     LayerRegion& region = report_.regions[i];
     region.area = area[i].total();
-    region.width = 2 * nearest_double(region.area) / perimeter[i];
+    region.width = 2 * measured_area(region.area) / perimeter[i] * unit_;
   }
 }
 
-/// Computes the areas of features in doubles, as sums of the areas of their faces.
+/// Computes the areas of features in square units, as sums of the areas of their faces.
 void LayerRepair::measure_features() {
   std::vector<double> of_face(complex_.face_count(), 0);
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     const HalfedgeId h = first_half(EdgeId(e));
-    const Point2 p = approx(complex_.points, complex_.vertex_point[complex_.dcel.origin(h)]);
-    const Point2 q = approx(complex_.points, complex_.vertex_point[complex_.dcel.target(h)]);
+    const Point2 p = measured(complex_.dcel.origin(h)), q = measured(complex_.dcel.target(h));
     const double trapezoid = (p.x - q.x) * (p.y + q.y) / 2;
     of_face[left(e).value()] += trapezoid;
     of_face[right(e).value()] -= trapezoid;
@@ -237,6 +244,37 @@ void LayerRepair::measure_features() {
   }
 }
 
+/// Returns the unit in which lengths and areas of the layer are finite doubles.
+double LayerRepair::unit() const {
+  const bool is_large =
+      std::any_of(layer_.ring_corners.begin(), layer_.ring_corners.end(), [this](std::uint32_t i) {
+        const Point2 p = layer_.points.approx(i);
+        return std::fabs(p.x) > kMostMeasured || std::fabs(p.y) > kMostMeasured;
+      });
+  return is_large ? kLargeUnit : 1;
+}
+
+/// Returns the place of a vertex in units. Filters do not approximate large crossings, so these are
+/// rounded from the exact point.
+Point2 LayerRepair::measured(VertexId v) const {
+  const std::uint32_t point = complex_.vertex_point[v];
+  if (unit_ == 1) return approx(complex_.points, point);
+  const RationalPoint2 p = exact(complex_.points, point);
+  return {nearest_double(p.x) / unit_, nearest_double(p.y) / unit_};
+}
+
+double LayerRepair::length_of(EdgeId e) const {
+  const HalfedgeId h = first_half(e);
+  const Point2 p = measured(complex_.dcel.origin(h)), q = measured(complex_.dcel.target(h));
+  return std::hypot(q.x - p.x, q.y - p.y);
+}
+
+double LayerRepair::measured_area(const Rational& area) const {
+  if (unit_ == 1) return nearest_double(area);
+  const Rational unit = exact_rational(unit_);
+  return nearest_double(area / (unit * unit));
+}
+
 double LayerRepair::diagonal() const {
   if (layer_.ring_corners.empty()) return 0;
   Point2 low = layer_.points.approx(layer_.ring_corners.front()), high = low;
@@ -245,11 +283,12 @@ double LayerRepair::diagonal() const {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  return std::hypot(high.x - low.x, high.y - low.y);
+  return std::hypot(high.x / unit_ - low.x / unit_, high.y / unit_ - low.y / unit_);
 }
 
 OpenGapRule LayerRepair::open_gap_rule() const {
-  return {report_.gaps_below, kSlender, kRoundingPerDiagonal * diagonal_, !options_.gaps_below};
+  return {report_.gaps_below, kSlender, kRoundingPerDiagonal * diagonal_ * unit_,
+          !options_.gaps_below};
 }
 
 /// Whether a region that no feature covers is a gap. If the caller has no bound, a narrow region is
@@ -259,8 +298,9 @@ OpenGapRule LayerRepair::open_gap_rule() const {
 bool LayerRepair::is_gap(const LayerRegion& region, std::size_t neighbours) const {
   if (!(region.width < report_.gaps_below)) return false;
   if (options_.gaps_below || neighbours >= kCornerNeighbours) return true;
-  const double slenderness = region.width * region.width / nearest_double(region.area);
-  return slenderness < kSlender || region.width < kRoundingPerDiagonal * diagonal_;
+  const double width = region.width / unit_;
+  const double slenderness = width * width / measured_area(region.area);
+  return slenderness < kSlender || width < kRoundingPerDiagonal * diagonal_;
 }
 
 /// Returns the borders between regions of one sort and faces that have owners.
@@ -270,7 +310,7 @@ std::vector<BorderPiece> LayerRepair::borders(bool of_overlaps) const {
     const std::uint32_t region = region_[inside.value()], owner = owner_[outside.value()];
     if (region == kNobody || owner == kNobody || region == region_[outside.value()]) return;
     if (is_uncovered(report_.regions[region]) == of_overlaps) return;
-    pieces.push_back({region, owner, length_of(complex_, EdgeId(e))});
+    pieces.push_back({region, owner, length_of(EdgeId(e))});
   };
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     add(left(e), right(e), e);
@@ -405,6 +445,14 @@ RepairedLayer repaired_once(const Layer& layer, const LayerRepairOptions& option
   return with_regions(layer, options, context, [](LayerRepair& repair) { return repair.repair(); });
 }
 
+/// Repairs a layer of which an open gap was filled. Returns nothing if nothing is left to do.
+std::optional<RepairedLayer> repaired_again(const Layer& layer, const LayerRepairOptions& options,
+                                            Context& context) {
+  return with_regions(layer, options, context, [](LayerRepair& repair) {
+    return repair.has_defects() ? std::optional(repair.repair()) : std::nullopt;
+  });
+}
+
 /// Appends feature f of another layer, with its points and without its id and its properties.
 void append_feature(Layer& layer, const Layer& other, std::size_t f) {
   for (std::size_t p = other.feature_begin[f]; p < other.feature_begin[f + 1]; ++p) {
@@ -484,13 +532,20 @@ RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options
                            Context& context) {
   require_options(layer, options);
   RepairedLayer repaired = repaired_once(layer, options, context);
-  for (bool is_done = !has_open_gaps(repaired.report); !is_done;) {
-    RepairedLayer again = repaired_once(repaired.layer, options, context);
-    is_done = !again.report.has_defects();
-    repaired.layer = std::move(again.layer);
-    append_changes(repaired.report, again.report);
+  if (!has_open_gaps(repaired.report)) return repaired;
+  LayerRepairOptions later = options;
+  for (std::uint32_t round = 1;; ++round) {
+    // The last round leaves open gaps as they are, and needs no further one.
+    const bool is_last = round >= options.most_rounds;
+    later.open_gaps = !is_last;
+    std::optional<RepairedLayer> again = repaired_again(repaired.layer, later, context);
+    if (again) {
+      repaired.layer = std::move(again->layer);
+      append_changes(repaired.report, again->report);
+    }
+    repaired.report.is_stopped = is_last;
+    if (is_last || !again) return repaired;
   }
-  return repaired;
 }
 
 }  // namespace plumb

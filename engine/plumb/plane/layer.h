@@ -124,11 +124,12 @@ struct LayerRepairOptions {
   ///     and its perimeter p.
   ///   - Its width is at least 1e-9 D. Gaps that come from rounding of coordinates are narrower.
   std::optional<double> gaps_below = {};
-  /// Whether gaps that open to the outside or into a hole are found. Such a gap is cut off at its
-  /// mouths: segments between different features that are shorter than the bound. It is narrower
-  /// than the bound, its border along features is at least twice as long as its mouths, and at
-  /// least two features are along it. If there is no value for the bound, a gap must also be at
-  /// least 100 times as long as it is wide, or narrower than 1e-9 of the diagonal.
+  /// Whether gaps that open to the outside or into a hole are found. They are not found if a
+  /// coordinate exceeds 1e75, because doubles cannot measure such gaps. Such a gap is cut off at
+  /// its mouths: segments between different features that are shorter than the bound. It is
+  /// narrower than the bound, its border along features is at least twice as long as its mouths,
+  /// and at least two features are along it. If there is no value for the bound, a gap must also be
+  /// at least 100 times as long as it is wide, or narrower than 1e-9 of the diagonal.
   bool open_gaps = true;
   /// For each feature, its rank under OwnerRule::First. If the list is empty, features rank in the
   /// order of the layer.
@@ -136,6 +137,9 @@ struct LayerRepairOptions {
   /// Preferences that come before the rule: a candidate that loses against another candidate is
   /// left out, unless every candidate loses.
   std::vector<OwnerPreference> preferences = {};
+  /// A filled open gap may leave a smaller one at its mouth, so a layer with open gaps is repaired
+  /// again, in at most this number of rounds. Layers need two or three. No bound is proved.
+  std::uint32_t most_rounds = 32;
 };
 
 /// The kinds of regions that a report lists.
@@ -179,6 +183,9 @@ struct LayerReport {
   double gaps_below = 0;               ///< The bound that was used for the widths of gaps.
   std::vector<std::uint32_t> emptied;  ///< The features that lost their whole area by the repair.
   PlaneRoundingReport rounding;        ///< What rounding has changed.
+  /// Whether the repair ended after LayerRepairOptions::most_rounds. Then open gaps may be left,
+  /// and nothing else.
+  bool is_stopped = false;
 
   /// Returns the features of a region.
   std::span<const std::uint32_t> features_of(const LayerRegion& region) const {
@@ -208,10 +215,10 @@ LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = 
 /// are selected by options.rule, with one exception. If overlaps cover a feature completely, these
 /// overlaps are given to this feature. Otherwise the feature could vanish. It can still vanish if
 /// several features are equal. If an open gap was filled, the result is repaired again until
-/// nothing is left to do, and the report lists all regions. Throws Error{BadArgument} if ranks or
-/// preferences do not match the features, Error{NumberOutOfRange} if coordinates are too large to
-/// be rounded, ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is
-/// requested.
+/// nothing is left to do (LayerRepairOptions::most_rounds), and the report lists all regions.
+/// Throws Error{BadArgument} if ranks or preferences do not match the features,
+/// Error{NumberOutOfRange} if coordinates are too large to be rounded, ResourceLimit if a limit of
+/// the Context is exceeded, and Cancelled if a stop is requested.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
                            Context& context = unlimited_context());
 

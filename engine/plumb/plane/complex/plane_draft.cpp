@@ -8,10 +8,11 @@
 // simplify() drops edges first. Whether an edge is dropped depends on the marks of its old faces,
 // which are equal where faces are joined, so the order does not matter; the same holds for vertices
 // once edges are settled (docs/design/sweep.md, Lemma 3). without_edges() drops the edges that its
-// caller names, and vertices by the same rule, but without marks. Kept edges stay in the order of the
-// sweep, because a chain takes the place of its first edge.
+// caller names, and vertices by the same rule, but without marks. Kept edges stay in the order of
+// the sweep, because a chain takes the place of its first edge.
 //
-// Tested by tests/plane/nef2_test.cpp and tests/plane/sweep_unbounded_test.cpp.
+// Tested by tests/plane/nef2_test.cpp, tests/plane/sweep_unbounded_test.cpp and
+// tests/plane/without_edges_test.cpp.
 
 #include "plumb/plane/complex/plane_draft.h"
 

@@ -1,9 +1,9 @@
 // Edges between equal labels are left out, and the pieces of one curve that remain on both sides of
 // a left-out crossing become one curve again, so that rounding does not bend borders at crossings
-// that are no longer there; this takes linear time (without_edges()). What is left is rounded as one
-// subdivision, and read off face by face. Rounding may remove a narrow face between two faces with equal labels, so edges
-// between equal labels are left out once more. Then neighbouring faces have different labels, and
-// each face is one polygon.
+// that are no longer there; this takes linear time (without_edges()). What is left is rounded as
+// one subdivision, and read off face by face. Rounding may remove a narrow face between two faces
+// with equal labels, so edges between equal labels are left out once more. Then neighbouring faces
+// have different labels, and each face is one polygon.
 //
 // Tested by tests/plane/layer_test.cpp.
 #include "plumb/plane/layer/labelled_layer.h"
