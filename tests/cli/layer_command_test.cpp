@@ -213,8 +213,38 @@ TEST(MapOverlayOfLayers, refuses_what_does_not_fit) {
                  "corpus/maps/us-states.map:1:", "JSON");
   expect_refusal(run({"map", "overlay", kDistricts, kFields, "--grid", "1"}),
                  "plumb: ", "are for maps");
-  expect_refusal(run({"map", "overlay", "a.shp", kFields}), "a.shp: ", "ogr2ogr");
-  expect_refusal(run({"map", "check", "a.gpkg"}), "a.gpkg: ", "ogr2ogr");
+  expect_refusal(run({"map", "overlay", "a.kmz", kFields}), "a.kmz: ", "ogr2ogr");
+  expect_refusal(run({"map", "check", "a.parquet"}), "a.parquet: ", "ogr2ogr");
+}
+
+// Whether plumb is built with GDAL or not, the command works or names the way.
+TEST(LayersOfGdal, go_through_every_command_or_are_refused) {
+  const ScratchDirectory scratch;
+  const std::string package = (scratch / "fields.gpkg").string();
+  const RunResult written = run({"map", "repair", kFields, "-o", package});
+  if (written.code == 2) {
+    EXPECT_TRUE(contains(written.err, "built without GDAL")) << written.err;
+    expect_refusal(run({"map", "check", "a.gpkg"}), "a.gpkg: ", "ogr2ogr");
+    expect_refusal(run({"plane", "info", "a.gpkg"}), "a.gpkg: ", "");
+    GTEST_SKIP() << "built without GDAL";
+  }
+  ASSERT_EQ(written.code, 0) << written.err;
+  const RunResult direct = run({"map", "repair", kFields, "-o", "-", "--format", "geojson"});
+  const RunResult through =
+      run({"map", "repair", package, "-o", "-", "--format", "geojson", "--enclosed-only"});
+  const Json before = Json::parse(direct.out), after = Json::parse(through.out);
+  ASSERT_EQ(after["features"].size(), before["features"].size());
+  for (std::size_t f = 0; f < 4; ++f) {
+    EXPECT_EQ(after["features"][f]["properties"]["id"], before["features"][f]["id"]);
+  }
+  EXPECT_EQ(run({"map", "check", package}).code, 0);
+  EXPECT_EQ(run({"map", "overlay", package, kFields, "-o", (scratch / "o.fgb").string()}).code, 0);
+  EXPECT_EQ(run({"map", "dissolve", package, "-o", (scratch / "d.gpkg").string()}).code, 0);
+  EXPECT_EQ(run({"map", "simplify", package, "--percent", "50"}).code, 0);
+  const RunResult set = run({"plane", "info", package});
+  EXPECT_EQ(set.code, 0) << set.err;
+  EXPECT_EQ(run({"map", "check", package, "--object", "none"}).code, 2);
+  EXPECT_EQ(run({"map", "check", (scratch / "none.gpkg").string()}).code, 2);
 }
 
 }  // namespace

@@ -203,7 +203,7 @@ TEST(LayerReader, closes_rings_of_arcs_with_a_note) {
 
 TEST(LayerReader, names_the_command_that_converts_other_formats) {
   try {
-    read_layer_file("some/parcels.gpkg");
+    read_layer_file("some/parcels.parquet");
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::UnknownFormat);

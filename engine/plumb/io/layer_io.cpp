@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "plumb/base/internal/round_to_nearest.h"
+#include "plumb/io/plane/gdal_layer.h"
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
@@ -85,7 +86,7 @@ class LayerReader {
       add_geometry(JsonValues::kDocument);
       file_.layer.end_feature("", "");
     }
-    if (json_.find(JsonValues::kDocument, "crs")) draft_.has_crs = true;
+    if (const std::optional<Id> crs = json_.find(JsonValues::kDocument, "crs")) read_crs(*crs);
   }
 
  private:
@@ -103,6 +104,7 @@ class LayerReader {
   std::string_view member_source(Id object, std::string_view member) const;
   double number(Id value);
 
+  void read_crs(Id crs);
   void read_feature(Id feature);
   void add_geometry(Id geometry);
   void add_polygon(Id rings);
@@ -178,6 +180,16 @@ std::uint32_t LayerReader::add_point(Point2 p) {
 }
 
 // ---------------------------------------------------------------- features
+
+/// Reads the name of a coordinate reference system: {"type": "name", "properties": {"name": TEXT}}.
+void LayerReader::read_crs(Id crs) {
+  if (!json_.is_object(crs)) return;  // null
+  draft_.has_crs = true;
+  const std::optional<Id> properties = json_.find(crs, "properties");
+  if (!properties || !json_.is_object(*properties)) return;
+  const std::optional<Id> name = json_.find(*properties, "name");
+  if (name && json_.is_text(*name)) file_.crs = json_.text(*name);
+}
 
 void LayerReader::read_feature(Id feature) {
   if (type_of(feature) != "Feature") fail(ErrorCode::Syntax, "expected a Feature", feature);
@@ -407,7 +419,11 @@ LayerFile noted(LayerDraft draft) {
     notes.push_back("closed by an edge: " + std::to_string(draft.unclosed) +
                     " rings that end elsewhere than they start");
   }
-  if (draft.has_crs) notes.push_back("passed over: \"crs\"");
+  if (draft.has_crs) {
+    const std::string name = draft.file.crs.empty() ? "" : ' ' + plumb::quoted(draft.file.crs);
+    const char* const kept = has_gdal() && !name.empty() ? " (.gpkg and .fgb keep it)" : "";
+    notes.push_back("passed over: \"crs\"" + name + kept);
+  }
   return std::move(draft.file);
 }
 
@@ -495,7 +511,10 @@ bool begins_like_layer(std::string_view text) {
   return begins_like_json(text) || begins_like_wkb(text) || begins_like_wkt(text);
 }
 
+bool is_read_by_gdal(const std::string& path) { return has_gdal() && is_gdal_format(path); }
+
 void require_layer_format(const std::string& path) {
+  if (is_read_by_gdal(path)) return;
   const std::string extension = std::filesystem::path(path).extension().string();
   constexpr std::array kNames{".shp", ".gpkg", ".fgb",     ".gdb", ".kml", ".kmz",
                               ".gml", ".dxf",  ".parquet", ".mif", ".tab"};
@@ -504,8 +523,18 @@ void require_layer_format(const std::string& path) {
               extension +
                   " is not read; GDAL converts it: ogr2ogr -f GeoJSON -lco "
                   "COORDINATE_PRECISION=17 layer.geojson FILE" +
-                  extension,
+                  extension +
+                  (is_gdal_format(path) ? " (or build plumb with it: PLUMB_WITH_GDAL)" : ""),
               {input_name(path)});
+}
+
+LayerText read_layer_text(const std::string& path, const LayerReadOptions& options,
+                          Context& context) {
+  require_layer_format(path);
+  LayerText text;
+  text.text = is_read_by_gdal(path) ? read_gdal_layer(path, options.object, text.notes, context)
+                                    : read_input(path, context);
+  return text;
 }
 
 namespace {
@@ -575,10 +604,10 @@ LayerFile read_layer(std::string_view text, const LayerReadOptions& options, Con
 
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options, Context& context) {
   options.name = input_name(path);
-  require_layer_format(path);
-  const std::string text = read_input(path, context);
-  LayerFile file = read_layer(text, options, context);
-  context.release_memory(text.size());
+  const LayerText input = read_layer_text(path, options, context);
+  LayerFile file = read_layer(input.text, options, context);
+  file.notes.insert(file.notes.begin(), input.notes.begin(), input.notes.end());
+  context.release_memory(input.text.size());
   return file;
 }
 
@@ -723,6 +752,16 @@ void write_layer_geojson(std::ostream& stream, const Layer& layer, Context& cont
   }
   out << "\n]}\n";
   out.flush();
+}
+
+void write_layer_gpkg(std::ostream& out, const Layer& layer, const std::string& crs,
+                      Context& context) {
+  write_gdal_layer(out, layer, crs, "GPKG", context);
+}
+
+void write_layer_fgb(std::ostream& out, const Layer& layer, const std::string& crs,
+                     Context& context) {
+  write_gdal_layer(out, layer, crs, "FlatGeobuf", context);
 }
 
 void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,

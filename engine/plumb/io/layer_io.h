@@ -1,6 +1,7 @@
 // Reads and writes layers of features (docs/formats.md, "Layers"). Layers are read from GeoJSON,
-// TopoJSON, WKT and WKB, and written as GeoJSON, TopoJSON and WKT. Reports of checks and repairs
-// are written as text, JSON and GeoJSON.
+// TopoJSON, WKT and WKB, and written as GeoJSON, TopoJSON and WKT. If plumb is built with GDAL,
+// GeoPackage, FlatGeobuf and other formats are read, too. Reports of checks and repairs are written
+// as text, JSON and GeoJSON.
 //
 // Main flow of read_layer():
 //  1. JsonValues     lists the JSON values of the text. If the input is a sequence of JSON texts,
@@ -35,8 +36,8 @@ namespace plumb {
 /// Options of reading a layer.
 struct LayerReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
-  /// In a TopoJSON file: the name of the object to be read. If the name is empty, the first object
-  /// is read.
+  /// In a TopoJSON file: the name of the object to be read. In a file that GDAL reads: the name of
+  /// the layer. If the name is empty, the first object or layer is read.
   std::string object;
 };
 
@@ -46,6 +47,9 @@ struct LayerFile {
   /// Contents of the file that are not in `layer`, and whether polygons seem to cross the
   /// antimeridian.
   std::vector<std::string> notes;
+  /// The coordinate reference system that the file names with "crs", or an empty text. Computations
+  /// ignore it.
+  std::string crs;
 };
 
 /// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. The features of the layer
@@ -65,8 +69,26 @@ LayerFile read_layer(std::string_view text, const LayerReadOptions& options = {}
 bool begins_like_layer(std::string_view text);
 
 /// Throws Error{UnknownFormat} if the extension of `path` belongs to a geographic format that plumb
-/// cannot read, such as .shp or .gpkg. The message names a command that converts the file.
+/// cannot read. These formats are .shp, .gpkg and others, if plumb is built without GDAL. The
+/// message names a command that converts the file.
 void require_layer_format(const std::string& path);
+
+/// Whether the extension of `path` belongs to a format whose files GDAL reads for plumb, such as
+/// .gpkg, and plumb is built with GDAL (PLUMB_WITH_GDAL).
+bool is_read_by_gdal(const std::string& path);
+
+/// A file as a text for read_layer().
+struct LayerText {
+  std::string text;                ///< The contents of the file, or a GeoJSON text.
+  std::vector<std::string> notes;  ///< Contents of the file that are not in `text`.
+};
+
+/// Returns the contents of the file `path`, or of standard input if `path` is "-". If GDAL reads
+/// the format of the file, returns its features as GeoJSON. The memory of the text stays charged to
+/// `context`. Throws the errors of require_layer_format(), and those that the head of this file
+/// states.
+LayerText read_layer_text(const std::string& path, const LayerReadOptions& options = {},
+                          Context& context = unlimited_context());
 
 /// Reads the file `path`, or standard input if `path` is "-". `options.name` is ignored. Throws the
 /// errors of require_layer_format(), and those that the head of this file states.
@@ -88,6 +110,19 @@ void write_layer_topojson(std::ostream& out, const Layer& layer,
 /// Writes the polygons of a layer as WKT, with one feature on each line. Ids and properties are not
 /// written. Coordinates are the nearest doubles. Exceptions of `out` reach the caller.
 void write_layer_wkt(std::ostream& out, const Layer& layer, Context& context = unlimited_context());
+
+/// Writes a layer as a GeoPackage, through GDAL: one table "layer" of multipolygons. Ids that are
+/// different integers are the ids of the table; other ids become a column "id". Each property
+/// becomes a column. `crs` is LayerFile::crs. Throws Error{BadArgument} if plumb is built without
+/// GDAL, and Error{CannotWrite}. Exceptions of `out` reach the caller.
+void write_layer_gpkg(std::ostream& out, const Layer& layer, const std::string& crs,
+                      Context& context = unlimited_context());
+
+/// Writes a layer as FlatGeobuf, through GDAL, as write_layer_gpkg() does. Ids become a column
+/// "id". Throws Error{BadArgument}, too, if a feature has no polygons, as the format has no place
+/// for it.
+void write_layer_fgb(std::ostream& out, const Layer& layer, const std::string& crs,
+                     Context& context = unlimited_context());
 
 /// Returns the property "name", "NAME" or "Name" of a feature, if it is a text.
 std::optional<std::string> feature_name(const Layer& layer, std::uint32_t feature);

@@ -20,6 +20,7 @@
 #include <ostream>
 #include <utility>
 
+#include "plumb/io/layer_io.h"
 #include "plumb/io/plane/dxf.h"
 #include "plumb/io/plane/geojson.h"
 #include "plumb/io/plane/nef2_format.h"
@@ -506,9 +507,24 @@ PlaneRead read_plane_set(std::string_view text, PlaneFormat format, const ReadOp
                               [&] { return read_plane_set_as(text, format, options, context); });
 }
 
+namespace {
+
+/// Reads the set of all features of a layer.
+PlaneRead read_plane_set_by_gdal(const std::string& path, const ReadOptions& options,
+                                 Context& context) {
+  const LayerText input = read_layer_text(path, {}, context);
+  PlaneRead read = read_plane_set(input.text, PlaneFormat::GeoJson, options, context);
+  read.notes.insert(read.notes.begin(), input.notes.begin(), input.notes.end());
+  context.release_memory(input.text.size());
+  return read;
+}
+
+}  // namespace
+
 PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat> format,
                               ReadOptions options, Context& context) {
   options.name = input_name(path);
+  if (!format && is_read_by_gdal(path)) return read_plane_set_by_gdal(path, options, context);
   const ChargedInput input(path, context);
   if (!format) format = plane_format_of(path, input.bytes());
   return read_plane_set(input.bytes(), *format, options, context);

@@ -61,11 +61,15 @@ class MapRepair : public CommandBody {
     options_.rule = owner_rule(rule_);
     options_.open_gaps = !is_enclosed_only_;
     session.expect({reading_map(), repairing_layer(), writing()});
-    layer_ = read_layer_operand(session, file_, read_options_);
+    layer_ = read_layer_operand(session, file_, read_options_, crs_);
     set_owners();
     session.begin("repair");
     repaired_ = repair_layer(layer_, options_, session.context());
     session.deliver();
+    if (repaired_.report.is_stopped) {
+      session.note("stopped after " + std::to_string(options_.most_rounds) +
+                   " rounds; open gaps may be left, which a second repair fills");
+    }
     return is_dry_run_ && repaired_.report.has_defects() ? ExitCode::No : ExitCode::Yes;
   }
 
@@ -84,8 +88,8 @@ class MapRepair : public CommandBody {
     const CommonOptions& common = session.options();
     const bool is_written = !common.out.empty() || !common.format.empty();
     if (is_dry_run_ && is_written) throw Error(ErrorCode::Usage, "--dry-run writes no layer");
-    const bool is_on_stdout =
-        open_layer_output(session, [this]() -> const Layer& { return repaired_.layer; });
+    const bool is_on_stdout = open_layer_output(
+        session, [this]() -> const Layer& { return repaired_.layer; }, crs_);
     if (!changes_.empty()) {
       session.outputs().add(changes_, [this, &session](std::ostream& stream) {
         write_layer_report_geojson(stream, layer_, repaired_.report, session.context());
@@ -102,7 +106,7 @@ class MapRepair : public CommandBody {
     }
   }
 
-  std::string file_, rule_, changes_;
+  std::string file_, rule_, changes_, crs_;
   std::vector<std::pair<std::string, std::string>> preferences_;
   bool is_dry_run_ = false, is_enclosed_only_ = false;
   LayerReadOptions read_options_;

@@ -36,8 +36,8 @@ using OrderedJson = nlohmann::ordered_json;
 /// Opens the layer and the summary. Text summaries are sentences, one a line.
 void open_layer_and_summary(Session& session, const std::function<const Layer&()>& layer,
                             const std::function<OrderedJson()>& json,
-                            const std::function<std::string()>& text) {
-  const bool is_on_stdout = open_layer_output(session, layer);
+                            const std::function<std::string()>& text, const std::string& crs) {
+  const bool is_on_stdout = open_layer_output(session, layer, crs);
   if (session.options().json) {
     session.outputs().add("-", [json](std::ostream& out) { out << json().dump() << '\n'; });
   } else if (!is_on_stdout) {
@@ -74,9 +74,9 @@ class MapDissolve : public CommandBody {
   ExitCode run(Session& session) override {
     open_layer_and_summary(
         session, [this]() -> const Layer& { return result_; }, [this] { return json(); },
-        [this] { return text(); });
+        [this] { return text(); }, crs_);
     session.expect({reading_map(), repairing_layer(), writing()});
-    const Layer layer = read_layer_operand(session, file_, read_options_);
+    const Layer layer = read_layer_operand(session, file_, read_options_, crs_);
     before_ = layer.feature_count();
     session.begin("repair");
     Context& context = session.context();
@@ -104,7 +104,7 @@ class MapDissolve : public CommandBody {
            " with " + numbered(result_.polygon_count(), "polygon") + '\n';
   }
 
-  std::string file_, property_;
+  std::string file_, property_, crs_;
   std::vector<std::string> sums_;
   LayerReadOptions read_options_;
   std::size_t before_ = 0, overlaps_ = 0;
@@ -140,9 +140,9 @@ class MapSimplify : public CommandBody {
     }
     open_layer_and_summary(
         session, [this]() -> const Layer& { return result_.layer; }, [this] { return json(); },
-        [this] { return text(); });
+        [this] { return text(); }, crs_);
     session.expect({reading_map(), repairing_layer(), writing()});
-    const Layer layer = read_layer_operand(session, file_, read_options_);
+    const Layer layer = read_layer_operand(session, file_, read_options_, crs_);
     session.begin("repair");
     LayerSimplifyOptions options{.tolerance = std::numeric_limits<double>::infinity(), .kept = 0};
     if (tolerance_) options.tolerance = *tolerance_;
@@ -174,7 +174,7 @@ class MapSimplify : public CommandBody {
            format_double(result_.borders_moved) + '\n';
   }
 
-  std::string file_;
+  std::string file_, crs_;
   std::optional<double> tolerance_, percent_, within_;
   LayerReadOptions read_options_;
   SimplifiedLayer result_;
@@ -194,6 +194,7 @@ struct OverlaidLayers {
   std::size_t features[2] = {0, 0};
   std::size_t both = 0, only_first = 0, only_second = 0, vanished = 0, overlaps[2] = {0, 0};
   double moved = 0;
+  std::string crs;
 };
 
 void count_pairs(const LayerOverlay& overlay, OverlaidLayers& result) {
@@ -238,6 +239,7 @@ bool is_layer_file(const std::string& path) {
     if (extension == name) return true;
   }
   require_layer_format(path);
+  if (is_read_by_gdal(path)) return true;
   // Only the beginning is read, so a pipe that has a name would lose it.
   std::error_code error;
   if (extension == ".map" || !std::filesystem::is_regular_file(path_of(path), error)) return false;
@@ -253,10 +255,13 @@ ExitCode overlay_layer_files(Session& session, const std::string& first, const s
   OverlaidLayers result;
   open_layer_and_summary(
       session, [&result]() -> const Layer& { return result.layer; },
-      [&result] { return overlay_json(result); }, [&result] { return overlay_text(result); });
+      [&result] { return overlay_json(result); }, [&result] { return overlay_text(result); },
+      result.crs);
   session.expect({reading_map(), reading_map(), overlaying_maps(), writing()});
-  const Layer a = read_layer_operand(session, first, {.name = {}, .object = words.first_object});
-  const Layer b = read_layer_operand(session, second, {.name = {}, .object = words.second_object});
+  const Layer a =
+      read_layer_operand(session, first, {.name = {}, .object = words.first_object}, result.crs);
+  const Layer b =
+      read_layer_operand(session, second, {.name = {}, .object = words.second_object}, result.crs);
   result.features[0] = a.feature_count();
   result.features[1] = b.feature_count();
   session.begin("overlay");

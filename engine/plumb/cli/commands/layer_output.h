@@ -15,11 +15,13 @@
 
 namespace plumb::cli {
 
-/// A format of layers.
+/// A format of layers, with the function that writes it; `write_crs` is the one of a format that
+/// keeps the name of a coordinate reference system.
 struct LayerFormat {
   std::string_view name;
   std::string_view extension;
   void (*write)(std::ostream&, const Layer&, Context&);
+  void (*write_crs)(std::ostream&, const Layer&, const std::string&, Context&) = nullptr;
 };
 
 inline constexpr std::array kLayerFormats{
@@ -27,6 +29,8 @@ inline constexpr std::array kLayerFormats{
     LayerFormat{"geojson", ".json", write_layer_geojson},
     LayerFormat{"topojson", ".topojson", write_layer_topojson},
     LayerFormat{"wkt", ".wkt", write_layer_wkt},
+    LayerFormat{"gpkg", ".gpkg", nullptr, write_layer_gpkg},
+    LayerFormat{"fgb", ".fgb", nullptr, write_layer_fgb},
 };
 
 /// Returns the format that -o and --format ask for; null if they ask for no layer. Throws
@@ -38,24 +42,38 @@ inline const LayerFormat* layer_format(const CommonOptions& common) {
   return &format_of_file(kLayerFormats, common.out);
 }
 
-/// Opens the output of a layer before the work. Returns whether the layer goes to standard output.
-inline bool open_layer_output(Session& session, const std::function<const Layer&()>& layer) {
+/// Opens the output of a layer before the work. `crs` names the coordinate reference system when
+/// the layer is written. Returns whether the layer goes to standard output.
+inline bool open_layer_output(Session& session, const std::function<const Layer&()>& layer,
+                              const std::string& crs) {
   const CommonOptions& common = session.options();
   const LayerFormat* const format = layer_format(common);
   if (format == nullptr) return false;
   const std::string out = common.out.empty() ? "-" : common.out;
-  session.outputs().add(out, [&session, layer, format](std::ostream& stream) {
-    format->write(stream, layer(), session.context());
+  if (format->write_crs != nullptr && !is_read_by_gdal("x" + std::string(format->extension))) {
+    throw Error(ErrorCode::UnknownFormat,
+                "plumb is built without GDAL, which writes this format; write GeoJSON, which "
+                "ogr2ogr converts",
+                {out});
+  }
+  session.outputs().add(out, [&session, &crs, layer, format](std::ostream& stream) {
+    if (format->write_crs != nullptr) {
+      format->write_crs(stream, layer(), crs, session.context());
+    } else {
+      format->write(stream, layer(), session.context());
+    }
   });
   return out == "-";
 }
 
-/// Reads a layer, and prints the notes of its reader.
+/// Reads a layer, and prints the notes of its reader. Sets `crs` to the coordinate reference system
+/// of the layer, unless it is that of an earlier layer.
 inline Layer read_layer_operand(Session& session, const std::string& file,
-                                const LayerReadOptions& options) {
+                                const LayerReadOptions& options, std::string& crs) {
   session.begin("read");
   LayerFile read = read_layer_file(file, options, session.context());
   for (const std::string& note : read.notes) session.note(input_name(file) + ": " + note);
+  if (crs.empty()) crs = std::move(read.crs);
   return std::move(read.layer);
 }
 

@@ -167,8 +167,9 @@ ExitCode MapCheck::run(Session& session) {
   checked_.title = file_name_of(path_of(input_name(file_)).filename());
   session.expect({reading_map(), checking_map(), writing()});
   session.begin("read");
-  require_layer_format(file_);
-  const std::string text = read_input(file_, context);
+  const LayerText input = read_layer_text(file_, read_options_, context);
+  for (const std::string& line : input.notes) note(session, line);
+  const std::string& text = input.text;
   const bool is_layer = !checks_edges_ && outer_.empty() && !options_.merge_vertices &&
                         !certificate_.is_given() && begins_like_layer(text);
   const ExitCode code = is_layer ? check_layer_file(session, text) : check_map_file(session, text);

@@ -107,13 +107,16 @@ PlaneOperand PlaneInput::load(const std::string& file, const CommonOptions& opti
                 "--keep ids reads decimals as the nearest doubles; leave out "
                 "--exact-decimals");
   }
-  const std::string text = read_input(file, context);
+  const LayerText input = is_read_by_gdal(file) ? read_layer_text(file, {}, context)
+                                                : LayerText{read_input(file, context), {}};
+  const std::string& text = input.text;
   const PlaneFormat format = plane_format_of(file, text);
   read.name = input_name(file);
   read.attributes = true;
   PlaneRead plain = read_plane_set(text, format, read, context);
   operand.set = std::move(plain.set);
   operand.notes = std::move(plain.notes);
+  operand.notes.insert(operand.notes.begin(), input.notes.begin(), input.notes.end());
   if (format != PlaneFormat::GeoJson) return operand;
   operand.features = read_layer(text, {read.name, {}}, context).layer;
   return operand;
