@@ -452,8 +452,8 @@ PolygonMesh split_octahedron() {
   return make_mesh(std::move(points), faces);
 }
 
-// The volumes of one closed surface, read off its jumps if all its vertices have fans or one ring of
-// corners, held against the search for volumes.
+// The volumes of one closed surface, read off its jumps if all its vertices have fans or one ring
+// of corners, held against the search for volumes.
 TEST(MeshArrangement, OneShellHasTheVolumesOfTheSearch) {
   Context context;
   const PolygonMesh sphere = icosphere_mesh(2, 1, {}), cube = grid_cube_mesh(3, {0, 0, 0});

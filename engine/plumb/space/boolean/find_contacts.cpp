@@ -147,8 +147,8 @@ class InputTriangle {
 
 /// Whether the line a b passes through the interior of a facet with one cycle of a few corners, all
 /// of them input points. Returns nothing for other facets, or if the line meets the cycle or a
-/// diagonal from its first corner: then the facet is asked about the point of the cut. Requires that
-/// the line cuts the plane of the facet in one point. That point is inside if an odd number of
+/// diagonal from its first corner: then the facet is asked about the point of the cut. Requires
+/// that the line cuts the plane of the facet in one point. That point is inside if an odd number of
 /// triangles of the fan around the first corner hold it.
 std::optional<bool> passes_inside(const SpaceComplex& complex, FacetId f, const Point3& a,
                                   const Point3& b) {

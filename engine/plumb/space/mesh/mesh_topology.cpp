@@ -500,7 +500,7 @@ class VolumeSigns {
   UseId first_use(std::uint32_t f) const { return complex_.cycles_of(FacetId(f))[0]; }
   UseId next(UseId u) const { return complex_.use_next[u]; }
 
-  /// Returns the largest magnitude of a coordinate, and infinity if a vertex is a constructed point.
+  /// Returns the largest magnitude of a coordinate; infinity if a vertex is a constructed point.
   double largest_coordinate() const {
     double largest = 0;
     for (const SpacePoint p : complex_.vertex_point) {
@@ -512,8 +512,8 @@ class VolumeSigns {
   }
 
   /// Sums the cones from the origin, whose products need no differences and have one bound, six
-  /// times the cube of the largest coordinate. The sums are left at 0, which is never sure, if there
-  /// are constructed points, or if the products may overflow or be flushed to zero.
+  /// times the cube of the largest coordinate. The sums are left at 0, which is never sure, if
+  /// there are constructed points, or if the products may overflow or be flushed to zero.
   void sum_from_origin(std::vector<Sum>& sums) const {
     const double reach = largest_coordinate();
     if (!(reach > 0x1p-300 && reach < 0x1p300)) return;
