@@ -127,8 +127,10 @@ class FilteredPair {
   bool is_certain() const {
     if (common_ == 3) return false;
     return is_on_one_side(a_, b_, in_a_) || is_on_one_side(b_, a_, in_b_) ||
-           is_beyond_edge(a_, in_b_, b_, in_a_) || is_beyond_edge(b_, in_a_, a_, in_b_) ||
-           (common_ == 1 && are_separate()) || (common_ == 0 && have_gap());
+           is_beyond_upright_edge(a_, in_b_, b_, in_a_) ||
+           is_beyond_upright_edge(b_, in_a_, a_, in_b_) || is_beyond_edge(a_, in_b_, b_, in_a_) ||
+           is_beyond_edge(b_, in_a_, a_, in_b_) || (common_ == 1 && are_separate()) ||
+           (common_ == 0 && have_gap());
   }
 
  private:
@@ -147,12 +149,7 @@ class FilteredPair {
     return true;
   }
 
-  /// Whether `face` is outside an edge of t, seen along the normal of t or of the face.
-  static bool is_beyond_edge(const FilteredTriangle& t, const Flags& in_face,
-                             const FilteredTriangle& face, const Flags& in_t) {
-    return is_beyond_upright_edge(t, in_face, face, in_t) ||
-           is_beyond_edge(t, in_face, face.plane.m, face, in_t);
-  }
+  /// Whether `face` is outside an edge of t, seen along the normal of t.
   static bool is_beyond_upright_edge(const FilteredTriangle& t, const Flags& in_face,
                                      const FilteredTriangle& face, const Flags& in_t) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -164,12 +161,13 @@ class FilteredPair {
     }
     return false;
   }
-  static bool is_beyond_edge(const FilteredTriangle& t, const Flags& in_face, const Vec3& direction,
+  /// Whether `face` is outside an edge of t, seen along the normal of the face.
+  static bool is_beyond_edge(const FilteredTriangle& t, const Flags& in_face,
                              const FilteredTriangle& face, const Flags& in_t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = kNextCorner[i], k = kNextCorner[j];
       if (in_face[k]) continue;  // So common vertices are ends of the edge.
-      const Form plane(direction, minus(t.at[j], t.at[i]));
+      const Form plane(face.plane.m, minus(t.at[j], t.at[i]));
       const int inside = plane.sign(minus(t.at[k], t.at[i]));
       if (inside == 0) continue;
       const auto is_outside = [&](std::size_t l) {
@@ -605,10 +603,9 @@ class DoubtSearch {
   /// Adds the other faces that may meet the boxes of faces to be checked. If there are few others,
   /// all of them are added.
   void find_near() {
-    constexpr std::size_t kFew = 4;  // For each face to be checked.
     Box3 bounds;
     for (const Box3& box : boxes_) bounds.add(box);
-    if (mesh_.face_count() - checked_ < kFew * checked_ || !std::isfinite(bounds.extent())) {
+    if (mesh_.face_count() - checked_ < checked_ || !std::isfinite(bounds.extent())) {
       return add_others([](Corners) { return true; });
     }
     const MarkedCells cells(bounds, boxes_);
