@@ -100,6 +100,20 @@ TEST(Parallel, MemoryIsChargedTogether) {
   EXPECT_NO_THROW(context.charge_memory(1000, "all of it was given back"));
 }
 
+TEST(Parallel, RefusedMemoryIsReportedWithFigures) {
+  Context context(Limits{.max_memory_bytes = 1000});
+  context.charge_memory(300, "the first part");
+  try {
+    context.charge_memory(701, "the second part");
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    for (const char* const part : {"the second part", " 701 ", " 1000 ", " 700"}) {
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+  }
+}
+
 /// Jobs that each need nearly all of the memory, and that all hold some at the same time.
 TEST(RestartedJobs, NeedNoMoreMemoryThanALoop) {
   for (const unsigned threads : {1U, 2U, 4U}) {

@@ -156,6 +156,46 @@ def run(program, command, limit):
     return done.returncode, done.stderr.strip(), seconds
 
 
+# Meshes of 3 GB that a limit of 1 GB refuses. They take no space on the disk.
+GIGABYTE = 1 << 30
+HUGE_SIZE = 3 * GIGABYTE
+HUGE_HEADS = {
+    "huge.off": b"OFF\n60000000 120000000 0\n",
+    "huge.ply": (b"ply\nformat binary_little_endian 1.0\nelement vertex 80000000\nproperty float x\n"
+                 b"property float y\nproperty float z\nelement face 160000000\n"
+                 b"property list uchar int vertex_indices\nend_header\n"),
+    "huge.stl": bytes(80) + (64424507).to_bytes(4, "little"),
+}
+
+
+def limit_address_space():
+    resource.setrlimit(resource.RLIMIT_AS, (GIGABYTE, GIGABYTE))
+
+
+def has_figures(program, name, options, prepare):
+    """Whether a huge mesh is refused, and the message tells its size and the limit, in bytes."""
+    done = subprocess.run([program, "solid", "info", name, *options], capture_output=True, text=True, check=False,
+                          preexec_fn=prepare)
+    message = done.stderr
+    is_good = (done.returncode == 3 and all(f" {n} bytes" in message for n in (HUGE_SIZE + 1, GIGABYTE))
+               and "raise --limit-memory" in message)
+    print("%-4s %-60s %s" % ("" if is_good else "BAD", name + " " + " ".join(options), message.strip()[:120]))
+    return is_good
+
+
+def refuse_huge_meshes(program):
+    failures = []
+    for name, head in HUGE_HEADS.items():
+        with open(name, "wb") as file:
+            file.write(head)
+            file.truncate(HUGE_SIZE)
+        for options, prepare in ((["--limit-memory", "1024"], None), ([], limit_address_space)):
+            if not has_figures(program, name, options, prepare):
+                failures.append(name)
+        os.remove(name)
+    return failures
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     failures = []
@@ -173,6 +213,7 @@ def main():
                                                           message[:120]))
                 if not is_good:
                     failures.append(command)
+        failures += refuse_huge_meshes(program)
     return 1 if failures else 0
 
 

@@ -67,9 +67,12 @@ void Context::checkpoint(std::string_view phase, std::uint64_t done, std::uint64
 void Context::charge_memory(std::uint64_t bytes, std::string_view what) {
   std::uint64_t charged = *charged_bytes_;
   do {
-    if (bytes > limits_.max_memory_bytes - charged) {
+    const std::uint64_t left = limits_.max_memory_bytes - charged;
+    if (bytes > left) {
       throw Error(ErrorCode::ResourceLimit, std::string(what) + " needs " + std::to_string(bytes) +
-                                                " more bytes than the memory limit leaves");
+                                                " bytes, but the memory limit of " +
+                                                std::to_string(limits_.max_memory_bytes) +
+                                                " bytes leaves only " + std::to_string(left));
     }
   } while (!charged_bytes_->compare_exchange_weak(charged, charged + bytes));
 }

@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <new>
 #include <span>
@@ -31,6 +32,7 @@
 #include "plumb/base/keep_freed_memory.h"
 #include "plumb/base/version.h"
 #include "plumb/cli/session/command.h"
+#include "plumb/cli/session/process.h"
 #include "plumb/cli/session/session.h"
 #include "plumb/predicates/error.h"
 
@@ -375,9 +377,10 @@ std::string_view advice_on(ErrorCode code, std::string_view message) {
     return names(" digits") ? " (raise --digits)" : "";
   }
   if (code != ErrorCode::ResourceLimit) return "";
-  return names("time limit")     ? " (raise --limit-seconds)"
-         : names("memory limit") ? " (raise --limit-memory)"
-                                 : "";
+  if (names("time limit")) return " (raise --limit-seconds)";
+  if (!names("memory limit")) return "";
+  const bool is_granted = process::granted_memory() == std::numeric_limits<std::uint64_t>::max();
+  return is_granted ? " (raise --limit-memory)" : " (raise --limit-memory and ulimit -v)";
 }
 
 /// Text that files have a part in, of bounded length.

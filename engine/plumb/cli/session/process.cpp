@@ -24,6 +24,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace plumb::cli::process {
 
@@ -129,6 +130,8 @@ void limit_growth(std::uint64_t bytes, unsigned threads) {
   ::CloseHandle(job);  // The job lives as long as its process.
 }
 
+std::uint64_t granted_memory() { return std::numeric_limits<std::uint64_t>::max(); }
+
 BlockedSignals::BlockedSignals() {}
 BlockedSignals::~BlockedSignals() {}
 
@@ -219,6 +222,12 @@ void limit_growth(std::uint64_t bytes, unsigned threads) {
   if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur <= wanted) return;
   limit.rlim_cur = wanted;
   ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+std::uint64_t granted_memory() {
+  rlimit limit{};
+  const bool is_limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return is_limited ? limit.rlim_cur : std::numeric_limits<std::uint64_t>::max();
 }
 
 BlockedSignals::BlockedSignals() {

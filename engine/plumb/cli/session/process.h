@@ -30,6 +30,10 @@ void alarm_after(double seconds);
 /// function does nothing.
 void limit_growth(std::uint64_t bytes, unsigned threads);
 
+/// Returns the bytes of address space that the system grants the process, for instance by
+/// `ulimit -v`; the largest number if there is no such limit, and on Windows.
+std::uint64_t granted_memory();
+
 /// Makes standard input and output carry bytes as they are. Windows would change ends of lines.
 void use_bytes_in_standard_streams();
 

@@ -164,6 +164,8 @@ namespace {
 Limits limits_of(const CommonOptions& options) {
   Limits limits;
   if (options.limit_memory_mb > 0) limits.max_memory_bytes = options.limit_memory_mb << 20U;
+  // If the system grants less, a work that needs more is refused with figures before memory ends.
+  limits.max_memory_bytes = std::min(limits.max_memory_bytes, process::granted_memory());
   limits.max_seconds = options.limit_seconds;
   limits.max_number_digits = options.digits;
   limits.max_decimal_exponent = options.digits;
