@@ -184,8 +184,8 @@ TEST(DoubtfulFaces, CornersOfBlocksHaveNone) {
   }
 }
 
-/// Few small triangles to be checked among many others of all sizes, most of which are far away from
-/// the first ones.
+/// Few small triangles to be checked among many others of all sizes, most of which are far away
+/// from the first ones.
 TEST(DoubtfulFaces, FewCheckedFacesAmongManyMeetTheListedOnes) {
   constexpr std::uint32_t kChecked = 12, kAll = 240;
   std::uint64_t meeting = 0;

@@ -16,9 +16,9 @@
 // its error. A pair without a known plane is doubtful, and so is a polygon that is to be checked.
 //
 // Most pairs of faces whose boxes meet have a common vertex. Most vertices have a *fan*: seen along
-// some direction, the triangles around the vertex lie side by side, and go around it once. Then they
-// meet only in the vertex and in common edges, and none of their pairs needs a test. Each fan is
-// found by a few signs (Fans).
+// some direction, the triangles around the vertex lie side by side, and go around it once. Then
+// they meet only in the vertex and in common edges, and none of their pairs needs a test. Each fan
+// is found by a few signs (docs/design/mesh-rounding.md, "Pairs that need no exact test").
 //
 // Errors. Each product m . (x x y) of a vector m and differences x, y of points takes at most seven
 // roundings, so its error is at most 8 * 2^-53 |m| |x| |y|, where |v| is the sum of the absolute
@@ -250,8 +250,8 @@ class MarkedCells {
     const std::uint64_t row = near_[kCells * (c & kByte) + (c >> 8 & kByte)];
     return c | ((row >> (c >> 16) & 1) != 0 ? kIsNear : 0);
   }
-  /// Whether a face may meet one of the boxes. If it does not, it surely meets none. `codes` has the
-  /// codes of all points.
+  /// Whether a face may meet one of the boxes. If it does not, it surely meets none. `codes` has
+  /// the codes of all points.
   bool may_meet(Corners face, std::span<const std::uint32_t> codes) const {
     // Nearly all faces are small and far away from the boxes.
     const std::uint32_t a = codes[face[0]];
@@ -336,8 +336,7 @@ class MarkedCells {
 
 // ---------------------------------------------------------------- fans
 
-/// Finds the vertices around which triangles lie side by side, as described at the top of this
-/// file. All triangles around a vertex must be added, and then all of their corners be listed.
+/// Finds the vertices that have fans, as described at the top of this file.
 ///
 /// Let all triangles around v be seen from the same side along a direction d: then each corner at v
 /// turns counter-clockwise, by less than half a turn. If the corners are a closed chain, they go
@@ -350,9 +349,9 @@ class Fans {
   /// The corners of a triangle that have a fan, and kNone for the others, side by side.
   using Corners4 __attribute__((vector_size(16))) = std::uint32_t;
 
-  /// Finds the fans at the vertices with a number less than `count`. `number` has a number for each
-  /// corner of each triangle, or kNone for a vertex that is not asked for. `has_polygon` tells the
-  /// vertices at which not all faces are triangles.
+  /// Finds the fans at numbered vertices. `number` has the number of each corner of each triangle,
+  /// or kNone for a vertex without a number. `has_polygon` tells for each number whether some face
+  /// at the vertex is no triangle. Requires all triangles at each vertex with a number.
   Fans(std::span<const FilteredTriangle> triangles,
        std::span<const std::array<std::uint32_t, 3>> number, std::vector<std::uint8_t> has_polygon)
       : triangles_(triangles), number_(number), has_fan_(std::move(has_polygon)) {

@@ -32,9 +32,9 @@ struct FlattenedMesh {
 /// accounted for in largest_move. A triangle that was made from several faces has the least of them
 /// as its origin.
 ///
-/// `is_near` has an entry for each face. It is 1 for each face with a removable vertex, and may be 1
-/// for other faces. O(1) for each face with is_near = 1 and for each removed vertex whose neighbours
-/// have few faces. In addition, O(corners) if a vertex is flat or on a fold.
+/// `is_near` has an entry for each face. It is 1 for each face with a removable vertex, and may be
+/// 1 for other faces. O(1) for each face with is_near = 1 and for each removed vertex whose
+/// neighbours have few faces. In addition, O(corners) if a vertex is flat or on a fold.
 FlattenedMesh drop_flat_vertices(const PolygonMesh& mesh,
                                  std::span<const std::uint8_t> is_removable,
                                  std::span<const std::uint8_t> is_near, double width,
