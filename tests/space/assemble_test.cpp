@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -210,7 +211,10 @@ TEST(Assemble, DraftsAreAppendedAndCutBack) {
     first.add(EdgeId(0), c.vertex_point[0], true);  // and drop it again
     first.draft.resize(cut, end.point, end.arc, end.face);
     first.draft.reserve_more(c.vertex_count(), 1, 2, 3);
-    first.draft.append(second.draft);
+    const std::array<SpaceDraft*, 1> more{&second.draft};
+    Context threads({}, {}, {}, cut == 8 ? 1 : 3);
+    first.draft.take_all(more, threads);
+    EXPECT_EQ(second.draft.vertex_count(), 0U);
     expect_same(c, assemble(std::move(first.draft), context));
   }
 }

@@ -188,7 +188,8 @@ TEST(Combiner, PartsMakeTheWhole) {
       parts[parts.size() - 1 - i]->keep_vertices(i, o.touched[i], o.labels[i], o.context);
     }
     Combiner all = o.combiner(f, kLesser);
-    all.append(parts);
+    Context context({}, {}, {}, 1 + static_cast<unsigned>(seed % 3));
+    all.append(parts, context);
     const SpaceComplex joined = o.assembled(all.finish());
     EXPECT_FALSE(audit(joined, AuditForm::Minimal));
     EXPECT_TRUE(Nef3::from_complex(joined) == Nef3::from_complex(o.whole(f)));

@@ -23,6 +23,7 @@
 #include <numeric>
 #include <stop_token>
 #include <type_traits>
+#include <utility>
 
 #include "plumb/base/internal/parallel.h"
 #include "plumb/base/internal/parallel_ranges.h"
@@ -743,13 +744,8 @@ SpaceComplex whole_space(const SpaceDraft& draft) {
   return whole;
 }
 
-}  // namespace
-
-SpaceComplex assemble(SpaceDraft draft, Context& whole) {
-  if (draft.vertex_count() == 0) return whole_space(draft);
-  const bool is_small = draft.maps.point_count() < kLeastPoints;
-  Context context = Context::of_job(whole, std::stop_token(), is_small ? 1U : whole.threads(),
-                                    JobProgress::Reported);
+/// Assembles a draft that has vertices.
+SpaceComplex assemble_vertices(SpaceDraft draft, Context& context) {
   SpaceComplex out;
   context.checkpoint("assemble", 0, 5);
   WorkPhase phase("vertices and edges");
@@ -788,6 +784,17 @@ SpaceComplex assemble(SpaceDraft draft, Context& whole) {
   phase.next("marks of volumes");
   copy_volume_marks(draft, passed, vertex_number, halfedge_of_point, arc_of_use, out, context);
   return out;
+}
+
+}  // namespace
+
+// Small drafts take less time than starting a thread.
+SpaceComplex assemble(SpaceDraft draft, Context& context) {
+  if (draft.vertex_count() == 0) return whole_space(draft);
+  const bool is_small = draft.maps.point_count() < kLeastPoints;
+  Context own = Context::of_job(context, std::stop_token(), is_small ? 1U : context.threads(),
+                                JobProgress::Reported);
+  return assemble_vertices(std::move(draft), own);
 }
 
 }  // namespace plumb
