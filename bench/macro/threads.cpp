@@ -65,8 +65,8 @@ nlohmann::ordered_json compared(const Job& job, unsigned threads, int rounds) {
           {"many", least_many},           {"ratio", ratio}};
 }
 
-/// Prints the CPU time of a job by phase, and the ratio to the CPU time with one thread that so many
-/// cores give.
+/// Prints the CPU time of a job by phase, and the ratio to the CPU time with one thread that so
+/// many cores give.
 void print_phases(const Job& job) {
   const auto recorded = [&](unsigned threads) {
     Context context(Limits{}, std::stop_token{}, ProgressCallback{}, threads);

@@ -23,7 +23,7 @@ void keep_freed_memory();
 void use_huge_pages();
 
 /// Lets all threads take memory from one heap. Without this setting, malloc makes a heap for each
-/// thread, where memory that another thread has freed is not reused, and whose pages are small. With
+/// thread. Memory that another thread has freed is not reused there, and the pages are small. With
 /// this setting, the union of two meshes with 81,920 triangles by two threads has 6,700 instead of
 /// 11,300 interrupts for pages. Threads wait for each other while one of them takes a large block,
 /// so the setting is for few threads.

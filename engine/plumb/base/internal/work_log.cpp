@@ -51,8 +51,8 @@ double total_of(const std::vector<WorkNode>& step) {
   });
 }
 
-/// Returns when the last job of a section ends: each job in turn is begun by the thread that is free
-/// first.
+/// Returns when the last job of a section ends: each job in turn is begun by the thread that is
+/// free first.
 double end_of_section(const std::vector<WorkNode>& jobs, unsigned threads) {
   const auto workers = static_cast<unsigned>(std::min<std::size_t>(threads, jobs.size()));
   std::vector<double> free_at(workers, 0);

@@ -11,8 +11,8 @@
 // for more threads than the machine has cores. It leaves out what threads lose by sharing caches
 // and memory channels.
 //
-// Cost: without a log, one test for each phase and each call of run_jobs(). With a log, two readings
-// of the clock for each phase and each job. Tested by tests/base/work_log_test.cpp.
+// Cost: without a log, one test for each phase and each call of run_jobs(). With a log, two
+// readings of the clock for each phase and each job. Tested by tests/base/work_log_test.cpp.
 #pragma once
 
 #include <array>
@@ -79,8 +79,8 @@ class WorkLog {
   WorkNode root_;
 };
 
-/// Records its lifetime as a phase, if the calling thread records. The name must outlive the log: it
-/// is a literal.
+/// Records its lifetime as a phase, if the calling thread records. Requires that the name outlives
+/// the log.
 class WorkPhase {
  public:
   explicit WorkPhase(std::string_view name) : node_{name, 0, {}} { begin(); }
