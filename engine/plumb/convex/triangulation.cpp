@@ -123,8 +123,12 @@ class MarkedRegion {
   explicit MarkedRegion(const PlaneComplex& complex)
       : complex_(complex), point_(complex.vertex_count(), kNoPoint) {}
 
-  void collect() {
+  void collect(Context& context) {
+    constexpr std::size_t kEdgesPerCheckpoint = 1024;
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
+      if (e % kEdgesPerCheckpoint == 0) {
+        context.checkpoint(kTriangulationPhase, e, complex_.edge_count());
+      }
       const HalfedgeId h(2 * e);
       if (is_inside(h)) add_edge(h);
       if (is_inside(twin(h))) add_edge(twin(h));
@@ -198,7 +202,7 @@ PlaneTriangulation delaunay(const Nef2& set, Context& context) {
   MemoryCharge memory(context);
   memory.add(kBytesPerCorner * complex.vertex_count(), kTriangulationPhase);
   MarkedRegion region(complex);
-  region.collect();
+  region.collect(context);
   PlaneTriangulation result;
   add_triangles(TablePoints(region.points, context), region.edges, result.triangles);
   result.points = std::move(region.points);

@@ -32,6 +32,7 @@ namespace {
 
 constexpr int kMostRounds = 12;  // Local rounds.
 constexpr std::size_t kEdgesPerCheckpoint = 256;
+constexpr const char* kRoundingPhase = "round";
 // The scene, the arrangement and its pieces; the arrangement charges its own memory besides.
 constexpr std::uint64_t kBytesPerEdge = 200;
 
@@ -156,7 +157,9 @@ RoundedSubdivision PlaneRounder::repaired(int most_rounds, std::optional<Rationa
   for (;;) {
     Arrangement arrangement = arrange_edges(scene_, context_);
     if (!has_crossings(arrangement.complex)) return finished(std::move(arrangement));
+    context_.checkpoint(kRoundingPhase, 0, 0);
     const EdgePieces pieces = pieces_of(scene_, arrangement, trace_);
+    context_.checkpoint(kRoundingPhase, 0, 0);
     drift_ = std::max(drift_, scene_.drift);
     if (round_ < most_rounds) {
       round_crossings(pieces, arrangement.complex, most_rounds);
@@ -203,7 +206,8 @@ void PlaneRounder::snap(const EdgePieces& pieces, const HotPixels& pixels,
   std::vector<std::uint32_t> route;
   std::size_t done = 0;
   for (LabelledEdge edge : pieces.edges) {
-    if (done++ % kEdgesPerCheckpoint == 0) context_.checkpoint("round", done, pieces.edges.size());
+    if (done++ % kEdgesPerCheckpoint == 0)
+      context_.checkpoint(kRoundingPhase, done, pieces.edges.size());
     route.clear();
     pixels.route(VertexId(edge.from), VertexId(edge.to), route);
     if (route.size() > 2) trace_.is_bent[edge.source] = 1;
@@ -218,9 +222,13 @@ void PlaneRounder::snap(const EdgePieces& pieces, const HotPixels& pixels,
 }
 
 RoundedSubdivision PlaneRounder::finished(Arrangement arrangement) {
+  context_.checkpoint(kRoundingPhase, 0, 0);
   EdgePieces pieces = pieces_of(scene_, arrangement, trace_);
+  context_.checkpoint(kRoundingPhase, 0, 0);
   FaceLabels labels = face_labels(arrangement.complex, pieces);
+  context_.checkpoint(kRoundingPhase, 0, 0);
   const std::vector<std::uint8_t> is_kept = leave_out_folded(arrangement.complex, pieces, labels);
+  context_.checkpoint(kRoundingPhase, 0, 0);
   if (scene_.edges.size() == arrangement.complex.edge_count()) {
     // Nothing was left out.
   } else if (scene_.lone.empty()) {
@@ -233,6 +241,7 @@ RoundedSubdivision PlaneRounder::finished(Arrangement arrangement) {
     labels = std::move(merged);
   } else {
     arrangement = arrange_edges(scene_, context_);
+    context_.checkpoint(kRoundingPhase, 0, 0);
     pieces = pieces_of(scene_, arrangement, trace_);
     labels = face_labels(arrangement.complex, pieces);
     PLUMB_CHECK(labels.is_clear);

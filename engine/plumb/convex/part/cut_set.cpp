@@ -174,7 +174,8 @@ Nef3 relative_interior(const SetPart& part, Context& context) {
 /// way.
 class DividingPlane {
  public:
-  DividingPlane(const SpaceComplex& complex, int dimension) : c_(complex), dimension_(dimension) {}
+  DividingPlane(const SpaceComplex& complex, int dimension, Context& context)
+      : c_(complex), dimension_(dimension), context_(context) {}
 
   /// Returns a plane, or no value if only points are removed that no planes define
   /// (plane_through_lone_vertex()).
@@ -256,13 +257,15 @@ class DividingPlane {
   /// Returns the plane that crosses the fewest of the edges in the way, less those it holds. Of
   /// many planes a sample is judged.
   PlaneId best_of(const std::vector<PlaneId>& planes) const {
-    constexpr std::size_t kMost = 64;
+    constexpr std::size_t kMost = 64, kEdgesPerCheckpoint = 4096;
     PlaneId best;
     std::int64_t best_score = 0;
     const std::size_t step = 1 + planes.size() / kMost;
     for (std::size_t i = 0; i < planes.size(); i += step) {
       std::int64_t score = 0;
-      for (const EdgeId e : edges_) {
+      for (std::size_t k = 0; k < edges_.size(); ++k) {
+        if (k % kEdgesPerCheckpoint == 0) context_.checkpoint("cutting", 0, 0);
+        const EdgeId e = edges_[k];
         const Sign a = side_of_end(2 * e.value(), planes[i]),
                    b = side_of_end(2 * e.value() + 1, planes[i]);
         if (a * b == Sign::Negative) ++score;
@@ -279,6 +282,7 @@ class DividingPlane {
 
   const SpaceComplex& c_;
   int dimension_;
+  Context& context_;
   PlaneId flat_;
   std::vector<PlaneId> planes_;
   std::vector<EdgeId> edges_;
@@ -378,8 +382,9 @@ class SetCutter {
     done_.push_back(std::move(piece));
   }
 
-  static Plane3 plane_of(const SetPart& inside) {
-    std::optional<Plane3> plane = DividingPlane(inside.set.complex(), inside.dimension).find();
+  Plane3 plane_of(const SetPart& inside) {
+    std::optional<Plane3> plane =
+        DividingPlane(inside.set.complex(), inside.dimension, context_).find();
     if (!plane) plane = plane_through_lone_vertex(inside);
     PLUMB_CHECK(plane.has_value());
     return *plane;

@@ -148,13 +148,22 @@ RationalPoint2 apply(const AffineMap2& m, const RationalPoint2& p) {
 }
 
 /// Maps the input points. Crossings keep their lines, and get new boxes.
-PlanePoints mapped_points(const PlanePoints& points, const AffineMap2& map) {
+PlanePoints mapped_points(const PlanePoints& points, const AffineMap2& map, Context& context) {
+  constexpr std::size_t kPointsPerCheckpoint = 1024;
   PlanePoints mapped;
+  std::size_t done = 0;
+  const auto watch = [&] {
+    if (done++ % kPointsPerCheckpoint == 0) {
+      context.checkpoint("map points", done, points.inputs.size() + points.crossings.size());
+    }
+  };
   for (std::uint32_t i = 0; i < points.inputs.size(); ++i) {
+    watch();
     const RationalPoint2 p = apply(map, points.inputs.exact(i));
     mapped.inputs.push_back(p.x, p.y);
   }
   for (const Crossing2& c : points.crossings) {
+    watch();
     mapped.crossings.push_back(make_crossing(mapped.inputs, c.a, c.b, c.c, c.d));
   }
   return mapped;
@@ -242,7 +251,7 @@ Nef2 Nef2::transformed(const AffineMap2& map, Context& context) const {
   }
   const std::array<const PlaneComplex*, 1> complexes = {&complex()};
   JoinedInput joined = join_inputs(complexes);
-  joined.scene.points = mapped_points(joined.scene.points, map);
+  joined.scene.points = mapped_points(joined.scene.points, map, context);
   if (determinant < 0) {
     for (OverlayCurve& side : joined.sides) std::swap(side.left, side.right);
   }

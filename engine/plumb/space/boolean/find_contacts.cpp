@@ -398,14 +398,24 @@ SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x
 
 namespace {
 
-/// Returns boxes around the leaves along the axes of another frame.
-std::vector<Box3> turned_boxes(const ContactLeaves& leaves, const BoxFrame& frame) {
+/// Returns boxes around the leaves along the axes of another frame. The leaves of a facet follow
+/// each other, so the box of a large facet is computed once.
+std::vector<Box3> turned_boxes(const ContactLeaves& leaves, const BoxFrame& frame,
+                               Context& context) {
+  constexpr std::size_t kLeavesPerCheckpoint = 1024;
   std::vector<Box3> boxes;
   boxes.reserve(leaves.boxes().size());
   LeafItems items;
+  FacetId facet;
+  Box3 of_facet;
   for (std::size_t i = 0; i < leaves.boxes().size(); ++i) {
+    if (i % kLeavesPerCheckpoint == 0) context.checkpoint("box trees", 0, 0);
     Box3 box;
-    if (leaves[i].facet.is_valid()) box = frame.box_of(leaves.complex(), leaves[i].facet);
+    if (leaves[i].facet.is_valid()) {
+      if (leaves[i].facet != facet) of_facet = frame.box_of(leaves.complex(), leaves[i].facet);
+      facet = leaves[i].facet;
+      box = of_facet;
+    }
     items.fill(leaves.complex(), leaves[i]);
     for (const VertexId v : items.vertices()) box.add(frame.box_of(leaves.complex(), v));
     boxes.push_back(box);
@@ -432,7 +442,7 @@ LeafTrees make_trees(const ContactLeaves& xs, const ContactLeaves& ys, Context& 
   // A frame along the edges of both complexes is tried only if the axes would give many pairs.
   if (has_many_pairs(pairs, leaves)) {
     const BoxFrame frame = BoxFrame::of_edges(std::array{&xs.complex(), &ys.complex()});
-    turned = {turned_boxes(xs, frame), turned_boxes(ys, frame)};
+    turned = {turned_boxes(xs, frame, context), turned_boxes(ys, frame, context)};
     const double in_frame = expected_pairs(turned[0], turned[1]);
     trees.is_turned = is_better_frame(in_frame, pairs);
     if (trees.is_turned) {
@@ -554,6 +564,8 @@ std::vector<Contact> find_contacts(const SpaceComplex& a, const SpaceComplex& b,
   std::vector<Contact> contacts;
   contacts.reserve(keys.size());
   for (const std::uint64_t key : keys) {
+    constexpr std::size_t kPointsPerCheckpoint = 1024;
+    if (contacts.size() % kPointsPerCheckpoint == 0) context.checkpoint("contacts", 0, 1);
     const SpaceItem x = SpaceItem::from_code(static_cast<std::uint32_t>(key >> 32U));
     const SpaceItem y = SpaceItem::from_code(static_cast<std::uint32_t>(key));
     contacts.push_back({x, y, contact_point(tables, a, x, b, y)});

@@ -319,10 +319,11 @@ bool SphereLabels::pass_label(std::size_t k, SphereSlot from, SphereSlot to) {
 
 /// Gives parts that touch nothing of map k the face of the parts with which they are linked:
 /// between the two, nothing of map k was met. Repeats until nothing changes.
-void SphereLabels::label_parts(std::size_t k) {
+void SphereLabels::label_parts(std::size_t k, SphereLimits* limits) {
   part_label_[k].assign(parts_.bound(), kNone);
   for (bool goes_on = true; goes_on;) {
     goes_on = false;
+    look(limits);
     for (const SphereParts::Link& l : parts_.links()) {
       if (pass_label(k, l.first, l.second)) goes_on = true;
       if (pass_label(k, l.second, l.first)) goes_on = true;
@@ -396,7 +397,7 @@ void SphereLabels::build(const PlaneTable& planes, const SphereMap& a, const Sph
   join_cycles();
   look(limits);
   for (std::size_t k = 0; k < 2; ++k) {
-    label_parts(k);
+    label_parts(k, limits);
     look(limits);
   }
   number_faces(cells);

@@ -94,7 +94,7 @@ class SphereLabels {
   void set_label(std::size_t k, std::uint32_t half, std::uint32_t face);
   void flood(std::size_t k);
   void join_cycles();
-  void label_parts(std::size_t k);
+  void label_parts(std::size_t k, SphereLimits* limits);
   bool pass_label(std::size_t k, SphereSlot from, SphereSlot to);
   void number_faces(SphereOrigins& cells);
   void fill_cells(SphereOrigins& cells);
