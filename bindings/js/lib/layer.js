@@ -135,18 +135,16 @@ export class Layer extends Handle {
     });
   }
   /** `ranks` need the owner 'first'. `preferences`: [winner, loser], ... */
-  repaired(
-      {
-        owner = 'longest border',
-        gapsBelow = -1,
-        enclosedOnly = false,
-        ranks = null,
-        preferences = [],
-        ...options
-      } = {}) {
+  repaired({
+    owner = 'longest border',
+    gapsBelow = -1,
+    enclosedOnly = false,
+    ranks = null,
+    preferences = [],
+    ...options
+  } = {}) {
     return inFrame(options, (frame) => {
-      const asked =
-          layerOptions(frame, this, {owner, gapsBelow, enclosedOnly, ranks, preferences});
+      const asked = layerOptions(frame, this, {owner, gapsBelow, enclosedOnly, ranks, preferences});
       const out = frame.block(4), report = frame.block(4);
       frame.check('plumb_layer_repair_with', self(this), asked, out, report, frame.context());
       const layer = wrap(Layer, frame.u32(out));

@@ -232,8 +232,10 @@ const simplifyLayout = new Struct({
   rounding_moved: 'f64',
 });
 
-/** Calls a function of C that simplifies a set or a layer: the address of what it made, and what
- * it says. */
+/**
+ * Calls a function of C that simplifies a set or a layer: the address of what it made, and what
+ * it says.
+ */
 export function simplified(frame, name, object, options) {
   const {tolerance = Infinity, kept = 0, within = Infinity} = options ?? {};
   const out = frame.block(4), facts = frame.struct(simplifyLayout);
