@@ -54,7 +54,7 @@ class PlumbConan(ConanFile):
         toolchain.variables["PLUMB_PORTABLE"] = bool(self.options.portable)
         for part in ("PROGRAM", "C", "TESTS", "FUZZ"):
             toolchain.variables[f"PLUMB_BUILD_{part}"] = False
-        for library in ("DRACO", "MESHOPT", "3MF", "PNG"):  # no dependencies that this recipe does not name
+        for library in ("DRACO", "MESHOPT", "3MF", "PNG", "TEXT"):  # no dependencies that this recipe does not name
             toolchain.variables[f"PLUMB_WITH_{library}"] = False
         toolchain.generate()
 

@@ -35,6 +35,15 @@ MODELS = (
     'linear_extrude(2) import("plan.dxf", layer = "a", scale = 2.5, origin = [3, 4], $fn = 7);',
     'difference() { cube(9); for (i = [0 : 3]) translate([2 * i, 1, 1]) rotate([0, 10 * i, 0]) cylinder(r = 1, h = 20, $fn = 9); }',
 )
+# Strings without ligatures: `text()` of plumb has none.
+TEXTS = (
+    'text("plumb", font = "Liberation Sans")',
+    'text("AVA To 3.14", font = "DejaVu Sans", size = 20, halign = "center", valign = "center")',
+    'text("Exact Nef", font = "DejaVu Serif:style=Bold", size = 7, spacing = 1.3, halign = "right", valign = "top", $fn = 40)',
+    'text("gjpq QWERTY", font = "Liberation Serif", valign = "bottom", $fn = 3)',
+    'text("\u00c4\u00f6\u00df \u0416", font = "Liberation Sans:style=Italic", size = 12.5)',
+)
+TEXT_TOLERANCE = 1e-3  # OpenSCAD loads outlines at a resolution of 1 / 2170 of the em.
 TOLERANCE = 1e-4  # OpenSCAD rounds coordinates of the plane to multiples of 2^-16, and writes six digits.
 
 
@@ -57,8 +66,8 @@ def measure(program, kind, path):
     return float(answer["volume" if kind == "solid" else "area"]["double"])
 
 
-def require_near(a, b, what):
-    if abs(a - b) > TOLERANCE * max(abs(a), abs(b)):
+def require_near(a, b, what, tolerance=TOLERANCE):
+    if abs(a - b) > tolerance * max(abs(a), abs(b)):
         sys.exit("%s: %r and %r" % (what, a, b))
 
 
@@ -104,7 +113,7 @@ def box_of(program, path):
     return low + [max(part["box"][1][axis] for part in parts) for axis in range(3)]
 
 
-def check_model(program, source, work, name):
+def check_model(program, source, work, name, tolerance=TOLERANCE):
     """Evaluates a file of OpenSCAD with both programs. OpenSCAD writes six digits."""
     flat, theirs, ours = (os.path.join(work, "model" + extension) for extension in (".csg", ".theirs.off", ".ours.off"))
     run("openscad", source, "-o", flat)
@@ -112,11 +121,11 @@ def check_model(program, source, work, name):
     run(program, "solid", "csg", flat, "--quiet", "-o", ours)
     volume, parts = facts_of(program, "csg", flat)
     expected, expected_parts = facts_of(program, "info", theirs)
-    require_near(volume, expected, name)
+    require_near(volume, expected, name, tolerance)
     if parts != expected_parts:
         sys.exit("%s: %d parts, OpenSCAD has %d" % (name, parts, expected_parts))
     mine, other = box_of(program, ours), box_of(program, theirs)
-    if any(abs(a - b) > TOLERANCE * max(abs(x) for x in other) for a, b in zip(mine, other)):
+    if any(abs(a - b) > tolerance * max(abs(x) for x in other) for a, b in zip(mine, other)):
         sys.exit("%s: boxes %r and %r" % (name, mine, other))
 
 
@@ -141,6 +150,20 @@ def check_models(program, folder):
         check_model(program, os.path.join(copies, name), copies, name)
 
 
+def check_texts(program, folder):
+    """Compares texts, unless plumb was built without FreeType."""
+    source = os.path.join(folder, "model.scad")
+    for index, text in enumerate(TEXTS):
+        with open(source, "w") as out:
+            out.write("linear_extrude(2) %s;" % text)
+        if index == 0:
+            answer = subprocess.run((program, "solid", "csg", source, "--quiet"), capture_output=True, text=True)
+            if "plumb was built without" in answer.stderr:
+                print("no FreeType here, so no text is compared")
+                return
+        check_model(program, source, folder, text, TEXT_TOLERANCE)
+
+
 def main():
     if shutil.which("openscad") is None:
         print("no OpenSCAD here")
@@ -150,6 +173,7 @@ def main():
         check_reading_by_openscad(program, folder)
         check_reading_of_openscad(program, folder)
         check_models(program, folder)
+        check_texts(program, folder)
 
 
 main()

@@ -93,7 +93,8 @@ class ModelReader {
       if (scanner_.has('!') && !root_) root_ = node.node;
       if (event == Event::Open) {
         // Primitives are the last kinds. A child of one is a semicolon that is missing.
-        if (tree_nodes()[node.node].kind >= CsgKind::Cube) scanner_.require_braces();
+        const bool is_primitive = tree_nodes()[node.node].kind >= CsgKind::Cube;
+        if (is_primitive || scanner_.name() == "text") scanner_.require_braces();
         open.push_back(node);
       } else {
         close(node);

@@ -49,6 +49,8 @@ constexpr std::array kWords{
     CsgWord{"square", CsgKind::Square, " size center "},
     CsgWord{"circle", CsgKind::Circle, " r $fn $fa $fs "},
     CsgWord{"polygon", CsgKind::Polygon, " points paths convexity "},
+    CsgWord{"text", CsgKind::Group,
+            " text size font halign valign spacing direction language script $fn $fa $fs "},
     CsgWord{"import", CsgKind::Solid,
             " file layer origin scale center dpi id width height filename timestamp convexity $fn "
             "$fa $fs "},
@@ -68,10 +70,6 @@ constexpr std::size_t kMostNotes = 20;
 CsgKind CsgNodes::kind_of_node() {
   if (const CsgWord* word = word_of(scanner_.name())) return word->kind;
   const std::string name(scanner_.name());
-  if (name == "text") {
-    scanner_.fail(ErrorCode::UnknownFormat,
-                  "text() is not supported, because its shape depends on installed fonts");
-  }
   scanner_.fail(
       ErrorCode::UnknownFormat,
       plumb::quoted(name) + " is no node of OpenSCAD's flattened models that is supported");
@@ -89,9 +87,10 @@ void CsgNodes::append() {
   node.column = scanner_.column();
   tree_.nodes.push_back(node);
   append_numbers(kind);
-  CsgTree::Node& added = tree_.nodes.back();
-  added.number_count = static_cast<std::uint32_t>(tree_.numbers.size() - added.first_number);
-  added.index_count = static_cast<std::uint32_t>(tree_.indices.size() - added.first_index);
+  if (scanner_.name() == "text") append_text();
+  CsgTree::Node& added = tree_.nodes[node.end - 1];
+  if (tree_.nodes.size() == added.end) count_entries(added);
+  added.end = static_cast<std::uint32_t>(tree_.nodes.size());
   note_unknown();
 }
 
@@ -289,6 +288,73 @@ void CsgNodes::append_import() {
   imports_.push_back(std::move(import));
 }
 
+/// Appends the polygons of the characters. OpenSCAD divides a curve into one chord for every eight
+/// chords of a circle of the size of the text, and one more.
+void CsgNodes::append_text() {
+  constexpr std::uint32_t kMostChords = 1024;
+  TextRequest request;
+  const std::optional<CsgValue> shown = find_or_first("text");
+  if (shown && shown->kind == Kind::Text) request.text = scanner_.text_of(*shown);
+  request.font = text("font", "");
+  request.size = number("size", request.size);
+  request.spacing = number("spacing", request.spacing);
+  request.halign = text("halign", request.halign);
+  request.valign = text("valign", request.valign);
+  if (const std::string direction = text("direction", "ltr"); direction != "ltr") {
+    scanner_.fail(ErrorCode::BadArgument, "the direction of text() is " + plumb::quoted(direction) +
+                                              "; only ltr, from left to right, is supported");
+  }
+  if (!(request.size > 0)) return add_note("a text() whose size is not positive is empty");
+  request.chords = std::max(chords_of(request.size, division()) / 8 + 1, 2U);
+  if (request.chords > kMostChords) {
+    scanner_.fail(ErrorCode::ResourceLimit, "a curve of text() has at most 1024 chords");
+  }
+  const TextOutlines outlines = outlines_of(request);
+  for (const GlyphOutline& glyph : outlines.glyphs) append_glyph(glyph);
+}
+
+/// Reads the outlines of a text; errors get the place of the node.
+TextOutlines CsgNodes::outlines_of(const TextRequest& request) {
+  TextOutlines outlines;
+  try {
+    outlines = text_outlines(request, context_);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::Cancelled) throw;
+    scanner_.fail(error.code(), error.what());
+  }
+  if (!outlines.is_named) {
+    add_note("the font " + plumb::quoted(request.font) + " is not installed, so text() uses " +
+             plumb::quoted(outlines.family));
+  }
+  return outlines;
+}
+
+void CsgNodes::append_glyph(const GlyphOutline& glyph) {
+  memory_.add(sizeof(CsgTree::Node), "a model");
+  CsgTree::Node node;
+  node.kind = CsgKind::Polygon;
+  node.end = static_cast<std::uint32_t>(tree_.nodes.size() + 1);
+  node.first_number = static_cast<std::uint32_t>(tree_.numbers.size());
+  node.first_index = static_cast<std::uint32_t>(tree_.indices.size());
+  node.line = scanner_.line();
+  node.column = scanner_.column();
+  for (const auto& [x, y] : glyph.points) {
+    push(x);
+    push(y);
+  }
+  push_index(glyph.path_sizes.size());
+  for (const std::uint32_t size : glyph.path_sizes) push_index(size);
+  for (std::size_t i = 0; i < glyph.points.size(); ++i) push_index(i);
+  count_entries(node);
+  tree_.nodes.push_back(node);
+}
+
+/// Sets the numbers of entries of the node whose numbers and indices are the last ones.
+void CsgNodes::count_entries(CsgTree::Node& node) const {
+  node.number_count = static_cast<std::uint32_t>(tree_.numbers.size() - node.first_number);
+  node.index_count = static_cast<std::uint32_t>(tree_.indices.size() - node.first_index);
+}
+
 /// Zero or negative angles and lengths would divide a circle into endlessly many chords; OpenSCAD
 /// takes 0.01 instead.
 CircleDivision CsgNodes::division() {
@@ -332,6 +398,11 @@ double CsgNodes::number_of(const CsgValue& value) {
 double CsgNodes::number(std::string_view name, double otherwise) {
   const std::optional<CsgValue> value = find(name);
   return value ? number_of(*value) : otherwise;
+}
+
+std::string CsgNodes::text(std::string_view name, const std::string& otherwise) {
+  const std::optional<CsgValue> value = find(name);
+  return value && value->kind == Kind::Text ? scanner_.text_of(*value) : otherwise;
 }
 
 double CsgNodes::flag(std::string_view name) { return number(name, 0) != 0 ? 1 : 0; }

@@ -9,6 +9,7 @@
 
 #include "plumb/csg/csg_tree.h"
 #include "plumb/io/csg/csg_syntax.h"
+#include "plumb/io/csg/text_outlines.h"
 #include "plumb/model/primitives.h"
 
 namespace plumb {
@@ -41,7 +42,8 @@ class CsgNodes {
   CsgNodes(CsgTree& tree, CsgScanner& scanner, Context& context)
       : tree_(tree), scanner_(scanner), context_(context), memory_(context) {}
 
-  /// Appends the node that the scanner reported last. Its subtree is the node alone.
+  /// Appends the node that the scanner reported last. Its subtree is the node alone, except for
+  /// text(), which is a group of polygons.
   void append();
   /// Removes the last nodes, from a node on.
   void remove_from(std::uint32_t node);
@@ -65,6 +67,11 @@ class CsgNodes {
   void append_points(std::uint32_t axes);
   void append_lists(std::optional<CsgValue> lists, std::uint32_t points, bool are_faces);
   void append_import();
+  void append_text();
+  void append_glyph(const GlyphOutline& glyph);
+  TextOutlines outlines_of(const TextRequest& request);
+  void count_entries(CsgTree::Node& node) const;
+  std::string text(std::string_view name, const std::string& otherwise);
   void append_division();
   CircleDivision division();
   void note_unknown();
@@ -84,7 +91,7 @@ class CsgNodes {
 
   CsgTree& tree_;
   CsgScanner& scanner_;
-  const Context& context_;
+  Context& context_;
   std::uint32_t steps_ = 0;
   MemoryCharge memory_;
   std::vector<CsgImport> imports_;

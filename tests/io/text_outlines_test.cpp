@@ -1,0 +1,136 @@
+// Outlines of text(): what does not depend on which fonts are installed. The numbers are compared
+// with those of OpenSCAD in tests/system/openscad_test.py.
+#include "plumb/io/csg/text_outlines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "plumb/csg/evaluate.h"
+#include "plumb/io/csg_reader.h"
+#include "plumb/predicates/error.h"
+
+namespace plumb::text_outlines_test {
+namespace {
+
+struct Box {
+  double left = 1e300, right = -1e300, bottom = 1e300, top = -1e300;
+};
+
+Box box_of(const TextOutlines& outlines) {
+  Box box;
+  for (const GlyphOutline& glyph : outlines.glyphs) {
+    for (const auto& [x, y] : glyph.points) {
+      box = {std::min(box.left, x), std::max(box.right, x), std::min(box.bottom, y),
+             std::max(box.top, y)};
+    }
+  }
+  return box;
+}
+
+TextOutlines outlines_of(const TextRequest& request) {
+  Context context;
+  return text_outlines(request, context);
+}
+
+std::optional<ErrorCode> error_of(const TextRequest& request) {
+  try {
+    (void)outlines_of(request);
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return {};
+}
+
+/// A build without FreeType, and a machine without any font, refuse all texts.
+class TextShapes : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (error_of({.text = "a"}) == ErrorCode::UnknownFormat) GTEST_SKIP() << "no font";
+  }
+};
+
+TEST_F(TextShapes, AreClosedPathsOfThreePointsOrMore) {
+  const TextOutlines outlines = outlines_of({.text = "a B8%"});
+  EXPECT_EQ(outlines.glyphs.size(), 4U);  // A blank has no outline.
+  for (const GlyphOutline& glyph : outlines.glyphs) {
+    std::size_t points = 0;
+    for (const std::uint32_t size : glyph.path_sizes) {
+      EXPECT_GE(size, 3U);
+      points += size;
+    }
+    EXPECT_EQ(points, glyph.points.size());
+  }
+}
+
+TEST_F(TextShapes, GrowWithTheSize) {
+  const Box once = box_of(outlines_of({.text = "Hxg"}));
+  const Box twice = box_of(outlines_of({.text = "Hxg", .size = 20}));
+  EXPECT_NEAR(twice.right, 2 * once.right, 1e-9);
+  EXPECT_NEAR(twice.top, 2 * once.top, 1e-9);
+  EXPECT_NEAR(twice.bottom, 2 * once.bottom, 1e-9);
+}
+
+TEST_F(TextShapes, AreMovedByTheirAlignment) {
+  const TextRequest request{.text = "Hxg"};
+  const auto aligned = [&](const char* across, const char* along) {
+    TextRequest other = request;
+    other.halign = across;
+    other.valign = along;
+    return box_of(outlines_of(other));
+  };
+  const Box plain = box_of(outlines_of(request));
+  const Box right = aligned("right", "baseline"), centre = aligned("center", "baseline");
+  EXPECT_LT(right.right, plain.right);
+  EXPECT_NEAR(centre.left, (plain.left + right.left) / 2, 1e-9);
+  const Box top = aligned("left", "top"), bottom = aligned("left", "bottom");
+  // Heights are rounded up to 1 / 1600 of the size.
+  EXPECT_LE(top.top, plain.top / 20);
+  EXPECT_GE(bottom.bottom, plain.bottom / 20);
+  EXPECT_NEAR(aligned("left", "center").top, (top.top + bottom.top) / 2, 1e-9);
+}
+
+TEST_F(TextShapes, ApproachCurvesWithMoreChords) {
+  const auto points = [](std::uint32_t chords) {
+    std::size_t count = 0;
+    for (const GlyphOutline& g : outlines_of({.text = "o", .chords = chords}).glyphs) {
+      count += g.points.size();
+    }
+    return count;
+  };
+  EXPECT_GT(points(2), 7U);
+  EXPECT_GT(points(20), 5 * points(2));
+}
+
+TEST_F(TextShapes, RefuseWhatIsNoTextOrTooLong) {
+  EXPECT_EQ(error_of({.text = "a\xff"}), ErrorCode::Syntax);
+  EXPECT_EQ(error_of({.text = "\xe2\x82"}), ErrorCode::Syntax);
+  EXPECT_EQ(error_of({.text = "\xed\xa0\x80"}), ErrorCode::Syntax);  // half of a surrogate pair
+  EXPECT_EQ(error_of({.text = std::string(kMostTextBytes + 1, 'a')}), ErrorCode::ResourceLimit);
+  EXPECT_TRUE(outlines_of({.text = ""}).glyphs.empty());
+}
+
+TEST_F(TextShapes, TakeNoFileFromTheNameOfAFont) {
+  const TextOutlines plain = outlines_of({.text = "a"});
+  EXPECT_EQ(outlines_of({.text = "a", .font = ":file=/etc/passwd"}).glyphs.size(),
+            plain.glyphs.size());
+  EXPECT_FALSE(outlines_of({.text = "a", .font = "/etc/passwd"}).is_named);
+  EXPECT_TRUE(outlines_of({.text = "a", .font = plain.family}).is_named);
+}
+
+TEST_F(TextShapes, MakeAGroupOfPolygons) {
+  const CsgRead read =
+      read_csg("m.csg", "linear_extrude(1) { text(\"i o\"); square(0.5); } cube();");
+  const Nef3 both = evaluate(read.tree).solid;
+  EXPECT_GT(both.counts().facets, 20U);
+  EXPECT_TRUE(both.contains(Point3{0.25, 0.25, 0.5}));
+  const CsgRead empty = read_csg("m.csg", "text(\"a\", size = 0);");
+  EXPECT_EQ(empty.tree.nodes.size(), 2U);
+  EXPECT_EQ(empty.notes.size(), 1U);
+}
+
+}  // namespace
+}  // namespace plumb::text_outlines_test
