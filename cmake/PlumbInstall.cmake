@@ -58,7 +58,6 @@ endif()
 
 list(TRANSFORM plumb_codecs REPLACE "^PlumbZip$" "zip" OUTPUT_VARIABLE plumb_pc_codecs)
 list(TRANSFORM plumb_pc_codecs REPLACE "^EXPAT$" "expat")
-list(TRANSFORM plumb_pc_codecs REPLACE "^PNG$" "png")
 list(TRANSFORM plumb_pc_codecs TOLOWER)
 list(TRANSFORM plumb_pc_codecs PREPEND " -l")
 list(JOIN plumb_pc_codecs "" plumb_pc_codecs)
