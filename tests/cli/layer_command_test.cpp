@@ -142,6 +142,27 @@ TEST(MapCheckOfLayers, reports_regions) {
   EXPECT_EQ(run({"map", "check", kDistricts, "--gaps-below", "100"}).code, 1);
 }
 
+/// A layer without polygons would be free of defects; features without a geometry may be there.
+TEST(MapCheckOfLayers, points_and_lines_alone_are_no_layer) {
+  const ScratchDirectory scratch;
+  const auto file = [&](const std::string& name, const std::string& text) {
+    const std::string path = (scratch / name).string();
+    write_file(path, text);
+    return path;
+  };
+  const std::string line =
+      file("a.geojson", R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})");
+  const std::string points = file("b.wkt", "MULTIPOINT (0 0, 1 1)");
+  for (const std::string& path : {line, points}) {
+    expect_refusal(run({"map", "check", path}), path, "points or lines, but no polygons");
+    expect_refusal(run({"map", "dissolve", path, "-o", (scratch / "o.geojson").string()}), path,
+                   "plumb plane reads it");
+  }
+  const std::string nothing =
+      file("c.geojson", R"({"type": "Feature", "properties": {}, "geometry": null})");
+  EXPECT_EQ(run({"map", "check", nothing}).code, 0);
+}
+
 TEST(MapCheckOfLayers, writes_defects_as_geojson_and_pages) {
   const ScratchDirectory scratch;
   const std::string defects = (scratch / "defects.geojson").string();

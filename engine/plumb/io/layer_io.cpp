@@ -408,6 +408,7 @@ void LayerReader::add_arcs(Id ring) {
 /// Returns the file of a draft, with notes.
 LayerFile noted(LayerDraft draft) {
   std::vector<std::string>& notes = draft.file.notes;
+  draft.file.has_points_or_lines = draft.dropped > 0;
   if (draft.dropped > 0) {
     notes.push_back("passed over: points and lines (" + std::to_string(draft.dropped) + ')');
   }
@@ -482,6 +483,7 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
   result.notes = std::move(file.notes);
   PlaneShapes& shapes = file.shapes;
   if (!shapes.line_corners.empty() || !shapes.single_points.empty()) {
+    result.has_points_or_lines = true;
     result.notes.push_back("passed over: points and lines");
   }
   Layer& layer = result.layer;
@@ -506,6 +508,12 @@ bool begins_like_json(std::string_view text) {
 }
 
 }  // namespace
+
+std::string lack_of_polygons(const LayerFile& file) {
+  if (file.layer.ring_count() > 0 || !file.has_points_or_lines) return {};
+  return "the file has points or lines, but no polygons, of which layers consist; plumb plane reads "
+         "it";
+}
 
 bool begins_like_layer(std::string_view text) {
   return begins_like_json(text) || begins_like_wkb(text) || begins_like_wkt(text);

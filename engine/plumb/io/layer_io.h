@@ -47,6 +47,8 @@ struct LayerFile {
   /// Contents of the file that are not in `layer`, and whether polygons seem to cross the
   /// antimeridian.
   std::vector<std::string> notes;
+  /// Whether the file has points or lines, which are left out.
+  bool has_points_or_lines = false;
   /// The coordinate reference system that the file names with "crs", or an empty text. Computations
   /// ignore it.
   std::string crs;
@@ -64,6 +66,10 @@ struct LayerFile {
 /// text lacks the object, and the errors that the head of this file states.
 LayerFile read_layer(std::string_view text, const LayerReadOptions& options = {},
                      Context& context = unlimited_context());
+
+/// Returns a sentence for a layer without polygons whose file has points or lines. The sentence
+/// states this, and what reads such a file. Returns an empty text for all other files.
+std::string lack_of_polygons(const LayerFile& file);
 
 /// Whether a text begins like a text in one of the formats of layers: JSON, WKT or WKB.
 bool begins_like_layer(std::string_view text);

@@ -12,6 +12,7 @@
 #include "plumb/cli/session/session.h"
 #include "plumb/io/layer_io.h"
 #include "plumb/plane/layer.h"
+#include "plumb/predicates/error.h"
 
 namespace plumb::cli {
 
@@ -66,12 +67,19 @@ inline bool open_layer_output(Session& session, const std::function<const Layer&
   return out == "-";
 }
 
+/// Refuses a file that has points or lines and no polygons.
+inline void require_polygons(const LayerFile& read, const std::string& file) {
+  const std::string lack = lack_of_polygons(read);
+  if (!lack.empty()) throw Error(ErrorCode::BadShape, lack, {input_name(file)});
+}
+
 /// Reads a layer, and prints the notes of its reader. Sets `crs` to the coordinate reference system
 /// of the layer, unless it is that of an earlier layer.
 inline Layer read_layer_operand(Session& session, const std::string& file,
                                 const LayerReadOptions& options, std::string& crs) {
   session.begin("read");
   LayerFile read = read_layer_file(file, options, session.context());
+  require_polygons(read, file);
   for (const std::string& note : read.notes) session.note(input_name(file) + ": " + note);
   if (crs.empty()) crs = std::move(read.crs);
   return std::move(read.layer);

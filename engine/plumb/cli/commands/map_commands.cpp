@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "plumb/cli/commands/layer_output.h"
 #include "plumb/cli/commands/map_overlay_options.h"
 #include "plumb/cli/files/certificate.h"
 #include "plumb/cli/files/operands.h"
@@ -181,6 +182,7 @@ ExitCode MapCheck::run(Session& session) {
 ExitCode MapCheck::check_layer_file(Session& session, std::string_view text) {
   read_options_.name = input_name(file_);
   LayerFile file = read_layer(text, read_options_, session.context());
+  require_polygons(file, file_);
   for (const std::string& line : file.notes) note(session, line);
   checked_.layer = std::move(file.layer);
   session.begin("check");
