@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <ctime>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -14,12 +15,9 @@
 
 #include "plumb/base/context.h"
 #include "plumb/base/internal/parallel.h"
-#include "plumb/testing/dice.h"
 
 namespace plumb::work_log_test {
 namespace {
-
-using testing::Dice;
 
 double cpu_seconds() {
   timespec time{};
@@ -41,12 +39,12 @@ WorkNode phase(std::string_view name, double seconds,
   return {name, seconds, std::move(steps)};
 }
 
-WorkNode random_node(Dice& dice, int depth) {
-  WorkNode node = job(static_cast<double>(dice.below(100)) / 64);
-  for (std::uint64_t steps = depth > 0 ? dice.below(4) : 0; steps > 0; --steps) {
+WorkNode random_node(std::mt19937& random, int depth) {
+  WorkNode node = job(static_cast<double>(random() % 100) / 64);
+  for (auto steps = depth > 0 ? random() % 4 : 0; steps > 0; --steps) {
     std::vector<WorkNode>& step = node.steps.emplace_back();
-    for (std::uint64_t jobs = dice.between(1, 6); jobs > 0; --jobs) {
-      step.push_back(random_node(dice, depth - 1));
+    for (auto jobs = 1 + random() % 6; jobs > 0; --jobs) {
+      step.push_back(random_node(random, depth - 1));
     }
     if (step.size() == 1) step.front().phase = "phase";
   }
@@ -67,9 +65,9 @@ double longest_chain(const WorkNode& node) {
 // All times are multiples of 1/64 and small, so sums of doubles are exact.
 
 TEST(WorkLog, PredictionsStayWithinTheBoundsOfEverySchedule) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    Dice dice(seed);
-    const WorkNode node = random_node(dice, 3);
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    const WorkNode node = random_node(random, 3);
     const double total = total_seconds(node), parallel = parallel_seconds(node);
     EXPECT_GE(parallel, 0);
     EXPECT_LE(parallel, total);
