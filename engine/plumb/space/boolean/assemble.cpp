@@ -587,7 +587,7 @@ FacetNesting nest_planes(const SpaceDraft& draft, const VertexNumbers& vertex_nu
   const ByPlane by_loop(all_loops, draft.maps.circle, draft.tables->planes.size());
   PlaneNester nester(draft, vertex_number, first_use, out, context);
   for (std::uint32_t p = 0; p < draft.tables->planes.size(); ++p) {
-    if (p % 1024 == 0) context.checkpoint("assemble", 2, 5);
+    if (p % 64 == 0) context.checkpoint("assemble", 2, 5);
     nester.nest(PlaneId(p), {by_cycle.of(PlaneId(p)), by_loop.of(PlaneId(p))}, nesting);
   }
   return nesting;
@@ -750,7 +750,9 @@ SpaceComplex assemble_vertices(SpaceDraft draft, Context& context) {
   context.checkpoint("assemble", 0, 5);
   WorkPhase phase("vertices and edges");
   const PassedPoints passed = splice(draft);
+  context.checkpoint("assemble", 0, 5);
   const VertexNumbers vertex_number = make_vertices(draft, out);
+  context.checkpoint("assemble", 0, 5);
   std::vector<HalfedgeId> halfedge_of_point;
   IdVector<VertexId, std::uint8_t> connected;
   run_jobs(context, 2, [&](std::size_t i, Context&) {
