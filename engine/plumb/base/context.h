@@ -22,8 +22,8 @@ struct Limits {
   double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
   /// Largest number of digits of one number that is read. In a fraction p/q, the digits of p and of
   /// q are counted together. The default is enough for the exact decimal expansion of every double.
-  /// Numbers of `.nef` and `.nef2` files, and fractions of map and OFF files, may have 16,384 digits
-  /// even if this limit is smaller.
+  /// Numbers of `.nef` and `.nef2` files, and fractions of map and OFF files, may have up to
+  /// 16,384 digits, even if this limit is smaller.
   std::uint32_t max_number_digits = 1100;
   /// The largest absolute value of a decimal exponent, as in 1e-300, for which a number is read
   /// exactly.
