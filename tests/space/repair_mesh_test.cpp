@@ -325,9 +325,9 @@ TEST(RepairMesh, SaysWhatWasDone) {
   reverse_faces(mesh, Faces{2, 4});
   mesh.add_face(std::array{1U, 2U});
   const std::vector<std::string> said = sentences(mended(mesh, kSafe));
-  EXPECT_EQ(said,
-            (std::vector<std::string>{"faces with fewer than three different corners, dropped: 6",
-                                      "faces that disagreed with their neighbours, flipped: 2, 4"}));
+  EXPECT_EQ(said, (std::vector<std::string>{
+                      "faces with fewer than three different corners, dropped: 6",
+                      "faces that disagreed with their neighbours, flipped: 2, 4"}));
 }
 
 }  // namespace

@@ -32,8 +32,9 @@
 // set, both facets have the same facet_origin. Any other facet of a piece has kWallOrigin. A wall
 // can continue a facet of the set in the same plane. Because pieces are minimal complexes, the wall
 // and the facet are then one facet of the piece. This combined facet counts as a facet of the set.
-// Facets of the set without an id, such as the facets of half-spaces, keep kNoOrigin. A wall of a
-// piece gets kNoOrigin when the piece is decomposed again.
+// A facet of the set that has no id, such as a facet of a half-space, has the facet_origin
+// kNoOrigin, and so have the facets of pieces that lie in it. A wall of a piece gets kNoOrigin when
+// the piece is decomposed again.
 //
 // Cost and bounds: docs/convex.md; proofs: docs/design/walls.md. Sources: B. Chazelle, Convex
 // partitions of polyhedra, SIAM Journal on Computing 13 (1984); P. Hachenberger, Exact Minkowski

@@ -511,7 +511,8 @@ bool begins_like_json(std::string_view text) {
 
 std::string lack_of_polygons(const LayerFile& file) {
   if (file.layer.ring_count() > 0 || !file.has_points_or_lines) return {};
-  return "the file has points or lines, but no polygons, of which layers consist; plumb plane reads "
+  return "the file has points or lines, but no polygons, of which layers consist; plumb plane "
+         "reads "
          "it";
 }
 

@@ -393,8 +393,7 @@ SceneFile read_scene_file(const std::string& path, ReadOptions options, Context&
   const auto mesh = std::make_shared<const SurfaceMesh>(surface_in(file.mesh, model, context));
   add_notes(model, file.notes, notes);
   if (const std::size_t turned = turned_faces(*mesh); turned > 0) {
-    add_notes(model,
-              {{std::to_string(turned) + " faces flipped to agree with their component"}},
+    add_notes(model, {{std::to_string(turned) + " faces flipped to agree with their component"}},
               notes);
   }
   std::map<std::pair<std::string, std::optional<double>>, DrawingFile> files;

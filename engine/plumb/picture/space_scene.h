@@ -1,7 +1,8 @@
-// Makes scenes of sets of space. A scene shows the facets and edges of the minimal complex. A
-// vertex is shown as a dot only if the edges at the vertex do not show whether it belongs to the
-// set. exploded_scene() shows several sets in one scene and moves the sets apart. coloured_scene()
-// shows a set in the colours of the meshes from which it was made.
+// Makes scenes of sets of space. A set is stored as the complex that has no superfluous cells, its
+// minimal complex (nef3.h). A scene shows the facets and edges of this complex. A vertex is shown
+// as a dot only if the edges at the vertex do not show whether it belongs to the set.
+// exploded_scene() shows several sets in one scene and moves the sets apart. coloured_scene() shows
+// a set in the colours of the meshes from which it was made.
 //
 // Main flow of scene_of(set):
 //  1. window  makes the window, a box (SpaceWindow). The box contains all vertices. The box also

@@ -61,7 +61,7 @@ struct SimplifiedLayer {
   std::size_t corners_after = 0;  ///< The number of corners of the simplified borders.
   /// The number of corners that are not removable because three or more borders meet there.
   std::size_t fixed = 0;
-  /// The number of corners that the options allow to remove, but that are kept for another reason:
+  /// The number of corners whose removal the options allow, but that are kept for another reason:
   /// their triangle contains a corner, or a ring would collapse.
   std::size_t blocked = 0;
   /// An upper bound for the distance between the original borders and the simplified borders

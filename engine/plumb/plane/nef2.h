@@ -259,8 +259,8 @@ class Nef2 {
   /// flaw.
   [[nodiscard]] static Nef2 from_complex(PlaneComplex complex,
                                          Context& context = unlimited_context());
-  /// Returns the set that a complex represents. Requires that the complex is sound and minimal.
-  /// This function does not check this requirement. A call of audit() for the result checks it.
+  /// Returns the set that a complex represents. Requires that audit(complex, AuditForm::Minimal)
+  /// finds no flaw. This function does not call audit(); a call of audit() for the result does.
   [[nodiscard]] static Nef2 from_minimal_unchecked(PlaneComplex complex) {
     return Nef2(std::move(complex));
   }

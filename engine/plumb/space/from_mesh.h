@@ -10,8 +10,10 @@
 //  3. flatten_mesh         finds the plane of every face. Faces that are not planar or not simple
 //                          are triangulated, and faces without area are dropped. All such faces are
 //                          listed in the report
-//  4. merge_doubled        makes one facet of all facets with the same boundary. Its jump
-//                          (MeshComplex::jump) is the sum of the jumps of these facets
+//  4. merge_doubled        makes one facet of all facets with the same boundary. The jump of a
+//                          facet is the winding number on its positive side minus that on its
+//                          negative side (MeshComplex::jump). The new facet gets the sum of the
+//                          jumps of the old facets
 //  5. trace_borders        cuts each directed edge at the vertices that lie on the edge. Then the
 //                          step checks that each directed part of an edge occurs as often as the
 //                          same part in the opposite direction. If this is not the case, the step

@@ -4,6 +4,7 @@
 //   vertex   the half-edges at the vertex are points of the map, the corners of facets are arcs,
 //            and the parts of volumes around the vertex are faces
 //   edge     the map has two opposite points, which are joined by one half-circle for each edge use
+//            (an occurrence of the edge on the boundary of a facet, space_complex.h)
 //   facet    the map consists of a great circle (a loop) between two faces
 //
 // If the map of a vertex is connected, no arithmetic is needed. Otherwise a face of the map can
@@ -27,9 +28,9 @@ struct LocalMap {
   /// vertex in the direction of the point. In the map of an edge, the two half-edges of the edge
   /// belong to the two points.
   std::vector<HalfedgeId> halfedge;
-  /// The edge use of each arc. In the map of a vertex, the arc is the corner of the use. In the map
-  /// of an edge, the arc is the half-circle of the use. A loop belongs to no edge use, so its entry
-  /// is invalid.
+  /// The edge use to which each arc belongs. In the map of a vertex, the arc is the corner of the
+  /// use. In the map of an edge, the arc is the half-circle of the use. A loop belongs to no edge
+  /// use, so its entry is invalid.
   std::vector<UseId> use;
   std::vector<FacetId> facet;  ///< The facet of each arc.
   /// The volume of each face; invalid if the volumes of the complex have not been found yet.

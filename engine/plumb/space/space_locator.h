@@ -20,9 +20,10 @@
 //  5. locate       uses a grid (volume_grid.h) if the point has double coordinates. The grid is
 //                  made at the first query. For every grid cell that no box of an item meets, the
 //                  grid stores the volume that contains the grid cell. If the box of an item meets
-//                  the grid cell of the point, the locator searches from the point in the direction
-//                  of -x. The search ends at the latest at a point whose volume is stored in the
-//                  grid
+//                  the grid cell of the point, the locator looks among the next grid cells in the
+//                  direction of -x for one whose volume is stored, and tests only the items on the
+//                  way there. If no item lies on the way, the stored volume is the result. If there
+//                  is no such grid cell nearby, steps 2 and 4 give the result
 //
 // All functions require vertices, edges, uses, and facets with their cycles. The functions
 // volume_of and locate require volumes, too. Marks are used only to recognize the frame. Several

@@ -244,9 +244,9 @@ class NefSphere {
   /// AuditForm::Any) finds a flaw.
   [[nodiscard]] static NefSphere from_complex(SphereComplex complex,
                                               Context& context = unlimited_context());
-  /// Returns the set of a map. Requires that the map is sound and minimal, and that its planes pass
-  /// through the centre. This function does not check the requirements; audit() of the result
-  /// checks whether the map is sound and minimal.
+  /// Returns the set of a map. Requires that audit(planes, map, AuditForm::Minimal) finds no flaw,
+  /// and that the planes of the map pass through the centre. This function checks neither; audit()
+  /// of the result checks the first.
   [[nodiscard]] static NefSphere from_minimal_unchecked(SphereComplex complex);
   /// Returns the set that the map of this set represents after its marks are replaced by `marks`.
   /// Throws Error{BadArgument} if the number of marks differs from the number of cells. O(n).

@@ -81,8 +81,10 @@ class FlatPoints final : public PlanarPoints {
 
   void reset(FlatView view);     ///< Empties the list and sets the view.
   void push_back(SpacePoint p);  ///< Appends a point.
-  /// Appends a point with its nearest doubles. The nearest doubles are more precise than the box of
-  /// the point. So filters decide more predicates. Requires nearest == rounded(points, p).
+  /// Appends a point and its coordinates, rounded to the nearest doubles. The filters use these
+  /// doubles instead of the box that the table of points stores for the point. The doubles have
+  /// smaller error bounds, so the filters decide more predicates. Requires
+  /// nearest == rounded(points, p).
   void push_back(SpacePoint p, const RoundedPoint3& nearest);
   std::uint32_t size() const override { return static_cast<std::uint32_t>(at_.size()); }
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override;

@@ -191,8 +191,8 @@ struct SurfaceNodes {
     const std::uint32_t slot = slot_of_edge[e];
     return slot == kNone ? 0 : edge_begin[slot + 1] - edge_begin[slot];
   }
-  /// Returns the first node inside an edge; the other nodes inside the edge follow it. Requires
-  /// that count_on(e) > 0.
+  /// Returns the id of the first node inside an edge; the other nodes inside the edge have the next
+  /// ids. Requires that count_on(e) > 0.
   std::uint32_t first_on(EdgeId e) const { return edge_begin[slot_of_edge[e]]; }
 };
 
