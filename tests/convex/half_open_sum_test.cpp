@@ -119,7 +119,7 @@ TEST(HalfOpenSum, OfAPieceOfASetHasTheMarksOfItsCuts) {
 TEST(HalfOpenSum, OfRoundSolidsNeedsFewSums) {
   const Nef3 open = brick({-5, -5, -5}, {5, 5, 5}) - polyhedral_ball(5.5, 1);
   const Nef3 ball = polyhedral_ball(1, 1);
-  Context context(Limits{.max_seconds = 60});
+  Context context(Limits{.max_seconds = 600});
   const Nef3 sum = minkowski_sum(open, ball, context);
   EXPECT_EQ(sum.closure(), minkowski_sum(open.closure(), ball));
   EXPECT_FALSE(sum.is_closed());
