@@ -147,8 +147,8 @@ TEST(DxfReader, a_cubic_spline_with_inner_knots_is_its_bezier_curves) {
   EXPECT_NEAR(area_of(a), area_of(b), 1e-12);
 }
 
-/// Nine control points, every second of which is a corner with the weight of a right angle: a circle
-/// of radius 3, as programs write it that know only splines.
+/// Nine control points, every second of which has the weight of a right angle: a circle of radius
+/// 3, as programs write it that know only splines.
 TEST(DxfReader, a_rational_spline_can_be_a_circle) {
   constexpr double kPi = std::numbers::pi;
   std::string groups = "70 1 71 2 40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 3 40 3 40 4 40 4 40 4";

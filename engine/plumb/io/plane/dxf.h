@@ -14,8 +14,8 @@
 //              or apart by at most 2^-40 of the largest coordinate. The end of an arc, an ellipse
 //              or a spline is computed, and joins the nearest other end within the tolerance
 //
-// Curves: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE of degree 1 to 25, rational, too.
-// A SPLINE without control points is the cubic spline through its fit points (dxf_fit.h).
+// Curves: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE of degree 1 to 25, also with
+// weights. A SPLINE without control points is the cubic spline through its fit points (dxf_fit.h).
 // Each HATCH is an area of its own, whose border consists of the same curves; areas unite.
 // INSERT places blocks of them. Other entities are left out, and a note names them and the layers.
 // Coordinates are read as the nearest doubles, and are not scaled: a note names the unit. Heights
