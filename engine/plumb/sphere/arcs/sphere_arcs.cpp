@@ -318,7 +318,8 @@ void SphereParts::walk_from(const PlaneTable& planes, const SphereMap& map, std:
 /// Arcs that share a point are one part. No walk starts from a loop: two loops would cross, so
 /// there is one at most, and it is taken as the root arc. Each other part has points, and its least
 /// one is its root in the union-find.
-void SphereParts::find(const PlaneTable& planes, const SphereMap& map) {
+void SphereParts::find(const PlaneTable& planes, const SphereMap& map,
+                       const std::function<void()>& look) {
   point_count_ = static_cast<std::uint32_t>(map.point_count());
   make_singles(parent_, map.point_count() + map.arc_count());
   for (std::uint32_t h = 0; h < map.origin.size(); ++h) {
@@ -332,7 +333,9 @@ void SphereParts::find(const PlaneTable& planes, const SphereMap& map) {
   }
   const std::uint32_t root_part = of_arc(root);
   for (std::uint32_t v = 0; v < map.point_count(); ++v) {
-    if (of_point(v) == v && v != root_part) walk_from(planes, map, v, root);
+    if (of_point(v) != v || v == root_part) continue;
+    look();
+    walk_from(planes, map, v, root);
   }
 }
 

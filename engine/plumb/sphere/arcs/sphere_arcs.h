@@ -21,6 +21,7 @@
 // docs/design/sphere.md, The signs.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "plumb/predicates/space/plane_table.h"
@@ -223,8 +224,10 @@ class SphereParts {
     SphereSlot second;  ///< The next place that it meets.
   };
 
-  /// Finds the parts of a map and the links.
-  void find(const PlaneTable& planes, const SphereMap& map);
+  /// Finds the parts of a map and the links. Each part takes a walk over the whole map; `look` is
+  /// called before each walk, and may throw.
+  void find(
+      const PlaneTable& planes, const SphereMap& map, const std::function<void()>& look = [] {});
 
   // A part is a number below bound(). Not all of them are used.
   std::uint32_t bound() const { return static_cast<std::uint32_t>(parent_.size()); }

@@ -392,7 +392,7 @@ void SphereLabels::build(const PlaneTable& planes, const SphereMap& a, const Sph
   pieces_ = &pieces;
   for (auto* pairs : {&cells.point, &cells.arc, &cells.face}) pairs->clear();
   take_known(contacts);
-  parts_.find(planes, pieces.map);
+  parts_.find(planes, pieces.map, [&] { look(limits); });
   look(limits);
   join_cycles();
   look(limits);
