@@ -48,7 +48,7 @@ void translate(const std::exception_ptr& thrown, void*) {
 std::string python_words(std::string message) {
   static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords{{
       {"the time limit was reached", "the time limit was reached (raise timeout)"},
-      {"than the memory limit leaves", "than the memory limit leaves (raise memory_limit)"},
+      {"left under the memory limit", "left under the memory limit (raise memory_limit)"},
       {"--merge-vertices", "merge_vertices=True"},
       {"--surface", "surface=True"},
   }};

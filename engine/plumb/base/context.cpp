@@ -70,9 +70,9 @@ void Context::charge_memory(std::uint64_t bytes, std::string_view what) {
     const std::uint64_t left = limits_.max_memory_bytes - charged;
     if (bytes > left) {
       throw Error(ErrorCode::ResourceLimit, std::string(what) + " needs " + std::to_string(bytes) +
-                                                " bytes, but the memory limit of " +
-                                                std::to_string(limits_.max_memory_bytes) +
-                                                " bytes leaves only " + std::to_string(left));
+                                                " bytes, but only " + std::to_string(left) +
+                                                " of " + std::to_string(limits_.max_memory_bytes) +
+                                                " bytes are left under the memory limit");
     }
   } while (!charged_bytes_->compare_exchange_weak(charged, charged + bytes));
 }
