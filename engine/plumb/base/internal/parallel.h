@@ -17,6 +17,7 @@
 
 #include "plumb/base/context.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Calls job(i, context of the job) for i = 0 ... jobs - 1. At most context.threads() jobs run at
@@ -28,3 +29,4 @@ void run_jobs(Context& context, std::size_t jobs,
               const std::function<void(std::size_t, Context&)>& job);
 
 }  // namespace plumb
+#pragma GCC visibility pop
