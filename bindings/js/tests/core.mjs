@@ -499,7 +499,8 @@ export const cases = {
     checkEqual(Layer.voronoi([1, 1, 3, 1, 2, 3], [0, 0, 4, 4]).featureCount, 3);
     check(layer.simplified({tolerance: 0}).toGeoJson().features.length === 2);
     const {layer: same, report: told} = layer.simplifiedWithReport({within: 1e-9});
-    checkEqual([same.featureCount, told.overlaps, told.bordersMoved], [2, 1, 0]);
+    checkEqual([same.featureCount, told.overlaps], [2, 1]);
+    check(told.bordersMoved <= 1e-9);
     checkEqual(layer.joined(layer).featureCount, 4);
     checkEqual(layer.parts(PlaneSet.box([2, 0], [20, 4])).properties(), [{x: 0}, {x: 3}, null]);
   },
