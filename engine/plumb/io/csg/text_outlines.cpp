@@ -41,6 +41,7 @@ struct Destroyer {
   void operator()(T* object) const { destroy(object); }
 };
 using Pattern = std::unique_ptr<FcPattern, Destroyer<FcPattern, FcPatternDestroy>>;
+using Config = std::unique_ptr<FcConfig, Destroyer<FcConfig, FcConfigDestroy>>;
 
 struct FaceDestroyer {
   void operator()(FT_Face face) const { FT_Done_Face(face); }
@@ -83,6 +84,12 @@ bool has_family(const Pattern& font, const std::string& family) {
   }
 }
 
+/// The installed fonts, of our own: those of the process belong to the program that plumb is in.
+FcConfig* installed_fonts() {
+  static const Config config(FcInitLoadConfigAndFonts());
+  return config.get();
+}
+
 /// Step 1 of the main flow.
 FontFile find_font(const std::string& name) {
   const Pattern pattern(FcNameParse(bytes_of(name.empty() ? "Liberation Sans" : name)));
@@ -91,10 +98,10 @@ FontFile find_font(const std::string& name) {
   FcPatternDel(pattern.get(), FC_SCALABLE);
   FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
   const std::string family = text_in(pattern, FC_FAMILY);
-  FcConfigSubstitute(nullptr, pattern.get(), FcMatchPattern);
+  FcConfigSubstitute(installed_fonts(), pattern.get(), FcMatchPattern);
   FcDefaultSubstitute(pattern.get());
   FcResult result = FcResultNoMatch;
-  const Pattern found(FcFontMatch(nullptr, pattern.get(), &result));
+  const Pattern found(FcFontMatch(installed_fonts(), pattern.get(), &result));
   if (!found) fail_without_font(name);
   FontFile font{text_in(found, FC_FILE), 0, text_in(found, FC_FAMILY),
                 family.empty() || has_family(found, family)};
