@@ -30,6 +30,7 @@
 #include "oracle/plane_set.h"
 #include "peer_report.h"
 #include "plumb/testing/dice.h"
+#include "random_expression.h"
 
 namespace plumb::bench {
 namespace {
@@ -206,24 +207,13 @@ class Scene {
 
   void run() {
     Dice dice(seed_);
-    Shape set = opened(any_leaf(dice), dice);
-    const std::int64_t steps = dice.between(1, 4);
-    for (std::int64_t i = 0; i < steps && !differs_; ++i) {
-      const Shape other = opened(any_leaf(dice), dice);
-      const auto op = static_cast<SetOperator>(dice.below(4));
-      const bool is_first = dice.below(2) == 0;
-      set = opened(is_first ? applied(op, set, other) : applied(op, other, set), dice);
-    }
+    draw_expression(
+        dice, 4, [](Dice& d) { return any_leaf(d); },
+        [this](SetOperator op, const Shape& a, const Shape& b) { return applied(op, a, b); },
+        [this] { return differs_; });
   }
 
  private:
-  Shape opened(Shape set, Dice& dice) {
-    const std::uint32_t how = dice.below(12);
-    if (how > 5) return set;
-    return applied(static_cast<SetOperator>(static_cast<int>(SetOperator::Complement) + how), set,
-                   set);
-  }
-
   Shape applied(SetOperator op, const Shape& a, const Shape& b) {
     if (differs_) return a;
     const PlaneSetPointer second = testing::is_binary(op) ? b.expression : nullptr;

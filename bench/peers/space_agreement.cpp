@@ -34,6 +34,7 @@
 #include "plumb/space/space_audit.h"
 #include "plumb/space/space_measure.h"
 #include "plumb/testing/dice.h"
+#include "random_expression.h"
 
 namespace plumb::bench {
 namespace {
@@ -276,24 +277,13 @@ class Scene {
 
   void run() {
     Dice dice(seed_);
-    Solid set = opened(any_leaf(dice), dice);
-    const std::int64_t steps = dice.between(1, 3);
-    for (std::int64_t i = 0; i < steps && !differs_; ++i) {
-      const Solid other = opened(any_leaf(dice), dice);
-      const auto op = static_cast<SetOperator>(dice.below(4));
-      const bool is_first = dice.below(2) == 0;
-      set = opened(is_first ? applied(op, set, other) : applied(op, other, set), dice);
-    }
+    draw_expression(
+        dice, 3, [](Dice& d) { return any_leaf(d); },
+        [this](SetOperator op, const Solid& a, const Solid& b) { return applied(op, a, b); },
+        [this] { return differs_; });
   }
 
  private:
-  Solid opened(Solid set, Dice& dice) {
-    const std::uint32_t how = dice.below(12);
-    if (how > 5) return set;
-    return applied(static_cast<SetOperator>(static_cast<int>(SetOperator::Complement) + how), set,
-                   set);
-  }
-
   Solid applied(SetOperator op, const Solid& a, const Solid& b) {
     if (differs_) return a;
     const SpaceSetPointer second = testing::is_binary(op) ? b.expression : nullptr;

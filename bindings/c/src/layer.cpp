@@ -78,16 +78,6 @@ OverlayPairs pairs_of(int kept) {
   return static_cast<OverlayPairs>(kept);
 }
 
-/// Returns the options of a search for gaps; a negative bound stands for the default.
-LayerRepairOptions gap_options(OwnerRule rule, double gaps_below) {
-  if (!std::isfinite(gaps_below)) {
-    throw Error(ErrorCode::NotFinite, "gaps_below is not finite");
-  }
-  LayerRepairOptions options{rule, std::nullopt};
-  if (gaps_below >= 0) options.gaps_below = gaps_below;
-  return options;
-}
-
 std::vector<std::uint32_t> ranks_of(const Layer& layer, const plumb_layer_options& asked) {
   const std::span<const std::uint32_t> ranks = array(asked.ranks, asked.rank_count, "ranks");
   if (!ranks.empty() && asked.owner != PLUMB_OWNER_FIRST) {
@@ -107,9 +97,15 @@ std::vector<OwnerPreference> preferences_of(const plumb_layer_options& asked) {
   return preferences;
 }
 
+/// Returns the options of a search for gaps, and of a repair; a negative bound stands for the
+/// default.
 LayerRepairOptions repair_options_of(const Layer& layer, const plumb_layer_options* options) {
   const plumb_layer_options asked = options_of(options, PLUMB_LAYER_OPTIONS_INIT);
-  LayerRepairOptions known = gap_options(rule_of_owner(asked.owner), asked.gaps_below);
+  if (!std::isfinite(asked.gaps_below)) {
+    throw Error(ErrorCode::NotFinite, "gaps_below is not finite");
+  }
+  LayerRepairOptions known{rule_of_owner(asked.owner), std::nullopt};
+  if (asked.gaps_below >= 0) known.gaps_below = asked.gaps_below;
   known.open_gaps = !asked.enclosed_only;
   known.rank = ranks_of(layer, asked);
   known.preferences = preferences_of(asked);
@@ -273,16 +269,10 @@ void plumb_layer_free(plumb_layer* layer) { delete layer; }
 plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                 plumb_layer** out, plumb_layer_report** report,
                                 const plumb_context* context, plumb_error** error) {
-  if (out != nullptr) *out = nullptr;
-  if (report != nullptr) *report = nullptr;
-  return guarded(error, [&] {
-    need(out, "out");
-    Call call(context);
-    const Layer& given = need(layer, "layer").layer;
-    LayerRepairOptions options = gap_options(rule_of_owner(owner), gaps_below);
-    if (owner == PLUMB_OWNER_LOWEST_ID) options.rank = id_ranks(given);
-    repair(given, options, out, report, call);
-  });
+  plumb_layer_options options = PLUMB_LAYER_OPTIONS_INIT;
+  options.owner = owner;
+  options.gaps_below = gaps_below;
+  return plumb_layer_repair_with(layer, &options, out, report, context, error);
 }
 
 plumb_status plumb_layer_repair_with(const plumb_layer* layer, const plumb_layer_options* options,
@@ -301,11 +291,9 @@ plumb_status plumb_layer_repair_with(const plumb_layer* layer, const plumb_layer
 plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
                                plumb_layer_report** out, const plumb_context* context,
                                plumb_error** error) {
-  return make(out, error, [&] {
-    Call call(context);
-    const LayerRepairOptions options = gap_options(OwnerRule::First, gaps_below);
-    return plumb_layer_report{check_layer(need(layer, "layer").layer, options, call)};
-  });
+  plumb_layer_options options = PLUMB_LAYER_OPTIONS_INIT;
+  options.gaps_below = gaps_below;
+  return plumb_layer_check_with(layer, &options, out, context, error);
 }
 
 plumb_status plumb_layer_check_with(const plumb_layer* layer, const plumb_layer_options* options,
