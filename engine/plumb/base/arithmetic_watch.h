@@ -18,11 +18,11 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// While the object exists, arithmetic of the calling thread on long fractions throws
-/// Error{Cancelled} if a stop of `context` was requested, and Error{ResourceLimit} if its time
-/// limit is exceeded. Such errors can come from the operations of plumb, from the threads that
-/// these operations start, and from fractions that the caller adds, multiplies or compares. Watches
-/// of one thread must be destroyed in the reverse order of their construction.
+/// While the object exists, arithmetic of the calling thread on long fractions can throw errors. It
+/// throws Error{Cancelled} if a stop of `context` was requested. It throws Error{ResourceLimit} if
+/// the time limit of `context` is exceeded. Such errors can come from the operations of plumb, from
+/// the threads that these operations start, and from fractions that the caller adds, multiplies or
+/// compares. Watches of one thread must be destroyed in the reverse order of their construction.
 class ArithmeticWatch {
  public:
   /// Requires that the context outlives the watch.

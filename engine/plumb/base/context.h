@@ -66,7 +66,7 @@ class Context {
   /// checkpoint() does.
   void check_limits(std::string_view phase) const;
 
-  /// Charges memory that the operation is about to allocate, that is, adds it to the memory that
+  /// Charges memory that the operation is about to allocate: its size is added to the memory that
   /// counts against the limit. If `bytes` more bytes would exceed the memory limit, the function
   /// charges nothing. In this case it throws Error{ResourceLimit} with a message that names `what`.
   void charge_memory(std::uint64_t bytes, std::string_view what);

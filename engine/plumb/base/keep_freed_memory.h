@@ -13,20 +13,20 @@ namespace plumb {
 void keep_freed_memory();
 
 /// Reserves 64 MB of memory for later calls of malloc. If the system grants huge pages on request,
-/// the function requests them for this memory. The first access to a page interrupts the program.
-/// If 2 MB of memory are one huge page, there is one such interrupt. If they are 512 small pages,
-/// there are 512. With this setting, the first union of two fandisk meshes with 12,946 triangles
-/// takes 0.9 times as long as without this setting. Requires that keep_freed_memory() was called
-/// before. Otherwise malloc would release the reserved memory. The function reserves nothing if
-/// malloc still has more than 1 MB of free memory, or if the process may use less than 1 GB of
+/// the function requests them for this memory. The first access to a page interrupts the program. A
+/// huge page has 2 MB and causes one such interrupt. If the same 2 MB consist of 512 small pages,
+/// there are 512 interrupts. With this setting, the first union of two fandisk meshes with 12,946
+/// triangles takes 0.9 times as long as without this setting. Requires that keep_freed_memory() was
+/// called before. Otherwise malloc would release the reserved memory. The function reserves nothing
+/// if malloc still has more than 1 MB of free memory, or if the process may use less than 1 GB of
 /// address space.
 void use_huge_pages();
 
 /// Lets all threads take memory from one heap. Without this setting, malloc makes a heap for each
-/// thread. Memory that another thread has freed is not reused there, and the pages are small. With
-/// this setting, the union of two meshes with 81,920 triangles by two threads has 6,700 instead of
-/// 11,300 interrupts for pages. Threads wait for each other while one of them takes a large block,
-/// so the setting is for few threads.
+/// thread. Such a heap does not reuse memory that another thread has freed, and its pages are
+/// small. With this setting, the union of two meshes with 81,920 triangles by two threads has 6,700
+/// instead of 11,300 interrupts for pages. Threads wait for each other while one of them takes a
+/// large block, so the setting is for few threads.
 void use_one_heap();
 
 }  // namespace plumb

@@ -37,10 +37,14 @@ struct MarkFunction {
     return first ? (second ? both : first_only) : (second ? second_only : neither);
   }
 };
-inline constexpr MarkFunction kUnion{false, true, true, true};                 ///< Operator +.
-inline constexpr MarkFunction kIntersection{false, false, false, true};        ///< Operator *.
-inline constexpr MarkFunction kDifference{false, true, false, false};          ///< Operator -.
-inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};  ///< Operator ^.
+/// The union: the function of the operator +.
+inline constexpr MarkFunction kUnion{false, true, true, true};
+/// The intersection: the function of the operator *.
+inline constexpr MarkFunction kIntersection{false, false, false, true};
+/// The difference: the function of the operator -.
+inline constexpr MarkFunction kDifference{false, true, false, false};
+/// The symmetric difference: the function of the operator ^.
+inline constexpr MarkFunction kSymmetricDifference{false, true, true, false};
 
 /// The mark of a cell: 0, 1 or kBeyond.
 using Mark = std::uint8_t;

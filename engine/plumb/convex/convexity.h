@@ -21,10 +21,10 @@
 // test of the set is exact, too, but takes longer.
 //
 // Cost: the test of a mesh with E edges takes O(E) time, about 0.2 us for each face. The evidence
-// for F faces and V vertices takes O(F log V) expected time, because the search for a vertex on one
-// side of a face stops at the first vertex found. In the worst case the evidence takes O(F V) time.
-// Proof: docs/design/walls.md. Source: K. Mehlhorn, S. Naeher et al., Checking geometric programs
-// or verification of geometric structures, Computational Geometry 12 (1999).
+// for F faces and V vertices takes O(F log V) expected time. The reason is that the search for a
+// vertex on one side of a face stops at the first vertex found. In the worst case the evidence
+// takes O(F V) time. Proof: docs/design/walls.md. Source: K. Mehlhorn, S. Naeher et al., Checking
+// geometric programs or verification of geometric structures, Computational Geometry 12 (1999).
 #pragma once
 
 #include <cstdint>

@@ -20,21 +20,22 @@
 // keeps its mark and is assigned to the piece on one side of the cut. The union of the pieces is
 // the set. The union of the closures of the pieces is the closure of the set.
 //
-// Numbers. The plane of each cut contains an edge of the set. In addition, either the plane passes
-// through a vertex of the set, or its equation is an integer combination of the equations of the
-// two facet planes at the edge. No plane is defined by a point that an earlier cut constructed. So
-// the lengths of the numbers in cuts do not grow if parts are cut again and again. Walls are made
-// in rounds (walls.h), and the lengths of the numbers in walls grow with the number of rounds. More
-// than one round is needed only if some vertical line meets one cell in several segments. The
-// equation of the plane of a later wall is a combination of the equations of two earlier walls.
+// Numbers. The plane of each cut contains an edge of the set. The plane also passes through a
+// vertex of the set, or it belongs to the pencil of the planes of the two facets at the edge. In
+// the second case, its equation is a combination of the equations of these two planes, with integer
+// coefficients. No plane is defined by a point that an earlier cut constructed. So the lengths of
+// the numbers in cuts do not grow if parts are cut again and again. Walls are made in rounds
+// (walls.h), and the lengths of the numbers in walls grow with the number of rounds. More than one
+// round is needed only if some vertical line meets one cell in several segments. The equation of
+// the plane of a later wall is a combination of the equations of two earlier walls.
 //
 // Origins distinguish walls from facets of the set. If a facet of a piece lies in a facet of the
 // set, both facets have the same facet_origin. Any other facet of a piece has kWallOrigin. A wall
 // can continue a facet of the set in the same plane. Because pieces are minimal complexes, the wall
 // and the facet are then one facet of the piece. This combined facet counts as a facet of the set.
-// A facet of the set that has no id, such as a facet of a half-space, has the facet_origin
-// kNoOrigin, and so have the facets of pieces that lie in it. A wall of a piece gets kNoOrigin when
-// the piece is decomposed again.
+// Some facets of the set have no id, such as the facet of a half-space. Such a facet has the
+// facet_origin kNoOrigin. The facets of pieces that lie in it have the facet_origin kNoOrigin, too.
+// A wall of a piece gets kNoOrigin when the piece is decomposed again.
 //
 // Cost and bounds: docs/convex.md; proofs: docs/design/walls.md. Sources: B. Chazelle, Convex
 // partitions of polyhedra, SIAM Journal on Computing 13 (1984); P. Hachenberger, Exact Minkowski

@@ -3,9 +3,9 @@
 //
 // Main flow of minkowski_sum():
 //  1. parts          decomposes both operands into convex parts. If both operands are closed, the
-//                    parts are closed. Otherwise, a part is a body (a part of dimension 3) with the
-//                    marks of its boundary, or relatively open: an open triangle, an open segment,
-//                    or a point
+//                    parts are closed. Otherwise there are two kinds of parts. A body is a part of
+//                    dimension 3, with the marks of its boundary. All other parts are relatively
+//                    open: open triangles, open segments and points
 //  2. convex_sum     (convex_sum.h, half_open_body.h) computes the sum of each pair of parts,
 //                    except for pairs that cannot change the result
 //  3. union_of       unites the sums

@@ -29,11 +29,11 @@
 // the closures of the pieces is the closure of the set.
 //
 // Bounds. Consider a face with r reflex corners and h holes of positive area. Method cuts makes at
-// most r + 1 - h parts. No partition has fewer than r / 2 + 1 - h parts, because each reflex corner
-// must be divided by a segment of the partition, and one segment can divide at most two corners,
-// one at each of its ends. If 3 h <= r, these two bounds differ by a factor of at most 4. If there
-// are no holes, the two bounds differ by a factor of at most 2. Method diagonals makes at most 2 r
-// + 1 - h parts. The proofs are in docs/convex.md.
+// most r + 1 - h parts. No partition has fewer than r / 2 + 1 - h parts. The reason is that a
+// segment of the partition must divide each reflex corner, and a segment can divide at most two
+// corners, one at each of its ends. If 3 h <= r, these two bounds differ by a factor of at most 4.
+// If there are no holes, the two bounds differ by a factor of at most 2. Method diagonals makes at
+// most 2 r + 1 - h parts. The proofs are in docs/convex.md.
 //
 // Cost for a face with n corners: O(n log n) for diagonals, O(r n) for cuts, O(n^3) for optimal.
 // Method diagonals constructs no points. Method cuts constructs only points that are intersections

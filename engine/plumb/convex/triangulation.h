@@ -2,13 +2,13 @@
 // of the plane. In a constrained triangulation, every edge of the set is a side of triangles. No
 // points are added, and all decisions are exact.
 //
-// Let s be the common side of two triangles. The side s is locally Delaunay if the circle through
-// the corners of one triangle does not contain the corner of the other triangle that is opposite to
-// s. Every common side is locally Delaunay, except sides that are edges of the set. Therefore the
-// smallest angle of all triangles is at least as large as in any other triangulation with the same
-// corners and edges. If four or more points lie on a circle with no point inside, several
-// triangulations have these properties. The function then chooses the diagonals that end at the
-// point with the lowest index, so the result is unique.
+// Let s be the common side of two triangles. The side s is locally Delaunay if the following
+// condition holds: the circle through the corners of one triangle does not contain the third corner
+// of the other triangle. Every common side is locally Delaunay, except sides that are edges of the
+// set. Therefore the smallest angle of all triangles is at least as large as in any other
+// triangulation with the same corners and edges. If four or more points lie on a circle with no
+// point inside, several triangulations have these properties. The function then chooses the
+// diagonals that end at the point with the lowest index, so the result is unique.
 //
 // Main flow of delaunay():
 //  1. edges          lists the edges of the set, directed so that the set lies to their left. For

@@ -7,8 +7,8 @@
 //  2. centres    computes the exact centre of the circle of each triangle. The centres of the
 //                triangles around a site inside the convex hull are the corners of its cell
 //  3. clip       intersects the cells with a box. The cell of a site on the convex hull is made by
-//                another method: it is the part of the box that remains after the box was cut by
-//                the bisectors between the site and its neighbours
+//                another method. The box is cut by the bisectors between the site and its
+//                neighbours. The cell is the part of the box that remains on the side of the site
 //
 // The corners of cells are exact rational points. So neighbouring cells have exactly the same
 // corners and the same common border.

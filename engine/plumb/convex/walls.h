@@ -4,12 +4,12 @@
 //
 // Main flow of wall_subdivision():
 //  1. choose_vertical   (walls.cpp) chooses the direction for which the fewest parts are expected
-//  2. sight_walls       (wall_sight.h) takes each reflex edge that is not vertical, and extends a
-//                       wall from it straight up and straight down until the wall meets the
-//                       boundary of the set. Afterwards only vertical edges are reflex
+//  2. sight_walls       (wall_sight.h) takes each reflex edge that is not vertical. It extends a
+//                       wall from this edge straight up and straight down, until the wall meets the
+//                       boundary of the set. After this step, only vertical edges are reflex
 //  3. spread_walls      (wall_spread.h) takes each vertical reflex edge, and extends a wall from it
 //                       sideways into the reflex angle, up to the first facet or wall
-//   4. with_walls        (wall_complex.h) overlays all walls with the set, once after step 2 and
+//  4. with_walls        (wall_complex.h) overlays all walls with the set, once after step 2 and
 //                        once after step 3
 //  Steps 2 to 4 form a round. Rounds are repeated until no edge is reflex. One round is usually
 //                       enough.

@@ -2,8 +2,8 @@
 // that a tree describes.
 //
 // Main flow:
-//  1. dimensions   finds for each node whether its value is a set of the plane, a set of space, or
-//                  "nothing", the value of a node without geometry (see below)
+//  1. dimensions   finds for each node the kind of its value: a set of the plane, a set of space,
+//                  or "nothing". A node without geometry has the value "nothing" (see below)
 //  2. equal nodes  numbers the nodes so that equal subtrees have equal numbers. Of several equal
 //                  subtrees, only the first one is evaluated
 //  3. regions      rewrites Booleans. Each maximal connected part of the tree that consists of

@@ -9,7 +9,8 @@
 //                 to its first half-edge or to its isolated vertex. A loop also refers to its face,
 //                 and to the next loop of this face
 //   face f      : refers to its first loop. The structure does not know which loop is the outer
-//                 loop, because this depends on the geometry. Only the owner knows it
+//                 loop, because this depends on the geometry. Only the owner knows the
+//                 outer loop
 //   vertex v    : refers to one half-edge that leaves v; an isolated vertex refers to its loop
 //   corner      : is a position at a vertex, inside a face, where an edge can be attached. A corner
 //                 at a half-edge h lies at origin(h), just before h on the loop of h. An isolated

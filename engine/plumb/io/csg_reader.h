@@ -8,15 +8,15 @@
 //  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h), of
 //              sets of the plane (plane_io.h), and of fields of heights, which surface() names
 //
-// Nodes: the reader knows all nodes that OpenSCAD 2021.01 writes. The node text() is
-// refused. Modifiers: a node with `*` or `%` is left out, `#` has no effect, and a node with
-// `!` becomes the whole model. Parameters that do not change the shape, such as convexity, are
-// skipped; parameters with unknown names are skipped with a note. A number is read as the nearest
-// double. A colour is a vector, a CSS colour name, or a text of the form #rgb, #rgba, #rrggbb or
-// #rrggbbaa. An unknown colour name is reported by a note.
+// Nodes: the reader knows all nodes that OpenSCAD 2021.01 writes. The node text() is refused if
+// plumb was built without FreeType and fontconfig. Modifiers: a node with `*` or `%` is left out,
+// `#` has no effect, and a node with `!` becomes the whole model. Parameters that do not change the
+// shape, such as convexity, are skipped. Parameters with unknown names are skipped with a note. A
+// number is read as the nearest double. A colour is a vector, a CSS colour name, or a text of the
+// form #rgb, #rgba, #rrggbb or #rrggbbaa. An unknown colour name is reported by a note.
 //
-// Drawings in DXF are read as OpenSCAD reads them: $fn, $fa and $fs determine how arcs are divided,
-// a straight line closes an open chain, and hatches are ignored.
+// Drawings in DXF are read as OpenSCAD reads them. The variables $fn, $fa and $fs determine how
+// arcs are divided, a straight line closes an open chain, and hatches are ignored.
 //
 // Imports: a model can name other files, which are then imported. By default, an imported file must
 // lie in the folder of the model or in a folder below it. Symbolic links are resolved before this

@@ -68,7 +68,8 @@ LayerFile read_layer(std::string_view text, const LayerReadOptions& options = {}
                      Context& context = unlimited_context());
 
 /// Returns a sentence for a layer without polygons whose file has points or lines. The sentence
-/// states this, and what reads such a file. Returns an empty text for all other files.
+/// states that the file has only points or lines, and names the commands or functions that read
+/// such a file. Returns an empty text for all other files.
 std::string lack_of_polygons(const LayerFile& file);
 
 /// Whether a text begins like a text in one of the formats of layers: JSON, WKT or WKB.
@@ -125,8 +126,8 @@ void write_layer_gpkg(std::ostream& out, const Layer& layer, const std::string& 
                       Context& context = unlimited_context());
 
 /// Writes a layer as FlatGeobuf, through GDAL, as write_layer_gpkg() does. Ids become a column
-/// "id". Throws Error{BadArgument}, too, if a feature has no polygons, as the format has no place
-/// for it.
+/// "id". Also throws Error{BadArgument} if a feature has no polygons, because the format cannot
+/// store such a feature.
 void write_layer_fgb(std::ostream& out, const Layer& layer, const std::string& crs,
                      Context& context = unlimited_context());
 

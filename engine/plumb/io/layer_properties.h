@@ -41,8 +41,10 @@ struct FeatureGroups {
 FeatureGroups group_features(const Layer& layer, const std::string& property,
                              Context& context = unlimited_context());
 
-/// Returns for each feature its rank by ids, from 0: numbers by value, then texts by their bytes,
-/// then features without an id. Features with equal ids rank in the order of the layer.
+/// Returns the rank of each feature by its id. Ranks count from 0. Features whose ids are numbers
+/// come first, in the order of these numbers. Features whose ids are texts follow, in the order of
+/// the bytes of the texts. Features without an id come last. Features with equal ids rank in the
+/// order of the layer.
 std::vector<std::uint32_t> id_ranks(const Layer& layer);
 
 /// Returns the feature that has `text` as its id, or else as its property "name" or "NAME". Throws

@@ -40,7 +40,7 @@ struct MeshFile {
   /// If this is not 0, a face can have another number in `mesh` than in the file.
   std::size_t faces_left_out = 0;
   /// The attributes of `mesh`, such as colours. They are empty unless ReadOptions::attributes is
-  /// true and the file has attributes. Attributes are read from OFF, OBJ and PLY files.
+  /// true and the file has attributes. Attributes are read from OFF, OBJ, PLY, glTF and 3MF files.
   MeshAttributes attributes = {};
 };
 
@@ -91,9 +91,9 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
 
 /// Returns the mesh of the file `path`. The caller has already read the bytes of the file. The
 /// extension of `path` determines the format. If the extension names no format, the format is
-/// guessed by guess_mesh_format(). If the file is a glTF file that refers to other files, or an OBJ
-/// file whose attributes are wanted, these files are read from the folder of `path`. Throws as
-/// read_mesh() does.
+/// guessed by guess_mesh_format(). A glTF file may refer to other files, and an OBJ file refers to
+/// its material library if it has materials. Such other files are read from the folder of `path`. A
+/// material library is read only if attributes are read. Throws as read_mesh() does.
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
 

@@ -22,8 +22,8 @@ enum class RingRule : std::uint8_t {
 };
 
 /// Which other files a file may name. For example, the file of a scene names the file of its model.
-/// If a file comes from somebody else, this person has chosen the names. A limit is needed because
-/// the messages of a program can reveal contents of the named files.
+/// If a file comes from a stranger, the stranger has chosen these names. The names must be limited,
+/// because the messages of a program can reveal contents of the named files.
 enum class NamedFiles : std::uint8_t {
   /// Files in the folder of the naming file and in folders below it. Symbolic links are resolved
   /// first.

@@ -35,9 +35,9 @@
 // the decision, each decimal is rounded once to the nearest double. A decimal keeps its exact value
 // if rounding it would move the point off its edge, onto an edge, or out of its face.
 //
-// Tolerance: if u or v is a decimal and u + v differs from 1 by at most 2^-52, the point is treated
-// as if u + v were 1. A point outside its face is accepted if u, v and 1 - u - v are all at least
-// -2^-52. Such a point is moved to the border of the face.
+// Tolerance: suppose that u or v is a decimal, and that u + v differs from 1 by at most 2^-52. Then
+// the point is treated as if u + v were 1. A point outside its face is accepted if u, v and 1 - u -
+// v are all at least -2^-52. Such a point is moved to the border of the face.
 //
 // Cost: O(bytes), plus the cost of tracing.
 //
@@ -45,8 +45,8 @@
 //   - the errors of the JSON reader, and the errors of the reader of the model
 //   - DegenerateFace if the model has a face of fewer than three different corners
 //   - BadIndex
-//   - BadShape for a point outside its face, for two consecutive points that no path joins, and for
-//     a point of a drawing that would lie beyond the border of the surface
+//   - BadShape for a point outside its face, and for two consecutive points that no path joins.
+//     Also BadShape for a point of a drawing that would lie beyond the border of the surface
 //   - ResourceLimit and Cancelled
 #pragma once
 

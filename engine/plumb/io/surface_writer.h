@@ -39,8 +39,9 @@ struct CellStep {
   CellId from;  ///< The cell to the right of the first polygon.
   CellId to;    ///< The cell to the left of the first polygon.
   /// The polygons between the two cells, in ascending order of their indices. Each entry consists
-  /// of the index of a polygon and a value: the coefficient of this polygon in the label of `to`
-  /// minus its coefficient in the label of `from`. The value of the first entry is positive.
+  /// of the index of a polygon and a value. The value is the coefficient of this polygon in the
+  /// label of `to`, minus its coefficient in the label of `from`. The value of the first entry is
+  /// positive.
   std::vector<SignedEntry> polygons;
 };
 /// Returns an edge of the graph, directed so that the entry of its first polygon is positive.

@@ -18,9 +18,10 @@
 // Colours, strokes, other styles and clips are ignored.
 //
 // Skipped elements: elements that only define something are skipped with their contents, because
-// they draw nothing. These elements are defs, symbol, clipPath, mask, marker and pattern. Elements
-// with unknown names are skipped, too. A few elements that draw something are not supported: `use`,
-// `text`, `image`, and nested drawings. These elements are skipped with a note.
+// they draw nothing. These elements are defs, clipPath, mask, marker and pattern, and a symbol that
+// no `use` draws. Elements with unknown names are skipped, too. A few elements that draw something
+// are not supported: `text`, `image`, `switch` and `foreignObject`. These elements are skipped with
+// a note.
 //
 // Middle: the middle of the drawing is determined as follows:
 //   - If the drawing has a viewBox, the middle is the middle of this box.

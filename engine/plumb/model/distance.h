@@ -21,11 +21,11 @@
 //                they lie outside the other set
 //
 // Cost: building the trees takes O(n log n) for n cells of both sets. The search usually takes
-// O(log n). For two balls of 20,480 triangles, the function takes some 10 ms. A pair of triangles
-// is compared exactly, in about 10 us, if the lower bound for the distance between the triangles is
-// not greater than the distance between the sets. There are many such pairs if many facets of the
-// sets are parallel and equally far apart. Errors: Error{BadArgument} if a set is empty, or if both
-// sets are unbounded. Functions also throw what the context throws.
+// O(log n). For two balls of 20,480 triangles, the function takes some 10 ms. For each pair of
+// triangles, there is a lower bound for their distance. If the bound is not greater than the
+// distance between the sets, the pair is compared exactly, in about 10 us. There are many such
+// pairs if many facets of the sets are parallel and equally far apart. Errors: Error{BadArgument}
+// if a set is empty, or if both sets are unbounded. Functions also throw what the context throws.
 #pragma once
 
 #include <memory>

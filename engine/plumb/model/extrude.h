@@ -46,8 +46,8 @@ struct LinearExtrusion {
 /// turn, the point (x, y) of the outline lies at (x, 0, y). For a full turn, the point lies at (-x,
 /// 0, y) instead. `angle` is the angle of the turn in degrees. A negative angle turns the outline
 /// clockwise. An angle of 360 or more stands for a full turn. The turn consists of `steps` equal
-/// steps. Throws Error{BadArgument} if the outline has points on both sides of the line x = 0, if
-/// the outline is unbounded, or if a step is 180 degrees or more.
+/// steps. Throws Error{BadArgument} in three cases: the outline has points on both sides of the
+/// line x = 0, the outline is unbounded, or a step is 180 degrees or more.
 [[nodiscard]] Nef3 rotational_extrusion(const Nef2& outline, double angle, std::uint32_t steps,
                                         Context& context = unlimited_context());
 

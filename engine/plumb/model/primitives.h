@@ -5,13 +5,13 @@
 // Sines and cosines of multiples of 30 and 45 degrees are the doubles nearest to the exact values,
 // so that symmetric shapes have symmetric coordinates. Spheres and cones are exactly convex,
 // because they are computed as the convex hulls of their vertices (hull.h). Without a hull, a
-// sphere would usually have shallow dents: after rounding, the four corners of a quadrilateral of
-// the sphere do usually not lie in a common plane.
+// sphere would usually have shallow dents. The reason is that, after rounding, the four corners of
+// a face of the sphere usually do not lie in a common plane.
 //
-// Cost: O(n log n) for spheres and cones with n vertices, and O(n) for all other shapes. Every
-// function throws Error{NotFinite} if a number is not finite, Error{BadArgument} if a number is out
-// of the range stated for it, and Error{ResourceLimit} if a circle has more than 2^20 chords. A
-// length that becomes 0 when it is halved counts as out of range.
+// Cost: O(n log n) for spheres and cones with n vertices, and O(n) for all other shapes. Errors of
+// all functions: Error{NotFinite} if a number is not finite. Error{BadArgument} if a number is out
+// of the range stated for it. Error{ResourceLimit} if a circle has more than 2^20 chords. A length
+// that becomes 0 when it is halved counts as out of range.
 #pragma once
 
 #include <array>

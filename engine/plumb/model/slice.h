@@ -1,5 +1,6 @@
-// Computes sets of the plane from sets of space: slices of a set at a given height, and the shadow
-// of a set, which is its projection along the z-axis. Slices and shadows are exact.
+// Computes sets of the plane from sets of space. A slice is the intersection of a set with the
+// plane at a given height. The shadow of a set is its projection along the z-axis. Slices and
+// shadows are exact.
 //
 // Main flow of slice(): a Boolean intersects the set with the plane at the given height. The result
 // is a flat set of space. Its cells become the cells of a subdivision of the plane and keep their

@@ -37,8 +37,8 @@ class Canvas {
   std::uint32_t height() const { return height_; }  ///< Height in samples.
 
   /// Calls visit(sample, spot) for each sample whose middle `spot` lies in the triangle a b c. The
-  /// triangle may have either orientation. If two triangles lie on different sides of a common
-  /// edge, each sample beside this edge is visited for exactly one of the two triangles, except
+  /// triangle may have either orientation. Let two triangles lie on different sides of a common
+  /// edge. Each sample beside this edge is visited for exactly one of the two triangles, except
   /// where rounding moves the edge. Cost: O(rows + samples visited).
   template <class Visit>
   void for_triangle(Spot a, Spot b, Spot c, const Visit& visit) const;

@@ -2,8 +2,9 @@
 // feature has an id, properties and polygons. A coverage is a layer whose features do not overlap.
 // Features of a coverage may touch each other.
 //
-// repair_layer() finds the regions in which features overlap and the gaps between features, gives
-// each of these regions to one feature, and returns a coverage whose vertices are doubles.
+// The function repair_layer() finds the regions in which features overlap, and the gaps between
+// features. It gives each of these regions to one feature, and returns a coverage whose vertices
+// are doubles.
 //
 // Main flow of repair_layer():
 //  1. CoveredCells      arranges the rings of all features exactly. Each face of the arrangement
@@ -115,10 +116,10 @@ struct OwnerPreference {
 struct LayerRepairOptions {
   OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners of regions are selected.
   /// An enclosed region that no feature covers is a gap if its width is less than this value.
-  /// Otherwise it is a hole, such as a lake, and stays as it is. If there is no value, the bound
-  /// for the width of a gap is D / 10000, where D is the diagonal of the bounding box of the layer.
-  /// In this case, a region that is narrower than the bound is nevertheless a hole if it looks like
-  /// a small lake. A region looks like a small lake if it meets three conditions:
+  /// Otherwise it is a hole, such as a lake, and stays as it is. Let D be the diagonal of the
+  /// bounding box of the layer. If there is no value, the bound for the width of a gap is D
+  /// / 10000. In this case, a region that is narrower than the bound is nevertheless a hole if it
+  /// looks like a small lake. A region looks like a small lake if it meets three conditions:
   ///   - At most two features lie along its boundary.
   ///   - It is less than about 100 times as long as it is wide: 4 A / p^2 >= 1/100 for its area A
   ///     and its perimeter p.
@@ -126,10 +127,11 @@ struct LayerRepairOptions {
   std::optional<double> gaps_below = {};
   /// Whether gaps that open to the outside or into a hole are found. They are not found if a
   /// coordinate exceeds 1e75, because doubles cannot measure such gaps. Such a gap is cut off at
-  /// its mouths: segments between different features that are shorter than the bound. It is
-  /// narrower than the bound, its border along features is at least twice as long as its mouths,
-  /// and at least two features are along it. If there is no value for the bound, a gap must also be
-  /// at least 100 times as long as it is wide, or narrower than 1e-9 of the diagonal.
+  /// its mouths, which are segments between different features. A mouth is shorter than the bound
+  /// `gaps_below`. The gap is narrower than this bound, its border along features is at least twice
+  /// as long as its mouths, and at least two features lie along it. If `gaps_below` has no value,
+  /// there is a further condition: a gap is at least 100 times as long as it is wide, or narrower
+  /// than 1e-9 of the diagonal.
   bool open_gaps = true;
   /// For each feature, its rank under OwnerRule::First. If the list is empty, features rank in the
   /// order of the layer.
@@ -137,8 +139,9 @@ struct LayerRepairOptions {
   /// Preferences that come before the rule: a candidate that loses against another candidate is
   /// left out, unless every candidate loses.
   std::vector<OwnerPreference> preferences = {};
-  /// A filled open gap may leave a smaller one at its mouth, so a layer with open gaps is repaired
-  /// again, in at most this number of rounds. Layers need two or three. No bound is proved.
+  /// The largest number of rounds of a repair. A filled open gap may leave a smaller open gap at
+  /// its mouth, so a layer with open gaps is repaired again. Usually two or three rounds are
+  /// enough, but no bound is proved.
   std::uint32_t most_rounds = 32;
 };
 
@@ -211,14 +214,14 @@ struct RepairedLayer {
 LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = {},
                         Context& context = unlimited_context());
 
-/// Returns the layer without overlaps and gaps, and a report. The owners of overlaps and gaps
-/// are selected by options.rule, with one exception. If overlaps cover a feature completely, these
+/// Returns the layer without overlaps and gaps, and a report. The owners of overlaps and gaps are
+/// selected by options.rule, with one exception. If overlaps cover a feature completely, these
 /// overlaps are given to this feature. Otherwise the feature could vanish. It can still vanish if
 /// several features are equal. If an open gap was filled, the result is repaired again until
 /// nothing is left to do (LayerRepairOptions::most_rounds), and the report lists all regions.
-/// Throws Error{BadArgument} if ranks or preferences do not match the features,
-/// Error{NumberOutOfRange} if coordinates are too large to be rounded, ResourceLimit if a limit of
-/// the Context is exceeded, and Cancelled if a stop is requested.
+/// Throws Error{BadArgument} if ranks or preferences do not match the features. Throws
+/// Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws what the context
+/// throws.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
                            Context& context = unlimited_context());
 

@@ -39,8 +39,8 @@ struct DissolvedLayer {
 /// less than `group_count`. If group[f] is LayerRegion::kNobody, feature f is left out. An overlap
 /// of features of the same group vanishes, and a gap between them remains. Throws
 /// Error{BadArgument} if `group` does not have one entry for each feature, or if an entry is out of
-/// range, Error{NumberOutOfRange} if coordinates are too large to be rounded, ResourceLimit if a
-/// limit of the Context is exceeded, and Cancelled if a stop is requested.
+/// range. Throws Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws
+/// what the context throws.
 DissolvedLayer dissolve_layer(const Layer& layer, std::span<const std::uint32_t> group,
                               std::size_t group_count, Context& context = unlimited_context());
 

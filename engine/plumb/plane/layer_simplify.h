@@ -45,8 +45,8 @@ struct LayerSimplifyOptions {
   /// exactly two edges of borders meet at the corner.
   double kept = 0;
   /// The largest distance by which borders may move. Every point of the simplified borders lies
-  /// within this distance of the original borders, and every point of the original borders lies
-  /// within this distance of the simplified borders. Infinity means that there is no bound.
+  /// within this distance of the original borders, and vice versa. Infinity means that there is no
+  /// bound.
   double within = std::numeric_limits<double>::infinity();
 };
 
@@ -74,8 +74,8 @@ struct SimplifiedLayer {
 };
 
 /// Returns the layer with simplified borders. Throws Error{BadArgument} if an option is out of its
-/// range, Error{NumberOutOfRange} if coordinates are too large to be rounded, ResourceLimit if a
-/// limit of the Context is exceeded, and Cancelled if a stop is requested.
+/// range. Throws Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws
+/// what the context throws.
 SimplifiedLayer simplify_layer(const Layer& layer, const LayerSimplifyOptions& options,
                                Context& context = unlimited_context());
 

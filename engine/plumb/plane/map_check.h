@@ -16,8 +16,8 @@
 //                         - the order of the edges around each vertex
 //                         - for each component, the edge below its first vertex
 //  3. classify_open     follows chains of open edges. An edge is open if a cycle uses one of its
-//                       half-edges and no cycle uses the other. Each chain has one of three
-//                       meanings: it bounds a gap between the listed faces, it bounds an overlap of
+//                       half-edges and no cycle uses the other. There are three kinds of chains. A
+//                       chain bounds a gap between the listed faces, or it bounds an overlap of
 //                       regions, or it is an outer boundary that is not listed.
 //  4. trace_orbits      traces the boundaries of the faces of the induced graph, and finds the
 //                       mixed faces. The induced graph is the planar graph of all undirected edges.

@@ -16,8 +16,8 @@
 // one join for each convex corner. Each of them runs counter-clockwise around its inside, so its
 // winding number is 1 inside and 0 outside. The sum is therefore the number of these parts that
 // contain the point. So it is positive exactly in the union of the parts, which is the grown set.
-// If the distance is negative, the complement is grown in the same way, and the result contains the
-// points of the set that do not lie in the grown complement.
+// If the distance is negative, the complement is grown in the same way. The result then contains
+// the points of the set that do not lie in the grown complement.
 //
 // Numbers: each moved edge is exactly parallel to the edge of the set from which it was made. Its
 // distance from this edge is the given distance, up to a relative error of 2^-50. The error cannot

@@ -5,8 +5,8 @@
 // the following properties:
 //   - Valid: edges meet only at common ends. No edge is degenerate or listed twice.
 //   - Near: every point of the new boundary is within PlaneRoundingReport::largest_move of the
-//     exact boundary. Every point of the exact boundary is within the same distance of the new
-//     boundary, unless it belongs to a face or a piece of an edge that was left out
+//     exact boundary. Conversely, every point of the exact boundary is within this distance of the
+//     new boundary. The exception are points of faces or of pieces of edges that were left out
 //     (PlaneRoundingReport::collapsed and edges_folded).
 //   - Stable: a vertex whose coordinates are doubles does not move, unless the report counts it as
 //     moved. If all coordinates are doubles, the result is the input. So rounding is idempotent.
@@ -98,8 +98,8 @@ struct RoundedSubdivision {
 /// has a frame, unbounded edges are left out, and all unbounded faces become a single unmarked
 /// face. This face corresponds to face 0 of the exact subdivision. If all coordinates are doubles
 /// and there is no frame, the function returns the exact subdivision. Throws
-/// Error{NumberOutOfRange} if a coordinate lies beyond the largest double, ResourceLimit if a limit
-/// of the Context is exceeded, and Cancelled if a stop is requested.
+/// Error{NumberOutOfRange} if a coordinate lies beyond the largest double. Also throws what the
+/// context throws.
 RoundedSubdivision round_to_doubles(const PlaneComplex& exact,
                                     Context& context = unlimited_context());
 

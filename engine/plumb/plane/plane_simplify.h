@@ -44,9 +44,8 @@ struct SimplifiedSet {
 };
 
 /// Returns the closure of a set with fewer corners. Throws Error{BadArgument} if the set is
-/// unbounded or an option is out of its range, Error{NumberOutOfRange} if a coordinate lies beyond
-/// the largest double, ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop
-/// is requested.
+/// unbounded or an option is out of its range. Throws Error{NumberOutOfRange} if a coordinate lies
+/// beyond the largest double. Also throws what the context throws.
 SimplifiedSet simplify_borders(const Nef2& set, const LayerSimplifyOptions& options,
                                Context& context = unlimited_context());
 

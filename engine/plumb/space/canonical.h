@@ -1,10 +1,10 @@
 // Canonical form of a complex. The arrays of a complex in canonical form depend only on the set
 // that the complex describes. So equal sets have equal arrays, whatever operations made the sets.
 //
-// Two minimal complexes of the same set have the same cells. But they can differ in the ids of the
-// cells, in the planes that define edges and points, and in the order of the tables of planes and
-// points, because these depend on the operations that made the set. In canonical form, the
-// following rules derive all of these from the geometry:
+// Two minimal complexes of the same set have the same cells. But three things depend on the
+// operations that made the set: the ids of the cells, the planes that define edges and points, and
+// the order of the tables of planes and points. In canonical form, the following rules derive them
+// from the geometry:
 //
 //   vertices   are in lexicographic order of their coordinates. This order includes the vertices of
 //              the frame. Half the side length of the frame, the symbol R, counts as greater than

@@ -115,10 +115,10 @@ struct MeshReport {
   // The next three lists state the causes of borders. They are filled if the mesh is open and was
   // not read as a surface.
   /// Faces whose orientation disagrees with that of their neighbours, so that they should be
-  /// flipped. If the orientations in a connected set of faces disagree, the set consists of two
-  /// parts such that the orientations agree after one of the parts has been flipped. The smaller
-  /// part is listed here. If both parts have the same number of faces, the list contains the part
-  /// that must be flipped to make the volume positive.
+  /// flipped. Consider a connected set of faces whose orientations disagree. The set consists of
+  /// two parts: if one of the parts is flipped, all orientations agree. The smaller part is listed
+  /// here. If both parts have the same number of faces, the list contains the part that must be
+  /// flipped to make the volume positive.
   std::vector<std::uint32_t> flipped;
   /// Closed chains of vertices along which faces are missing after the faces in `flipped` have been
   /// flipped. If this list is empty, flipping these faces closes the mesh.

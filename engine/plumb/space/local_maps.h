@@ -20,8 +20,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The sphere map of an item (a vertex, edge or facet of a complex), and, for each cell of the map,
-/// the cell of the complex to which it belongs.
+/// The sphere map of an item, which is a vertex, edge or facet of a complex. For each cell of the
+/// map, the structure also has the cell of the complex to which it belongs.
 struct LocalMap {
   SphereMap map;  ///< The map, seen from the centre of the sphere.
   /// The half-edge of each point of the map. In the map of a vertex, this half-edge leaves the

@@ -1,8 +1,9 @@
 // Attributes of a mesh: the data that a mesh can have in addition to its points and faces. These
 // data are numbers at corners (such as colours), materials, groups and ids.
 //
-// All arrays are flat and belong to one mesh. Each array is either empty or complete: it has an
-// entry for each face, or `width` entries for each corner, in the order of the arrays of the mesh.
+// All arrays are flat and belong to one mesh. Each array is either empty or complete. A complete
+// array has an entry for each face, or `width` entries for each corner, in the order of the arrays
+// of the mesh.
 #pragma once
 
 #include <array>

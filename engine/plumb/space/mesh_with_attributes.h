@@ -1,5 +1,6 @@
-// Converts a set of space to a mesh that has the attributes of the meshes from which the set was
-// made: materials, groups, ids, and numbers at corners such as colours and texture coordinates.
+// Converts a set of space to a mesh with attributes. The attributes are those of the meshes from
+// which the set was made: materials, groups, ids, and numbers at corners such as colours and
+// texture coordinates.
 //
 // Operations on sets do not keep track of attributes. Instead, a set keeps the list of its sources,
 // the meshes from which it was made (source_mesh.h). The planes of a set are exact, and operations
@@ -33,14 +34,14 @@
 // - A piece that no source triangle covers has no source. An example is a piece in the plane of a
 //   half-space. Its ids are MeshAttributes::kNone, and its numbers are 0.
 // - The weights are computed exactly from the exact point and then rounded to the nearest doubles.
-//   If a repair has moved a point out of the plane of its triangle, the point and the triangle are
-//   first projected along the coordinate axis that is nearest to the normal of the triangle.
-//   Negative weights are replaced by 0.
+//   A repair may have moved a point out of the plane of its triangle. Then the point and the
+//   triangle are first projected along the coordinate axis that is nearest to the normal of the
+//   triangle. Negative weights are replaced by 0.
 // - A triangle that a repair makes gets the attributes of one of the pieces from which it was made.
 //
 // Cost: the cost of valid_mesh(), O(n) for n triangles of the sources, and O(m log m) for m corners
 // and crossings in planes in which a facet is cut. Errors: Error{BadArgument} if a marked volume is
-// unbounded, what valid_mesh() throws, and what the context throws. Source: docs/attributes.md.
+// unbounded, the errors of valid_mesh(), and what the context throws. Source: docs/attributes.md.
 #pragma once
 
 #include <cstdint>
@@ -56,12 +57,13 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Determines which pieces of a facet are joined. If a facet is exactly one face of a source, and
-/// no other source has a face in its plane, the facet is one piece, except for PieceJoin::None.
+/// Determines which pieces of a facet are joined. There is one rule for all values but
+/// PieceJoin::None. If a facet is exactly one face of a source, and no other source has a face in
+/// its plane, the facet is one piece.
 enum class PieceJoin : std::uint8_t {
-  /// Neighbouring pieces of a facet are joined if they come from the same source and have the same
-  /// material, group and id, and if a single affine function describes the values of each channel
-  /// on both pieces.
+  /// Neighbouring pieces of a facet are joined under two conditions. They come from the same
+  /// source, with the same material, group and id. For each channel, a single affine function
+  /// describes the values on both pieces.
   SameAttributes,
   None,  ///< No pieces are joined, so each piece lies in one triangle of a source.
   /// Pieces are joined as for SameAttributes, but only if they also come from the same face of a

@@ -80,9 +80,9 @@ Sign insphere_beyond_filter(const Point3& a, const Point3& b, const Point3& c, c
 }  // namespace rung
 
 /// Returns the orientation of three points, which is the sign of det [a-c; b-c]. The orientation is
-/// Positive if a, b, c make a left turn (are in counter-clockwise order), Negative if they make a
-/// right turn, and Zero if they are collinear. Swapping two points flips the sign; a cyclic shift
-/// of the points does not change the sign.
+/// Positive if a, b, c make a left turn, that is, if they are in counter-clockwise order. It is
+/// Negative if they make a right turn, and Zero if they are collinear. Swapping two points flips
+/// the sign; a cyclic shift of the points does not change the sign.
 inline Sign orient2d(const Point2& a, const Point2& b, const Point2& c) {
   const FilteredSign s = rung::orient2d_filter(a, b, c);
   if (!is_decided(s)) [[unlikely]]

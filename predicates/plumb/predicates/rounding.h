@@ -6,9 +6,9 @@
 // caller's rounding mode and flush-to-zero setting have no influence. (Simpler ways are wrong:
 // mpq_get_d() truncates, so half of its results are not the nearest double. Casting a 53-bit MPFR
 // number to double rounds subnormals twice.) Decimal text is computed from the exact number by one
-// integer division. The text cannot be computed from a double. For example, 3/20 lies exactly
-// between 0.1 and 0.2, which are its two candidates with one digit, but the double nearest to 3/20
-// does not lie exactly between them.
+// integer division. The text cannot be computed from a double. For example, the texts 0.1 and 0.2
+// are the candidates for 3/20 with one digit. The number 3/20 lies exactly between them, but the
+// double nearest to 3/20 does not.
 #pragma once
 
 #include <string>
@@ -54,9 +54,10 @@ Rational exact_rational(double value);
 
 /// Returns `value` rounded to `digits` significant decimal digits, to nearest with ties to even.
 /// The text has no trailing zeros; examples are "0", "-12.5", "0.00025" and "1.5e+30". The text has
-/// an exponent in two cases: the rounded magnitude is at least 10^digits, or the first nonzero
-/// digit is more than five places right of the decimal point. Requires digits >= 1. Cost: about one
-/// product and one division of numbers that are `digits` digits longer than the operands.
+/// an exponent in two cases. In the first case, the rounded magnitude is at least 10^digits. In the
+/// second case, the first nonzero digit is more than five places right of the decimal point.
+/// Requires digits >= 1. Cost: about one product and one division of numbers that are `digits`
+/// digits longer than the operands.
 std::string decimal_text(const Rational& value, int digits);
 
 /// Returns "p/q" in lowest terms, or "p" for an integer.

@@ -1,6 +1,6 @@
-// Predicates on segments of the plane. The predicates compute the position of a point relative to a
-// segment, the way in which two segments intersect, and the position of a segment relative to a
-// line. The coordinates are doubles or exact rationals.
+// Predicates on segments of the plane. They compute the position of a point relative to a segment,
+// and the position of a segment relative to a line. They also find the way in which two segments
+// intersect. The coordinates are doubles or exact rationals.
 //
 // A segment contains its two ends, which are different points. The interior of a segment is the
 // segment without its ends. Every result is exact. All results are computed from orient2d() and
@@ -65,8 +65,8 @@ enum class SegmentRelation : std::uint8_t {
 
 /// Returns the way in which s and t intersect. If the two segments are exchanged, the result is
 /// mirrored: relation(s, t) equals mirrored(relation(t, s)). Reversing s or t does not change the
-/// result. Cost: two calls of orient2d if both ends of t lie strictly on the same side of the line
-/// through s, or if both ends of t lie on this line. Otherwise the cost is four calls.
+/// result. The cost is two or four calls of orient2d. Two calls are enough if both ends of t lie on
+/// the line through s, or strictly on the same side of it.
 template <class Point>
 SegmentRelation relation(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t);
 
