@@ -1,9 +1,10 @@
 /* The C interface of plumb (C99, and C++). docs/c.md explains it with a complete example.
  *
  * Handles. Objects are opaque and are released by plumb_<type>_free(), which accepts a null
- * pointer. A set and a report never change after they were made, so several threads may read one
- * object at the same time. A function that changes an object, for example adds an attribute to a
- * mesh, takes a pointer that is not const. During such a call, no other thread may use the object.
+ * pointer. Sets and reports never change after they were made, so several threads may read one
+ * object at the same time. Some functions change an object, for example by adding an attribute to a
+ * mesh. Such a function takes a pointer to this object that is not const. During such a call, no
+ * other thread may use the object.
  *
  * Results. A function that can fail returns a plumb_status: PLUMB_OK, or the reason of the failure.
  * A result is written through a pointer. If the function fails, a handle that it should have made
@@ -162,13 +163,13 @@ PLUMB_API plumb_status plumb_context_reset(plumb_context* context, plumb_error**
 /** Bytes of a file or a text. A zero byte, which is not counted, follows the last byte. */
 typedef struct plumb_bytes plumb_bytes;
 PLUMB_API const char* plumb_bytes_data(const plumb_bytes* bytes); /**< Returns the bytes. */
-PLUMB_API size_t plumb_bytes_size(const plumb_bytes* bytes);      /**< Returns their number. */
-PLUMB_API void plumb_bytes_free(plumb_bytes* bytes);              /**< Releases the bytes. */
+PLUMB_API size_t plumb_bytes_size(const plumb_bytes* bytes); /**< Returns the number of bytes. */
+PLUMB_API void plumb_bytes_free(plumb_bytes* bytes);         /**< Releases the bytes. */
 
 /** Sentences for a human reader about a file that was read or written, for example about lost
  * contents. */
 typedef struct plumb_notes plumb_notes;
-PLUMB_API size_t plumb_notes_count(const plumb_notes* notes); /**< Returns their number. */
+PLUMB_API size_t plumb_notes_count(const plumb_notes* notes); /**< Returns the number of notes. */
 /** Returns note i. */
 PLUMB_API const char* plumb_notes_text(const plumb_notes* notes, size_t i);
 /** Whether note i is a warning: it reports lost geometry, so that a user should see it. */
@@ -177,9 +178,11 @@ PLUMB_API void plumb_notes_free(plumb_notes* notes); /**< Releases the notes. */
 
 /** A list of 32-bit integers. */
 typedef struct plumb_indices plumb_indices;
-PLUMB_API const uint32_t* plumb_indices_data(const plumb_indices* indices); /**< Returns them. */
-PLUMB_API size_t plumb_indices_count(const plumb_indices* indices); /**< Returns their number. */
-PLUMB_API void plumb_indices_free(plumb_indices* indices);          /**< Releases the list. */
+/** Returns the integers. */
+PLUMB_API const uint32_t* plumb_indices_data(const plumb_indices* indices);
+/** Returns the number of integers. */
+PLUMB_API size_t plumb_indices_count(const plumb_indices* indices);
+PLUMB_API void plumb_indices_free(plumb_indices* indices); /**< Releases the list. */
 
 /** A list of exact numbers. */
 typedef struct plumb_numbers plumb_numbers;
@@ -192,7 +195,8 @@ PLUMB_API plumb_status plumb_numbers_from_doubles(const double* values, size_t c
 PLUMB_API plumb_status plumb_numbers_from_texts(const char* const* texts, size_t count,
                                                 plumb_numbers** out, const plumb_context* context,
                                                 plumb_error** error);
-PLUMB_API size_t plumb_numbers_count(const plumb_numbers* numbers); /**< Returns their number. */
+/** Returns the number of exact numbers in the list. */
+PLUMB_API size_t plumb_numbers_count(const plumb_numbers* numbers);
 /** Returns number i as "p/q" in lowest terms, or "p". */
 PLUMB_API const char* plumb_numbers_exact(const plumb_numbers* numbers, size_t i);
 /** Returns the double that is nearest to number i. If the number lies beyond the largest double,
@@ -203,10 +207,10 @@ PLUMB_API void plumb_numbers_free(plumb_numbers* numbers); /**< Releases the lis
 /* ---- constants and small structs ------------------------------------------------------------ */
 
 /** Boolean functions of two sets, for plumb_<set>_combine(). The four low bits state which points
- * belong to the result: bit 0 stands for the points in neither set, bit 1 for the points only in
- * the first set, bit 2 for the points only in the second set, and bit 3 for the points in both
- * sets. All 16 values are allowed. If PLUMB_REGULARIZED is added, the result is replaced by the
- * closure of its interior. */
+ * belong to the result. Bit 0 stands for the points in neither set, and bit 1 for the points only
+ * in the first set. Bit 2 stands for the points only in the second set, and bit 3 for the points in
+ * both sets. All 16 values are allowed. If PLUMB_REGULARIZED is added, the result is replaced by
+ * the closure of its interior. */
 enum plumb_operation {
   PLUMB_UNION = 14,
   PLUMB_INTERSECTION = 8,
@@ -347,9 +351,12 @@ PLUMB_API plumb_status plumb_mesh_write(const plumb_mesh* mesh, const char* form
  * as .mtl. */
 PLUMB_API plumb_status plumb_mesh_write_file(const plumb_mesh* mesh, const char* path,
                                              const char* format, plumb_error** error);
-PLUMB_API size_t plumb_mesh_point_count(const plumb_mesh* mesh);  /**< Returns the points. */
-PLUMB_API size_t plumb_mesh_face_count(const plumb_mesh* mesh);   /**< Returns the faces. */
-PLUMB_API size_t plumb_mesh_corner_count(const plumb_mesh* mesh); /**< Corners of all faces. */
+/** Returns the number of points. */
+PLUMB_API size_t plumb_mesh_point_count(const plumb_mesh* mesh);
+/** Returns the number of faces. */
+PLUMB_API size_t plumb_mesh_face_count(const plumb_mesh* mesh);
+/** Returns the number of corners of all faces. */
+PLUMB_API size_t plumb_mesh_corner_count(const plumb_mesh* mesh);
 /** Returns 3 * plumb_mesh_point_count() coordinates, rounded to the nearest doubles. */
 PLUMB_API const double* plumb_mesh_points(const plumb_mesh* mesh);
 /** Returns plumb_mesh_face_count() + 1 offsets in plumb_mesh_corners(). */
@@ -450,9 +457,9 @@ PLUMB_API plumb_status plumb_mesh_convexity(const plumb_mesh* mesh, bool* is_con
 /* A mesh can have attributes: materials, groups and ids of faces, and channels. A channel is a list
  * of numbers at corners, such as colours and texture coordinates. If a solid keeps the attributes
  * of its mesh (plumb_solid_options::keep), the mesh becomes a source of the solid. The results of
- * Booleans and affine maps of this solid have the same source.
- * plumb_solid_to_mesh_with_attributes() finds, for each face of a result, the face of a source that
- * contains it, and interpolates the channels. docs/attributes.md states the rules. */
+ * Booleans and affine maps of this solid have the same source. For each face of a result, the
+ * function plumb_solid_to_mesh_with_attributes() finds the face of a source that contains it. It
+ * also interpolates the channels. docs/attributes.md states the rules. */
 
 /** The entry of a face that has no material, group, id or source. */
 #define PLUMB_NONE 0xffffffffU
@@ -656,9 +663,10 @@ typedef struct plumb_to_mesh_options {
   /** Whether points are rounded to the nearest doubles, and plumb_mesh_exact_point() returns the
    * exact points. Otherwise points are rounded so that the rounded mesh is valid. */
   bool exact;
-  /** Whether points are the nearest doubles, even if faces then cross: 1, or 0. The points are those
-   * of `exact`; the mesh does not have the exact ones, whose computation can triple the time. It is
-   * no bool, which would lie where older callers have padding. */
+  /** 1 if points are rounded to the nearest doubles, even if faces then cross; otherwise 0. The
+   * points are the same as with `exact`, but exact points are not computed. Computing them can
+   * triple the time. The type is not bool, because a bool would be stored in bytes that are padding
+   * in older programs. */
   size_t nearest;
 } plumb_to_mesh_options;
 #define PLUMB_TO_MESH_OPTIONS_INIT \
@@ -693,8 +701,9 @@ PLUMB_API plumb_status plumb_solid_to_mesh(const plumb_solid* solid,
 /** Determines how the boundary of a solid is divided into faces. A facet of the boundary consists
  * of parts, each of which lies in one triangle of a source. */
 enum plumb_pieces {
-  /** Neighbouring parts of a facet become one face if they have the same source, material, group
-   * and id, and if a single affine function describes the values of each channel on them. */
+  /** Neighbouring parts of a facet become one face under two conditions. They have the same source,
+   * material, group and id. For each channel, a single affine function describes the values on all
+   * of them. */
   PLUMB_PIECES_SAME_ATTRIBUTES = 0,
   PLUMB_PIECES_APART = 1, /**< Each face lies in one triangle of a source. */
   /** Parts become one face as for the first constant, but only if they lie in one face of a
@@ -764,8 +773,9 @@ PLUMB_API plumb_status plumb_solid_union_of(const plumb_solid* const* solids, si
 PLUMB_API plumb_status plumb_solid_intersection_of(const plumb_solid* const* solids, size_t count,
                                                    plumb_solid** out, const plumb_context* context,
                                                    plumb_error** error);
-/** Makes the value of an expression such as "(A + B) * !C": + union, * intersection, - difference,
- * ^ symmetric difference, ! complement. names[i] is the name of solids[i]. */
+/** Makes the value of an expression such as "(A + B) * !C". The operators are the union (+), the
+ * intersection (*), the difference (-), the symmetric difference (^) and the complement (!).
+ * names[i] is the name of solids[i]. */
 PLUMB_API plumb_status plumb_solid_evaluate(const char* expression, const char* const* names,
                                             const plumb_solid* const* solids, size_t count,
                                             plumb_solid** out, const plumb_context* context,
@@ -904,7 +914,8 @@ enum plumb_decomposition {
 PLUMB_API plumb_status plumb_solid_decompose(const plumb_solid* solid, int method, bool is_closed,
                                              plumb_solid_list** out, const plumb_context* context,
                                              plumb_error** error);
-PLUMB_API size_t plumb_solid_list_count(const plumb_solid_list* list); /**< Returns the number. */
+/** Returns the number of solids. */
+PLUMB_API size_t plumb_solid_list_count(const plumb_solid_list* list);
 /** Returns solid i, which the list owns. plumb_solid_copy() makes a handle that is valid even after
  * the list was released. */
 PLUMB_API const plumb_solid* plumb_solid_list_at(const plumb_solid_list* list, size_t i);
@@ -1071,10 +1082,10 @@ typedef struct plumb_rounding_report {
 } plumb_rounding_report;
 #define PLUMB_ROUNDING_REPORT_INIT \
   { sizeof(plumb_rounding_report), 0, 0, 0, 0, 0, 0.0 }
-/** Makes the closure of the set, rounded to doubles or to a grid. `step` is null, or a list of one
- * positive number: then coordinates become the doubles nearest to multiples of this number. After
- * rounding, edges still meet only at common ends. Unbounded parts are left out. `report` may be
- * null. */
+/** Makes the closure of the set, rounded to doubles or to a grid. If `step` is null, coordinates
+ * become doubles. Otherwise `step` is a list of one positive number, and coordinates become the
+ * doubles nearest to multiples of this number. After rounding, edges still meet only at common
+ * ends. Unbounded parts are left out. `report` may be null. */
 PLUMB_API plumb_status plumb_plane_set_round(const plumb_plane_set* set, const plumb_numbers* step,
                                              plumb_plane_set** out, plumb_rounding_report* report,
                                              const plumb_context* context, plumb_error** error);
@@ -1360,9 +1371,12 @@ PLUMB_API plumb_status plumb_map_read_file(const char* path, const plumb_read_op
 /** Writes the text of a map, without loss. */
 PLUMB_API plumb_status plumb_map_write(const plumb_map* map, plumb_bytes** out,
                                        plumb_error** error);
-PLUMB_API size_t plumb_map_point_count(const plumb_map* map);   /**< Returns the points. */
-PLUMB_API size_t plumb_map_cycle_count(const plumb_map* map);   /**< Returns the cycles. */
-PLUMB_API const double* plumb_map_points(const plumb_map* map); /**< Rounded coordinates x y. */
+/** Returns the number of listed points. */
+PLUMB_API size_t plumb_map_point_count(const plumb_map* map);
+/** Returns the number of listed cycles. */
+PLUMB_API size_t plumb_map_cycle_count(const plumb_map* map);
+/** Returns the coordinates x y of all points, rounded to the nearest doubles. */
+PLUMB_API const double* plumb_map_points(const plumb_map* map);
 /** The offset of each cycle. */
 PLUMB_API const uint32_t* plumb_map_cycle_begin(const plumb_map* map);
 /** The corners of all cycles. */
@@ -1413,18 +1427,20 @@ PLUMB_API plumb_status plumb_map_check(const plumb_map* map, const plumb_map_opt
 typedef struct plumb_map_counts {
   size_t struct_size; /**< sizeof(plumb_map_counts). */
   int verdict;        /**< A constant of plumb_verdict. */
-  size_t vertices;    /**< Listed vertices. */
-  size_t edges;       /**< Undirected edges. */
-  size_t cycles;      /**< Cycles, including those that were added. */
-  size_t components;  /**< Connected components. */
+  size_t vertices;    /**< The number of listed vertices. */
+  size_t edges;       /**< The number of undirected edges. */
+  size_t cycles;      /**< The number of cycles, including those that were added. */
+  size_t components;  /**< The number of connected components. */
   size_t regions;     /**< Regions of a valid map, including the unbounded region; otherwise 0. */
-  uint64_t duplicate; /**< Defects of this kind, including those that are not described. */
-  uint64_t open;      /**< As for `duplicate`. */
-  uint64_t crossing;  /**< As for `duplicate`. */
-  uint64_t twin;      /**< As for `duplicate`. */
-  /** As for `duplicate`; known only if `duplicate`, `open` and `crossing` are 0. */
+  /** The number of duplicate defects. This and the following counts also include the defects that
+   * are not described. */
+  uint64_t duplicate;
+  uint64_t open;     /**< The number of open defects. */
+  uint64_t crossing; /**< The number of crossing defects. */
+  uint64_t twin;     /**< The number of twin defects. */
+  /** The number of mixed defects; known only if `duplicate`, `open` and `crossing` are 0. */
   uint64_t mixed;
-  uint64_t nested; /**< As for `duplicate`. */
+  uint64_t nested; /**< The number of nested defects. */
 } plumb_map_counts;
 #define PLUMB_MAP_COUNTS_INIT \
   { sizeof(plumb_map_counts), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
@@ -1438,19 +1454,20 @@ typedef struct plumb_map_defect {
   size_t struct_size;     /**< sizeof(plumb_map_defect). */
   int kind;               /**< A constant of plumb_defect_kind. */
   const uint32_t* cycles; /**< The cycles at which the defect occurs. */
-  size_t cycle_count;     /**< Their number. */
+  size_t cycle_count;     /**< The number of these cycles. */
   const uint32_t* edges;  /**< The edges at which the defect occurs, as pairs of vertices. */
-  size_t edge_count;      /**< Their number. */
+  size_t edge_count;      /**< The number of these edges. */
   /** The exact x-coordinate of the defect as "p/q"; null if the defect has no point. */
   const char* x;
-  const char* y;    /**< The same. */
+  const char* y;    /**< The exact y-coordinate, in the same form. */
   double near_x;    /**< The double nearest to x. */
-  double near_y;    /**< The same. */
+  double near_y;    /**< The double nearest to y. */
   const char* hint; /**< What is wrong and how to correct it. */
 } plumb_map_defect;
 #define PLUMB_MAP_DEFECT_INIT \
   { sizeof(plumb_map_defect), 0, NULL, 0, NULL, 0, NULL, NULL, 0, 0, NULL }
-PLUMB_API size_t plumb_map_report_defect_count(const plumb_map_report* report); /**< Described. */
+/** Returns the number of described defects. */
+PLUMB_API size_t plumb_map_report_defect_count(const plumb_map_report* report);
 /** Fills `defect` with defect i. */
 PLUMB_API plumb_status plumb_map_report_defect(const plumb_map_report* report, size_t i,
                                                plumb_map_defect* defect, plumb_error** error);
@@ -1741,15 +1758,15 @@ PLUMB_API plumb_status plumb_solid_slices(const plumb_solid* solid, const plumb_
 /** Makes the closure of the projection of the solid along the z-axis. */
 PLUMB_API plumb_status plumb_solid_shadow(const plumb_solid* solid, plumb_plane_set** out,
                                           const plumb_context* context, plumb_error** error);
-/** Makes the closure of the solid, grown by a distance or shrunk by a negative one. The ball of the
- * offset is replaced by a polyhedron: an octahedron whose faces were subdivided `rounds` times (at
- * most 7), with its corners on the sphere. */
+/** Makes the closure of the solid, grown by a positive distance or shrunk by a negative distance.
+ * The ball of the offset is replaced by a polyhedron: an octahedron whose faces were subdivided
+ * `rounds` times (at most 7), with its corners on the sphere. */
 PLUMB_API plumb_status plumb_solid_offset(const plumb_solid* solid, double distance,
                                           uint32_t rounds, plumb_solid** out,
                                           const plumb_context* context, plumb_error** error);
-/** Finds nearest points of the closures of two solids. *out receives seven numbers: the square of
- * the distance, the nearest point of a, and the nearest point of b. cells[0] and cells[1] receive
- * the cells of a and b that contain these points; `cells` may be null. */
+/** Finds nearest points of the closures of two solids. The list *out receives seven numbers: the
+ * square of the distance, the nearest point of a, and the nearest point of b. The entries cells[0]
+ * and cells[1] receive the cells of a and b that contain these points; `cells` may be null. */
 PLUMB_API plumb_status plumb_solid_distance(const plumb_solid* a, const plumb_solid* b,
                                             plumb_numbers** out, plumb_location cells[2],
                                             const plumb_context* context, plumb_error** error);
@@ -1806,17 +1823,17 @@ typedef struct plumb_offset_options {
 } plumb_offset_options;
 #define PLUMB_OFFSET_OPTIONS_INIT \
   { sizeof(plumb_offset_options), 0, 2.0, 0.0, 0 }
-/** Makes the closure of the set, grown by a distance or shrunk by a negative one. */
+/** Makes the closure of the set, grown by a positive distance or shrunk by a negative distance. */
 PLUMB_API plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double distance,
                                               const plumb_offset_options* options,
                                               plumb_plane_set** out, const plumb_context* context,
                                               plumb_error** error);
 /** Makes the closure of a bounded set with fewer corners. A corner and its two neighbours form a
- * triangle. A corner is removed only under three conditions: the area of its triangle is at most
- * `tolerance`; more than the fraction `kept` of the removable corners remains; and no point of a
- * border moves farther than `within`. Infinity means that there is no bound. Coordinates are
- * rounded to doubles. If `moved` is not null, it receives a bound for the distance by which borders
- * have moved. */
+ * triangle. A corner is removed only under three conditions. The area of its triangle is at most
+ * `tolerance`. More than the fraction `kept` of the removable corners remains. No point of a border
+ * moves farther than `within`. Infinity means that there is no bound. Coordinates are rounded to
+ * doubles. If `moved` is not null, it receives a bound for the distance by which borders have
+ * moved. */
 PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, double tolerance,
                                                 double kept, double within, plumb_plane_set** out,
                                                 double* moved, const plumb_context* context,
@@ -1845,9 +1862,9 @@ typedef struct plumb_simplify_report {
 PLUMB_API plumb_status plumb_plane_set_simplify_with_report(
     const plumb_plane_set* set, double tolerance, double kept, double within, plumb_plane_set** out,
     plumb_simplify_report* report, const plumb_context* context, plumb_error** error);
-/** Finds nearest points of the closures of two sets. *out receives five numbers: the square of the
- * distance, the nearest point of a, and the nearest point of b. cells[0] and cells[1] receive the
- * cells of a and b that contain these points; `cells` may be null. */
+/** Finds nearest points of the closures of two sets. The list *out receives five numbers: the
+ * square of the distance, the nearest point of a, and the nearest point of b. The entries cells[0]
+ * and cells[1] receive the cells of a and b that contain these points; `cells` may be null. */
 PLUMB_API plumb_status plumb_plane_set_distance(const plumb_plane_set* a, const plumb_plane_set* b,
                                                 plumb_numbers** out, plumb_location cells[2],
                                                 const plumb_context* context, plumb_error** error);
@@ -1883,7 +1900,7 @@ PLUMB_API plumb_status plumb_csg_read(const char* bytes, size_t size,
                                       plumb_solid** solid, plumb_plane_set** set,
                                       plumb_notes** notes, const plumb_context* context,
                                       plumb_error** error);
-/** Does the same for a file. */
+/** Evaluates a model in a file, like plumb_csg_read(). */
 PLUMB_API plumb_status plumb_csg_read_file(const char* path, const plumb_read_options* options,
                                            int imports, plumb_solid** solid, plumb_plane_set** set,
                                            plumb_notes** notes, const plumb_context* context,
@@ -1940,8 +1957,8 @@ PLUMB_API plumb_status plumb_layer_id(const plumb_layer* layer, size_t feature, 
 PLUMB_API plumb_status plumb_layer_properties(const plumb_layer* layer, size_t feature,
                                               plumb_bytes** out, plumb_error** error);
 /** Finds the feature whose id is `id_or_name`. If there is none, finds the feature whose property
- * "name" or "NAME" is `id_or_name`. Fails with PLUMB_BAD_ARGUMENT if there is none, or more than
- * one. */
+ * "name" or "NAME" is `id_or_name`. Fails with PLUMB_BAD_ARGUMENT if no feature or more than one
+ * feature is found. */
 PLUMB_API plumb_status plumb_layer_find(const plumb_layer* layer, const char* id_or_name,
                                         uint32_t* feature, plumb_error** error);
 PLUMB_API void plumb_layer_free(plumb_layer* layer); /**< Releases a layer. */
@@ -1953,8 +1970,8 @@ enum plumb_owner {
   PLUMB_OWNER_LARGEST = 1,  /**< The feature with the largest area. */
   PLUMB_OWNER_SMALLEST = 2, /**< The feature with the smallest area. */
   PLUMB_OWNER_FIRST = 3,    /**< The feature that comes first in the layer. */
-  /** The feature with the lowest id. Numbers come first, ordered by value, then texts, ordered by
-   * bytes, then features without an id. */
+  /** The feature with the lowest id. Ids that are numbers are lower than ids that are texts.
+   * Numbers are ordered by value, and texts by their bytes. Features without an id come last. */
   PLUMB_OWNER_LOWEST_ID = 4
 };
 /** The kinds of regions in a plumb_layer_report. */
@@ -1982,13 +1999,14 @@ typedef struct plumb_layer_options {
   int owner;          /**< A constant of plumb_owner. */
   /** Whether gaps that open to the outside or into a hole stay as they are. */
   bool enclosed_only;
-  double gaps_below; /**< See plumb_layer_repair(). */
+  double gaps_below; /**< The bound for the widths of gaps; see plumb_layer_repair(). */
   /** For PLUMB_OWNER_FIRST: ranks[f] is the rank of feature f. The feature of the least rank gets a
    * region; features of equal ranks rank in the order of the layer. Null stands for this order. */
   const uint32_t* ranks;
   size_t rank_count; /**< The number of ranks, which is 0 or the number of features. */
-  /** Pairs of features; they come before `owner`. A feature that may get a region is left out if it
-   * is the second of a pair whose first may get the region too, unless this leaves nobody. */
+  /** Pairs of features, which come before the rule `owner`. Suppose that both features of a pair
+   * may get a region. Then the second feature of the pair is left out, unless all features would be
+   * left out. */
   const uint32_t* preferences;
   size_t preference_count; /**< The number of pairs; `preferences` has twice as many entries. */
 } plumb_layer_options;
@@ -2025,18 +2043,18 @@ PLUMB_API plumb_status plumb_layer_overlay(const plumb_layer* first, const plumb
                                            int kept, plumb_layer** out, plumb_indices** pairs,
                                            const plumb_context* context, plumb_error** error);
 /** Makes the layer with fewer corners on its borders. The result is a coverage: features do not
- * overlap. A corner and its two neighbours form a triangle. A corner is removed only if the area of
- * its triangle is at most `tolerance` (which may be infinite), and if more than the fraction `kept`
- * of the removable corners remains. */
+ * overlap. A corner and its two neighbours form a triangle. A corner is removed only under two
+ * conditions. The area of its triangle is at most `tolerance`, which may be infinite. More than the
+ * fraction `kept` of the removable corners remains. */
 PLUMB_API plumb_status plumb_layer_simplify(const plumb_layer* layer, double tolerance, double kept,
                                             plumb_layer** out, const plumb_context* context,
                                             plumb_error** error);
-/** Does the same as plumb_layer_simplify(), moves no point of a border farther than `within` (which
- * may be infinite), and fills a report, which may be null. */
+/** Does the same as plumb_layer_simplify(), with two additions. No point of a border moves farther
+ * than `within`, which may be infinite. The function fills a report, which may be null. */
 PLUMB_API plumb_status plumb_layer_simplify_with_report(
     const plumb_layer* layer, double tolerance, double kept, double within, plumb_layer** out,
     plumb_simplify_report* report, const plumb_context* context, plumb_error** error);
-/** The number of its regions. */
+/** Returns the number of regions of a report. */
 PLUMB_API size_t plumb_layer_report_count(const plumb_layer_report* report);
 /** Whether the layer has overlaps or gaps. */
 PLUMB_API bool plumb_layer_report_has_defects(const plumb_layer_report* report);

@@ -15,7 +15,8 @@ export function init(options?: {
 export function isReady(): boolean;
 /** The version of the library, such as '0.1.0'. */
 export function version(): string;
-/** Whether the arithmetic is what exact predicates need. Warnings say what is wrong. */
+/** Whether the arithmetic satisfies the assumptions of exact predicates. Warnings name violated
+ * assumptions. */
 export function selfTest(): {isOk: boolean; notes: Note[]};
 
 // ---- errors and options
@@ -163,14 +164,15 @@ export interface Material {
   /** The name of a texture file; '' for none. */
   texture?: string;
 }
-/** `width` numbers for each corner of each face, in the order of the corners, or each vertex. */
+/** Numbers at corners or at vertices. There are `width` numbers for each corner of each face, in
+ * the order of the corners, or for each vertex. */
 export interface Channel {
   width: number;
   values: Coordinates;
 }
 /**
- * What belongs to the faces and corners of a mesh. All members can be left out. Arrays of faces
- * have an entry for each face; 0xffffffff stands for none.
+ * The attributes of the faces and corners of a mesh. All members can be left out. An array for
+ * faces has an entry for each face; 0xffffffff means that the face has no material, group or id.
  */
 export interface MeshAttributes {
   materials?: readonly Material[];
@@ -189,7 +191,7 @@ export interface MeshAttributes {
   /** Numbers of vertices, which all corners at a vertex get. */
   vertexChannels?: Readonly<Record<string, Channel>>;
 }
-/** The attributes of a mesh that the package made: null where no face has a value. */
+/** The attributes of a mesh that the package made. A member is null if no face has a value. */
 export interface FoundAttributes {
   materials: {name: string; color: [number, number, number, number] | null; texture: string}[];
   faceMaterial: Uint32Array|null;
@@ -204,17 +206,18 @@ export interface FoundAttributes {
   > ;
 }
 /**
- * Which faces of which sources the faces of a mesh are parts of. Faces are in the order of
- * `source`; those without a source are last, and have 0xffffffff.
+ * The sources of the faces of a mesh. Each face is a part of a face of a source. Faces are in
+ * ascending order of `source`. Faces without a source come last, and their entries are 0xffffffff.
  */
 export interface FaceSources {
-  /** For each face, the index in Solid.sources() of the mesh that it is a part of. */
+  /** For each face, the index of its source in Solid.sources(). */
   source: Uint32Array;
-  /** For each face, the face of this mesh. */
+  /** For each face, the face of the source that contains it. */
   sourceFace: Uint32Array;
-  /** For each face, 1 if it and the face of the source have opposite sides, else 0. */
+  /** For each face, 1 if it and the face of the source have opposite orientations, else 0. */
   isFlipped: Uint8Array;
-  /** Materials and groups of all sources follow each other. */
+  /** The attributes. The list of materials contains the materials of the first source, then those
+   * of the second source, and so on. The same holds for groups. */
   attributes: FoundAttributes;
   report: ToMeshReport;
 }
@@ -298,13 +301,13 @@ export function readMesh(data: FileData, options: ReadOptions&SiblingFiles&{attr
 export function readMesh(
     data: FileData, options?: ReadOptions&SiblingFiles&{attributes?: boolean}): Mesh;
 /**
- * Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf', with those
- * attributes of the mesh that the format holds.
+ * Writes 'off', 'obj', 'stl', 'stl-binary', 'ply', 'ply-text', 'glb' or '3mf', with the attributes
+ * of the mesh that the format can represent.
  */
 export function writeMesh(mesh: Mesh, format: MeshFormat): Uint8Array;
 /**
- * Writes a mesh as files: the extension of `name` or `format` chooses the format. An OBJ file whose
- * faces have materials has a second one beside it, with the colours (.mtl).
+ * Writes a mesh as files. The extension of `name` or `format` selects the format. If faces have
+ * materials, an OBJ file has a second file (.mtl) beside it, with the colours.
  */
 export function writeMeshFiles(
     mesh: Mesh, name: string, options?: {format?: MeshFormat}): Record<string, Uint8Array>;
@@ -438,15 +441,16 @@ export interface FromMeshOptions extends Options {
   repair?: Repair;
 }
 export interface FromArraysOptions extends FromMeshOptions {
-  /** What belongs to the faces and corners. */
+  /** The attributes of faces and corners. */
   attributes?: MeshAttributes;
   /** The name of the mesh in Solid.sources(). */
   sourceName?: string;
 }
 export interface RoundingOptions extends Options {
   /**
-   * 'valid' (the default) rounds so that faces or edges meet only at common ends after rounding.
-   * 'nearest' rounds to the nearest doubles, even if faces or edges then cross.
+   * The kind of rounding. With 'valid' (the default), faces and edges meet only at common ends
+   * after rounding. With 'nearest', coordinates are the nearest doubles, even if faces or edges
+   * then cross.
    */
   rounding?: 'valid'|'nearest';
   onNote?: (note: Note) => void;
@@ -527,11 +531,11 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
     apart?: number
   }): Uint8Array;
 
-  /** Meshes have those attributes of the sources that the format holds. */
+  /** Writes the solid. A mesh has the attributes of the sources that the format can represent. */
   write(format: MeshFormat|'nef', options?: RoundingOptions): Uint8Array;
   /**
-   * Writes the solid as files. The extension of `name` or `format` selects the format. If sources have
-   * materials, an OBJ file has a second one beside it, with the colours (.mtl).
+   * Writes the solid as files. The extension of `name` or `format` selects the format. If sources
+   * have materials, an OBJ file has a second file (.mtl) beside it, with the colours.
    */
   writeFiles(name: string, options?: RoundingOptions&{format?: MeshFormat | 'nef'}):
       Record<string, Uint8Array>;
@@ -552,21 +556,24 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
     report: ToMeshReport
   };
   /**
-   * The boundary of a bounded solid, valid after rounding, with the attributes of the sources.
-   * `pieces`: parts of a facet with the same attributes are one face; or each face lies in one face
-   * of a source, or in one triangle of it ('apart').
+   * Returns the boundary of a bounded solid, valid after rounding, with the attributes of the
+   * sources. The parts of a facet that lie in different triangles of a source are joined as
+   * `pieces` states. With 'same attributes', parts with the same attributes become one face. With
+   * 'same face', each face also lies in one face of a source. With 'apart', each face lies in one
+   * triangle of a source.
    */
   toMeshWithAttributes(options?: Options&{
     pieces?: 'same attributes'|'apart'|'same face';
     /** Whether coordinates become floats. */
     floats?: boolean;
   }): TriangleMesh&FaceSources;
-  /** Does the same with polygons where parts are planar. */
+  /** Does the same, but a planar face stays a polygon. */
   toPolygonsWithAttributes(options?: Options&{pieces?: 'same attributes' | 'apart' | 'same face'}):
       PolygonMesh&FaceSources;
   /** The names of the meshes with attributes from which the solid was made. */
   sources(): string[];
-  /** The same solid with one source, whose faces lie where the boundary of the solid lies. */
+  /** Returns the same solid with a single source. The faces of the source should lie on the
+   * boundary of the solid. */
   withSource(mesh: Mesh, name?: string): Solid;
   /** Returns the same set with its cells in an order that depends only on the set. */
   canonical(options?: Options): Solid;
@@ -747,9 +754,10 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
     circleSegments?: number;
   }): PlaneSet;
   /**
-   * The closure of a bounded set with fewer corners, which are doubles. Corners are removed while
-   * their triangle has at most the area `tolerance`, while more than the part `kept` of them is
-   * left, and while no point of a border moves farther than `within`.
+   * Returns the closure of a bounded set with fewer corners, rounded to doubles. A corner and its
+   * two neighbours along the border form a triangle. A corner is removed only under three
+   * conditions. The area of its triangle is at most `tolerance`. More than the fraction `kept` of
+   * the removable corners remains. No point of a border moves farther than `within`.
    */
   simplified(options?: SimplifyOptions): PlaneSet;
   /** Does the same as simplified(), and says what it has changed. */
@@ -954,11 +962,13 @@ export interface LayerCheckOptions extends Options {
 export interface LayerRepairOptions extends LayerCheckOptions {
   /** Selects the feature that gets an overlap or a gap. */
   owner?: 'longest border'|'largest'|'smallest'|'first'|'lowest id';
-  /** A number for each feature: under the owner 'first', the one with the least number is first. */
+  /** A number for each feature. Under the owner 'first', the feature with the least number gets a
+   * region. */
   ranks?: ArrayLike<number>|null;
   /**
-   * Pairs of features, which come before `owner`: the second feature of a pair does not get a region
-   * that the first may get. A feature is given by its index, or by a text for find().
+   * Pairs of features, which come before `owner`. The second feature of a pair does not get a
+   * region that the first feature may get. A feature is given by its index, or by a text for
+   * find().
    */
   preferences?: readonly(readonly[number | string, number|string])[];
 }
@@ -1007,9 +1017,9 @@ export class Layer extends Handle {
   dissolved(groups: readonly(number|null)[], options?: Options): Layer;
   /**
    * Returns the layer with fewer corners. A corner and its two neighbours along the border form a
-   * triangle. A corner is removed only if the area of its triangle is at most `tolerance`, if more
-   * than the fraction `kept` of the removable corners remains, and if no point of a border moves
-   * farther than `within`.
+   * triangle. A corner is removed only under three conditions. The area of its triangle is at most
+   * `tolerance`. More than the fraction `kept` of the removable corners remains. No point of a
+   * border moves farther than `within`.
    */
   simplified(options?: SimplifyOptions): Layer;
   /** Does the same as simplified(), and says what it has changed. */

@@ -9,15 +9,16 @@
  */
 
 /**
- * Returns a positive number if c lies to the right of the line from a to b (where the y axis points
- * upwards), a negative number if c lies to its left, and 0 if the points are collinear.
+ * Returns a positive number if c lies to the right of the line from a to b, where the y axis points
+ * upwards. Returns a negative number if c lies to the left of this line, and 0 if the points are
+ * collinear.
  */
 export function orient2d(
     ax: number, ay: number, bx: number, by: number, cx: number, cy: number): number;
 
 /**
- * If orient2d(a, b, c) < 0, returns a positive number for a point d inside the circle of a, b, c, a
- * negative number for a point outside, and 0 for a point on the circle.
+ * Suppose that orient2d(a, b, c) < 0. Then the result is positive if the point d lies inside the
+ * circle of a, b, c. It is negative if d lies outside the circle, and 0 if d lies on the circle.
  */
 export function incircle(
     ax: number, ay: number, bx: number, by: number, cx: number, cy: number, dx: number,
@@ -32,8 +33,9 @@ export function orient3d(
   cx: number, cy: number, cz: number, dx: number, dy: number, dz: number): number;
 
 /**
- * If orient3d(a, b, c, d) > 0, returns a positive number for a point e outside the sphere of a, b,
- * c, d, a negative number for a point inside, and 0 for a point on the sphere.
+ * Suppose that orient3d(a, b, c, d) > 0. Then the result is positive if the point e lies outside
+ * the sphere of a, b, c, d. It is negative if e lies inside the sphere, and 0 if e lies on the
+ * sphere.
  */
 export function insphere(
   ax: number, ay: number, az: number, bx: number, by: number, bz: number,

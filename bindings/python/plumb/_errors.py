@@ -82,4 +82,4 @@ class BrokenInvariant(Exception):
 
 
 class FileWarning(UserWarning):
-    """A file and a set differ: the one holds something that the other does not."""
+    """A file and a set differ: one of them contains data that the other cannot represent."""

@@ -1,11 +1,10 @@
 """Solids from and to trimesh, and Booleans with the signature of trimesh.boolean.
 
 Results keep the colours of faces and vertices, and texture coordinates with their materials. Each
-face of a result gets those of the face of an input that contains it. If vertices have colours or
-texture coordinates, and they differ between the faces at a vertex, this vertex occurs several times
-in the result, as in every mesh of trimesh with seams. Then trimesh does not call the mesh
-watertight. `visual=False` leaves colours and texture coordinates out.
-"""
+face of a result gets the colours and texture coordinates of the face of an input that contains it.
+If these differ between the faces at a vertex, the vertex occurs several times in the result, as in
+every mesh of trimesh with seams. Then trimesh does not call the mesh watertight. `visual=False`
+leaves colours and texture coordinates out. """
 
 from __future__ import annotations
 

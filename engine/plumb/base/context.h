@@ -18,8 +18,9 @@ namespace plumb {
 /// compares this size with the limits and with the number of bytes left in the file. This
 /// comparison comes *before* the reader allocates memory or builds a number.
 struct Limits {
-  std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;  ///< Working memory, estimated.
-  double max_seconds = 0;                                    ///< Wall time; 0 means no limit.
+  /// The largest working memory of an operation in bytes. Operations estimate this memory.
+  std::uint64_t max_memory_bytes = std::uint64_t{16} << 30;
+  double max_seconds = 0;  ///< The largest wall time of an operation; 0 means no limit.
   /// Largest number of digits of one number that is read. In a fraction p/q, the digits of p and of
   /// q are counted together. The default is enough for the exact decimal expansion of every double.
   /// Numbers of `.nef` and `.nef2` files, and fractions of map and OFF files, may have up to
@@ -81,7 +82,7 @@ class Context {
   void check_limits(std::string_view phase, Clock::time_point now) const;
 
   Limits limits_;
-  // The stop tokens of the operation and of all jobs that contain this job.
+  // The stop tokens of this job, of all jobs that contain it, and of the operation.
   std::vector<std::stop_token> stops_;
   ProgressCallback progress_;
   unsigned threads_;

@@ -339,9 +339,9 @@ class Nef3 {
   [[nodiscard]] bool is_closed() const;   ///< Whether the set is its own closure. O(n).
   [[nodiscard]] bool is_open() const;     ///< Whether the set is its own interior. O(n).
   /// Whether the boundary is a 2-manifold with the interior of the set on one of its sides. This
-  /// means that there are no dangling parts, that every edge has exactly two facets, and that the
-  /// interior of the set near each vertex is a single cone. It does not matter which cells of the
-  /// boundary belong to the set. O(n).
+  /// means that there are no dangling parts, and that every edge has exactly two facets. In
+  /// addition, the interior of the set near each vertex is a single cone. It does not matter which
+  /// cells of the boundary belong to the set. O(n).
   [[nodiscard]] bool is_simple() const;
   /// Whether the set contains the segment between any two of its points. The set may be open,
   /// unbounded or flat. The empty set is convex. Takes O(n) expected time.

@@ -37,10 +37,10 @@ namespace plumb {
 /// face, in the same or in the opposite direction.
 enum class DoubledFaces : std::uint8_t {
   Keep,  ///< Doubled faces are kept.
-  /// Doubled faces are dropped in two cases: if this makes the borders of the mesh shorter, or if
-  /// every face of the mesh occurs in both directions and the faces of one direction alone form a
-  /// closed mesh. If two solids have a common wall, the wall consists of a face of each solid. Such
-  /// doubled faces are kept.
+  /// Doubled faces are dropped in two cases. In the first case, this makes the borders of the mesh
+  /// shorter. In the second case, every face of the mesh occurs in both directions, and the faces
+  /// of one direction alone form a closed mesh. If two solids have a common wall, the wall consists
+  /// of a face of each solid. Such doubled faces are kept.
   DropIfBetter,
   Drop,  ///< Doubled faces are dropped. If the mesh is double-sided, one of its sides remains.
 };

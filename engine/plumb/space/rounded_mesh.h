@@ -3,7 +3,7 @@
 // Main flow of check_rounding():
 //  1. doubtful_faces  selects the faces that may be degenerate, reversed or crossed by other faces
 //                     after rounding (mesh/doubtful_faces.h). For all other faces, a computation
-//                     with doubles proves that they are none of these
+//                     with doubles proves that they have none of these defects
 //  2. check_faces     calls complex_of_mesh() for the selected faces with rounded coordinates, and
 //                     takes the defects from the report of this call. Then it compares the normals
 //                     of the selected faces before and after rounding
@@ -69,8 +69,8 @@ struct RoundingReport {
   std::uint64_t crossing_count = 0;       ///< Number of pairs of facets that cross after rounding.
   std::vector<FacePair> crossings;        ///< The first pairs of faces that cross.
   /// Polygons that are not planar after rounding. Neighbouring faces still fit together, but a
-  /// program that reads the mesh must triangulate these polygons. complex_of_mesh() splits
-  /// each of these polygons into constrained Delaunay triangles, and tests the triangles for
+  /// program that reads the mesh must triangulate these polygons. The function complex_of_mesh()
+  /// splits each of them into constrained Delaunay triangles, and tests the triangles for
   /// crossings.
   std::vector<std::uint32_t> not_planar;
 

@@ -20,10 +20,11 @@
 //  5. locate       uses a grid (volume_grid.h) if the point has double coordinates. The grid is
 //                  made at the first query. For every grid cell that no box of an item meets, the
 //                  grid stores the volume that contains the grid cell. If the box of an item meets
-//                  the grid cell of the point, the locator looks among the next grid cells in the
-//                  direction of -x for one whose volume is stored, and tests only the items on the
-//                  way there. If no item lies on the way, the stored volume is the result. If there
-//                  is no such grid cell nearby, steps 2 and 4 give the result
+//                  the grid cell of the point, no volume is stored for this grid cell. Then the
+//                  locator looks for a grid cell with a stored volume among the next grid cells in
+//                  the direction of -x. It tests only the items on the way to this grid cell. If no
+//                  item lies on the way, the stored volume is the result. If there is no such grid
+//                  cell nearby, steps 2 and 4 give the result
 //
 // All functions require vertices, edges, uses, and facets with their cycles. The functions
 // volume_of and locate require volumes, too. Marks are used only to recognize the frame. Several
@@ -79,9 +80,9 @@ class SpaceLocator {
   void locate(std::span<const Point3> points, std::span<SpaceItem> items) const;
 
   /// Returns the first vertex, edge or facet that the ray meets strictly after `origin`, or
-  /// nothing. The function skips items in which the ray starts or along which it runs, but not the
-  /// vertex or edge at which the ray leaves such an item. It also skips items of the frame.
-  /// Requires that `direction` is not zero.
+  /// nothing. The function skips items in which the ray starts or along which it runs. It does not
+  /// skip the vertex or edge at which the ray leaves such an item. It also skips items of the
+  /// frame. Requires that `direction` is not zero.
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;
   std::optional<SpaceItemHit> shoot(const Point3& origin, const Point3& direction) const;

@@ -2,10 +2,10 @@
 // volumes, and the rounded area of their boundary.
 //
 // The volume is computed as a sum of signed volumes of tetrahedra. Each tetrahedron has the origin
-// as apex, and a triangle of the boundary as base. For each edge of a facet, including the edges of
-// holes, there is one signed triangle: its corners are the ends of the edge and one fixed corner of
-// the facet. So no facet has to be triangulated. If the coordinates of all vertices are doubles,
-// the denominators of all terms are powers of two.
+// as apex, and a triangle of the boundary as base. There is one signed triangle for each edge of a
+// facet, including the edges of holes. The corners of the triangle are the ends of the edge and one
+// fixed corner of the facet. So no facet has to be triangulated. If the coordinates of all vertices
+// are doubles, the denominators of all terms are powers of two.
 //
 // All functions require that the complex has volumes and marks. All functions throw what the
 // context throws. Cost: each edge of a facet adds a few rational terms, which takes about 10 us.

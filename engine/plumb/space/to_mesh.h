@@ -4,8 +4,10 @@
 // Main flow of mesh_of_complex():
 //  1. boundary_sides   finds the facets between a marked and an unmarked volume. Each of these
 //                      facets is seen from the side of the unmarked volume
-//  2. mesh_of_sides    groups the corners of facets around each vertex into cones. Then it makes
-//                      the vertices of the mesh, and finally its polygons or triangles
+//  2. mesh_of_sides    groups the corners of facets around each vertex into cones. A cone is a part
+//                      of the solid near the vertex that touches the other parts only in the vertex
+//                      or in edges. Then the step makes the vertices of the mesh, and finally its
+//                      polygons or triangles
 //  3. ClosureCount     counts the marked cells outside the closure of the interior, and the
 //                      unmarked cells inside the closure of the interior
 //
@@ -42,9 +44,9 @@ enum class MeshFaces : std::uint8_t {
 /// Options of the conversion to a mesh.
 struct ToMeshOptions {
   MeshFaces faces = MeshFaces::PlanarPolygons;  ///< Which facets are triangulated.
-  /// Whether the mesh has a separate vertex for each cone of the solid at a vertex of the set. The
-  /// separate vertices have equal coordinates. If this option is set, edges with more than two
-  /// faces are split, too.
+  /// Whether the mesh has a separate vertex for each cone (see above) of the solid at a vertex of
+  /// the set. The separate vertices have equal coordinates. If this option is set, edges with more
+  /// than two faces are split, too.
   bool split_vertices = false;
   /// Whether mesh.exact is filled. Its contents are needed by check_rounding() and by exact file
   /// formats. If the mesh has many constructed vertices, filling mesh.exact triples the time of the
@@ -68,8 +70,8 @@ struct ItemCounts {
   std::uint64_t total() const { return facets + edges + vertices; }
 };
 
-/// A report on a conversion to a mesh: the numbers of cells of the set that the mesh does not
-/// represent, and the numbers of edges and vertices at which the mesh is not a manifold.
+/// A report on a conversion to a mesh. It counts the cells of the set that the mesh does not
+/// represent, and the edges and vertices at which the mesh is not a manifold.
 struct ToMeshReport {
   /// mesh_of_complex() sets this if a marked volume reaches to infinity. The mesh is then empty.
   /// soup_of_complex() sets this if a facet reaches to infinity. The mesh does not contain such

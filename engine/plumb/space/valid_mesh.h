@@ -7,18 +7,19 @@
 // Main flow of valid_mesh():
 //  1. mesh_of_complex()     makes a mesh whose coordinates are rounded to the nearest doubles
 //  2. drop_flat_vertices()  removes a constructed vertex if all faces at the vertex lie in one
-//                           plane, or in two planes that meet in a line through the vertex, up to
-//                           some units of the last digit (mesh/drop_flat_vertices.h)
+//                           plane, or in two planes that meet in a line through the vertex. The
+//                           faces may deviate from the planes by some units of the last digit
+//                           (mesh/drop_flat_vertices.h)
 //  3. find_damage           finds the damaged faces: the faces that cross, coincide, are flipped or
 //                           have no area after rounding. For most faces, a computation with doubles
 //                           proves that they are not damaged (mesh/doubtful_faces.h). If no face is
 //                           damaged, the mesh is finished
 //  4. RoundingRepairer      repairs damaged faces. First it tries to snap vertices and edges of
 //                           damaged faces to each other if they nearly touch (mesh/snap_near.h). If
-//                           this is not enough, it makes a new set from the boundaries of the
-//                           solids that have damaged faces: the set of all points with a positive
-//                           winding number. The boundary of this set replaces the boundaries of
-//                           these solids. The flow continues with step 3
+//                           this is not enough, it takes the boundaries of all solids that have
+//                           damaged faces. From these boundaries it makes a new set: the set of all
+//                           points with a positive winding number. The boundary of this set
+//                           replaces the boundaries of these solids. The flow continues with step 3
 //
 // Step 2 is needed if results are written to files, and read again for the next operation. After
 // rounding, the triangles of one facet lie in slightly different planes. If the next operation cuts
@@ -30,17 +31,17 @@
 //   coincide, and the mesh is closed and oriented.
 // - Each point of the mesh lies within RoundingRepair::largest_move of the exact boundary.
 // - If rounding to the nearest numbers of the output type damages no face, these nearest numbers
-//   are the coordinates of the result. Otherwise, a vertex whose exact coordinates are numbers of
-//   the output type moves only in two cases: if it is near a damaged face, or if its solid had to
+//   are the coordinates of the result. Otherwise, consider a vertex whose exact coordinates are
+//   numbers of the output type. It moves only if it is near a damaged face, or if its solid had to
 //   be rounded more coarsely (RoundingRepair::coarse_rounds).
 // - A vertex whose exact coordinates are doubles is not removed. So if a valid mesh with numbers of
 //   the output type is converted to a set, the result for this set is the same mesh.
 //
-// Cost: the cost of mesh_of_complex(), plus O(n log n) for the boxes of n faces with rounded
-// vertices, plus the cost of complex_of_mesh() for the faces that may be damaged. Each round of
-// step 4 adds the cost of checking the faces near damaged faces, and O(n) for a mesh of n corners.
-// If a round makes a new set from solids with damaged faces, the cost of making this set is added,
-// too.
+// The cost is a sum. Its terms are the cost of mesh_of_complex(), O(n log n) for the boxes of n
+// faces with rounded vertices, and the cost of complex_of_mesh() for the faces that may be damaged.
+// Each round of step 4 adds the cost of checking the faces near damaged faces, and O(n) for a mesh
+// of n corners. If a round makes a new set from solids with damaged faces, the cost of making this
+// set is added, too.
 #pragma once
 
 #include <cstdint>

@@ -29,10 +29,9 @@
 // O(n) for n cells. A point location or ray shooting takes O(n), and copies the table of planes.
 // For many queries in the same set, a SphereLocator is faster.
 //
-// Errors: all functions throw Error{NotFinite} for coordinates that are not finite,
-// Error{BadArgument} for the zero vector, and ResourceLimit if a limit of the Context is exceeded,
-// and Cancelled if a stop is requested. Further reasons for Error{BadArgument} are stated at the
-// functions.
+// Errors: all functions throw Error{NotFinite} for coordinates that are not finite, and
+// Error{BadArgument} for the zero vector. They also throw what the context throws. Further reasons
+// for Error{BadArgument} are stated at the functions.
 //
 // Source: P. Hachenberger, L. Kettner, K. Mehlhorn, Boolean operations on 3D selective Nef
 // complexes, Computational Geometry 38 (2007), section 4; docs/design/sphere.md.

@@ -10,8 +10,8 @@
 //  3. walk      is taken if the direction does not lie on a point or arc. It walks from the
 //               direction along a great circle. The circle is searched one portion after another
 //               (sphere_locator.cpp). Each point or arc whose box may intersect the portion is
-//               tested exactly. The walk ends at the first point or arc. The result is the face in
-//               which the walk has run up to there.
+//               tested exactly. The walk ends at the first point or arc. The result is the face
+//               through which the walk ran before it met this point or arc.
 //  4. round     is taken if the great circle meets no point and no arc. Then the whole circle lies
 //               in the same face as the direction. A second walk starts on this circle and runs
 //               along the great circle of an arc. So the second walk meets an arc.

@@ -12,10 +12,10 @@
 //
 // Suppose that the centre is a vertex inside the mesh, and that the full angle around this vertex
 // is not a whole turn. In this case, angles between directions are multiplied by the ratio of the
-// full angle to a whole turn, so that all directions are spread evenly around the vertex. One
-// direction does not change: the direction of the half-edge of the named face that leaves the
-// vertex. If the centre is a vertex at the border, angles are not multiplied, and some of the lines
-// leave the mesh.
+// full angle to a whole turn. So all directions are spread evenly around the vertex. One direction
+// does not change: the direction of the half-edge of the named face that leaves the vertex. If the
+// centre is a vertex at the border, angles are not multiplied, and some of the lines leave the
+// mesh.
 //
 // Main flow of ExponentialMap::add:
 //  1. aim     chooses the face at the centre that the line enters. It unfolds this face and the

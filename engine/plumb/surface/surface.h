@@ -127,8 +127,8 @@ struct SurfaceCells;
 class SurfaceDivision {
  public:
   /// Divides the surface: steps 1 to 3 of the main flow. Throws Error{BadArgument} or
-  /// Error{BadIndex} if the scene is invalid, Error{NumberOutOfRange} if the absolute value of a
-  /// label is 2^31 or more, and what the context throws.
+  /// Error{BadIndex} if the scene is invalid. Throws Error{NumberOutOfRange} if the absolute value
+  /// of a label is 2^31 or more. Also throws what the context throws.
   explicit SurfaceDivision(SurfaceScene scene, Context& context = unlimited_context());
   ~SurfaceDivision();
   /// A moved-from division may only be destroyed or assigned to.
@@ -183,9 +183,9 @@ class SurfaceDivision {
 /// default constant (see SurfaceScene) is wrong for a component if all its cells are selected, or
 /// if all its cells at the border are selected. For each such component, the scene stores the right
 /// constant. For the first such component, the scene stores a face in `outside`. For each later
-/// component of this kind, the scene stores an entry of `levels`. There is one exception: if all
-/// faces of the first such component have their first corners inside the region, the scene stores
-/// an entry of `levels` for this component instead. O(mesh).
+/// component of this kind, the scene stores an entry of `levels`. There is one exception. It may be
+/// that all faces of the first such component have their first corners inside the region. Then the
+/// scene stores an entry of `levels` for this component instead. O(mesh).
 SurfaceScene result_scene(const SurfaceDivision& division, const SurfaceResult& result);
 
 }  // namespace plumb

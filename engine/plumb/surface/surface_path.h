@@ -124,8 +124,8 @@ struct SurfacePolygons {
   std::vector<std::uint32_t> begin = {0};  ///< The first entry of each polygon; size() + 1 values.
   std::vector<SurfacePointId> point;       ///< The point at each entry.
   std::vector<FaceId> face;                ///< The face of the segment that starts at each entry.
-  /// For each entry, 1 if its point is a control point, which the caller gave, and 0 if it is a
-  /// path point, where a traced path crosses an edge.
+  /// For each entry, 1 if its point is a control point, and 0 if it is a path point. The caller
+  /// gave the control points. A path point is a point where a traced path crosses an edge.
   std::vector<std::uint8_t> is_control;
 
   std::size_t size() const { return begin.size() - 1; }  ///< Returns the number of polygons.

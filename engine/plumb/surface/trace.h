@@ -15,7 +15,7 @@
 //                funnel algorithm (unfolded_strip.h)
 //  4. flip       examines each bend. The path passes the vertex of the bend on one side. If the
 //                angle on the other side of the vertex is less than half a turn, the strip is
-//                changed so that it passes the vertex on this other side. Steps 3 and 4 are
+//                changed. The new strip passes the vertex on this other side. Steps 3 and 4 are
 //                repeated until there are no such bends, or the path does not become shorter. If a
 //                shortest path is asked for, a second search looks for the strip of a path that is
 //                shorter than this one (shortest_strip.h)

@@ -1,15 +1,15 @@
 // WorkLog: the CPU time of an operation by phase, and what several threads can save.
 //
 // While a WorkLog exists, its thread and the jobs that this thread starts (parallel.h) record their
-// CPU time in a tree. Each node of the tree is a phase, a job, or the whole. A node has its own
-// seconds and steps that followed each other. A step is one phase, or a section of jobs that may
-// run at the same time.
+// CPU time in a tree. Each node of the tree is a phase, a job, or the whole. A node has CPU seconds
+// of its own, and a list of steps that ran one after the other. A step is one phase, or a section
+// of jobs that may run at the same time.
 //
-// seconds_with() replays this tree for any number of threads with the rules of run_jobs(): jobs
-// begin in the order of their indices, and a job may use the threads that are left over. CPU time
-// does not depend on what other programs do, so the prediction holds on a busy machine, and also
-// for more threads than the machine has cores. It leaves out what threads lose by sharing caches
-// and memory channels.
+// The function seconds_with() computes the time of this tree for any number of threads, with the
+// rules of run_jobs(). Jobs begin in the order of their indices. If there are more threads than
+// jobs, a job may use the remaining threads. CPU time does not depend on what other programs do, so
+// the prediction holds on a busy machine, and also for more threads than the machine has cores. The
+// prediction leaves out what threads lose by sharing caches and memory channels.
 //
 // Cost: without a log, one test for each phase and each call of run_jobs(). With a log, two
 // readings of the clock for each phase and each job. Tested by tests/base/work_log_test.cpp.
@@ -39,18 +39,18 @@ double total_seconds(const WorkNode& node);
 /// Returns the part of total_seconds() that was spent in sections of jobs.
 double parallel_seconds(const WorkNode& node);
 
-/// Returns the time that the node takes with so many threads (>= 1), each on a core of its own. It
-/// is total_seconds() with one thread and never less than total_seconds() / threads.
+/// Returns the time that the node takes with so many threads (>= 1), each on a core of its own.
+/// With one thread, this is total_seconds(). It is never less than total_seconds() / threads.
 double seconds_with(const WorkNode& node, unsigned threads);
 
-/// The sums over all times that a phase was run within the same phases.
+/// The work of one phase: the sums over all its runs that lie within the same outer phases.
 struct PhaseWork {
   static constexpr std::array<unsigned, 3> kThreads{2, 8, 16};
 
   std::string phase;
-  std::size_t depth = 0;  ///< The number of phases around it.
-  double seconds = 0;     ///< total_seconds()
-  double parallel = 0;    ///< parallel_seconds()
+  std::size_t depth = 0;  ///< The number of phases that contain it.
+  double seconds = 0;     ///< The sum of total_seconds().
+  double parallel = 0;    ///< The sum of parallel_seconds().
   /// seconds_with() for kThreads, where all threads work for this phase alone.
   std::array<double, kThreads.size()> predicted{};
 };
@@ -59,8 +59,8 @@ struct PhaseWork {
 /// first occur; the phases within a phase follow it.
 std::vector<PhaseWork> phases_of(const WorkNode& node, std::string whole);
 
-/// Returns a table of rows: a header, then a line for each row with its CPU seconds, the parallel
-/// share in percent, and the predicted ratios of time for kThreads.
+/// Returns a table as lines of text. The first line is a header. Each further line has the CPU
+/// seconds of a row, its parallel share in percent, and the predicted ratios of time for kThreads.
 std::vector<std::string> phase_table(const std::vector<PhaseWork>& rows);
 
 /// Records the work of the calling thread from construction to finish() or destruction. At most one

@@ -71,8 +71,9 @@ struct OrderedMesh {
 /// of a mesh of 60,000 to 300,000 triangles.
 OrderedMesh ordered_in_space(const MeshView& mesh);
 
-/// Does what merge_equal_points() does to the view of an ordered mesh. Equal points are in one
-/// cell, so each point is compared only with the points of its cell, unless some cell has many.
+/// Does what merge_equal_points() does to the view of an ordered mesh. Equal points are in the same
+/// grid cell. So each point is compared only with the points of its grid cell, unless a grid cell
+/// contains very many points.
 MeshVertices merge_equal_points(const OrderedMesh& mesh, SpaceTables& tables);
 
 }  // namespace plumb

@@ -79,8 +79,9 @@ struct SurfaceArrangement {
   // the slot of the face.
   std::vector<FaceId> slot_face;
   IdVector<FaceId, std::uint32_t> slot_of_face;  ///< Slot of each face; kNone if it is not divided.
-  /// Four entries for each divided face, in the order of slots: the first half-edge of side 0, of
-  /// side 1 and of side 2, and the first half-edge of the arcs inside the face.
+  /// Four entries for each divided face, in the order of slots. The first three entries are the
+  /// first half-edges of side 0, of side 1 and of side 2. The fourth entry is the first half-edge
+  /// of the arcs inside the face.
   std::vector<std::uint32_t> side_begin;
   /// The first piece of each divided face, in the order of slots. The last entry is the number of
   /// pieces.

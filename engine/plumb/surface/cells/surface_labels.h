@@ -9,10 +9,10 @@
 //                cell
 //  2. potential  computes labels along the tree, starting with zero at the root. Labels are stored
 //                as sparse vectors
-//  3. check      visits each edge of the graph that is not in the tree, and checks that the labels
-//                at its two ends differ by the jump of the edge. If this does not hold for a
-//                shape, the shape has no label. The edge and the tree then contain a closed walk
-//                over cells that proves that there is no label
+//  3. check      visits each edge of the graph that is not in the tree. It checks that the labels
+//                at the two ends of the edge differ by the jump of the edge. If they do not for
+//                some shape, this shape has no label. The edge and the tree then contain a closed
+//                walk over cells that proves that there is no label
 //  4. shift      adds a constant to the labels of a shape in each component of the mesh. If a level
 //                is given for the shape and the component, the constant is chosen so that the
 //                labels agree with this level. Otherwise it is chosen by the rules of SurfaceScene

@@ -69,10 +69,10 @@ inline Point2 combined(const FaceCorners& p, const std::array<double, 3>& w) {
 }  // namespace layout
 
 // Strips of faces between two points of a mesh, for tracing (trace.h). A strip is found by a search
-// in the dual graph of the mesh. If the strip becomes shorter by passing a vertex on the other side
-// of the vertex, the strip is changed in this way. After that, detours are removed. All lengths are
-// computed in doubles. A rounding error can change which strip is chosen, but the result is always
-// a valid strip.
+// in the dual graph of the mesh. A strip passes a vertex on one side. If the strip becomes shorter
+// on the other side of the vertex, it is changed to that side. After that, detours are removed. All
+// lengths are computed in doubles. A rounding error can change which strip is chosen, but the
+// result is always a valid strip.
 
 /// A sequence of faces in which each face shares a side with the next one. `doors` lists the shared
 /// sides. Each door is given as the half-edge in the first of the two faces that share the side.
@@ -106,9 +106,9 @@ class StripFinder {
 
   /// Returns a short strip from one end to the other, found by an A* search. The search measures
   /// the length of a strip along the centroids of its faces. Returns no value if no strip leads
-  /// from one end to the other. If the search has the same lower bound for the lengths of strips
-  /// through two faces, the face with the lower index is visited first, so the result is the same
-  /// on all platforms.
+  /// from one end to the other. The search has a lower bound for the lengths of strips through each
+  /// face. If two faces have the same bound, the face with the lower index is visited first. So the
+  /// result is the same on all platforms.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, Context& context);
 
   /// Shortens a strip from `from` to `to`. The new strip begins at the last face of the strip that

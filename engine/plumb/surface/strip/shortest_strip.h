@@ -9,7 +9,7 @@
 //  2. spread     takes the window or vertex with the least bound from a heap. This bound is a lower
 //                bound for the lengths of all paths from the start to the end that pass through the
 //                window or vertex. From a window, the step makes new windows on the two other sides
-//                of the face behind the window, and computes a distance for the vertex between
+//                of the face behind the window. It also computes a distance for the vertex between
 //                these sides. From a vertex, the step makes windows around the vertex if shortest
 //                paths can bend there
 //  3. reach      is taken if a window or a vertex reaches a face that contains the end. The path to
@@ -46,10 +46,10 @@ class ShortestStripFinder {
 
   /// Returns a strip that contains a shortest path from `from` to `to`, if it is shorter than
   /// `bound`. Returns no value if no path is shorter than `bound` by more than 2^-40 of `bound`.
-  /// Requires that no face contains both ends. Cost: O(w log w) for w windows. On usual meshes, w
-  /// is a small multiple of the number of sides in an ellipsoid, whose foci are the two ends and
-  /// whose longest axis has the length `bound`. In the worst case, w is O(n^2) for n vertices.
-  /// Throws what the context throws.
+  /// Requires that no face contains both ends. Cost: O(w log w) for w windows. Consider the
+  /// ellipsoid whose foci are the two ends, and whose longest axis has the length `bound`. On usual
+  /// meshes, w is a small multiple of the number of sides in this ellipsoid. In the worst case, w
+  /// is O(n^2) for n vertices. Throws what the context throws.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, double bound,
                                 Context& context);
 
@@ -71,14 +71,14 @@ class ShortestStripFinder {
     VertexId vertex;       // Invalid for the start.
     double distance;       // The length of the path from the start.
     std::uint32_t window;  // The window through which the vertex was reached, or kNone.
-    std::uint32_t seat;    // If there is no window: the source before this one,
-    FaceId face;           // and a face that contains both sources.
+    std::uint32_t seat;    // The source before this one, if `window` is kNone.
+    FaceId face;           // A face that contains both sources, if `window` is kNone.
   };
   /// The last step of a path that reaches the end point.
   struct Arrival {
     std::uint32_t window = kNone;  // The last window, or kNone.
-    std::uint32_t seat = kNone;    // If there is no window: the last source,
-    FaceId face;                   // and a face that contains it and the end point.
+    std::uint32_t seat = kNone;    // The last source, if `window` is kNone.
+    FaceId face;  // A face that contains the last source and the end point, if `window` is kNone.
   };
   struct Entry {
     double bound;
@@ -93,9 +93,9 @@ class ShortestStripFinder {
   };
   /// A step of the path, for collecting the strip.
   struct Step {
-    HalfedgeId door;  // A side to cross; if invalid,
-    FaceId face;      // the strip goes to this face
-    VertexId around;  // around this vertex; invalid if the strip starts here.
+    HalfedgeId door;  // The side to cross; invalid if the strip goes around a vertex.
+    FaceId face;      // The face to which the strip goes, if `door` is invalid.
+    VertexId around;  // The vertex around which it goes; invalid if the strip starts in `face`.
   };
 
   void start();

@@ -30,7 +30,7 @@ struct Decomposed {
 
 namespace detail {
 
-inline constexpr int kExponentBias = 1075;  // For the mantissa read as an integer.
+inline constexpr int kExponentBias = 1075;  // The bias if the mantissa is an integer.
 inline constexpr std::uint64_t kFractionMask = (std::uint64_t{1} << 52) - 1;
 inline constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
 

@@ -274,8 +274,8 @@ class PlaneTable {
 /// Returns the wall of two planes that is parallel to `direction`. (If the two planes have no
 /// common line, the result is one of these planes, or no plane.) Requires finite doubles. The
 /// multipliers c_first and c_second are n1.u and n2.u, where n1 and n2 are the normals of the two
-/// planes and u is the direction. If u is a coordinate axis and the planes pass through input
-/// points of b bits, the multipliers and normals have at most 2 b + 3 bits
+/// planes and u is the direction. Suppose that u is a coordinate axis, and that the planes pass
+/// through input points of b bits. Then the multipliers and normals have at most 2 b + 3 bits
 /// (docs/design/numbers.md). The normal of the wall is a difference of two products, so it has at
 /// most 4 b + 7 bits.
 Pencil wall_along(const PlaneTable& planes, PlaneId first, PlaneId second, const Point3& direction);

@@ -151,8 +151,9 @@ class Point3Table {
   /// every input point. It is also true for a constructed point if its box was computed with more
   /// precision than that of doubles, with two exceptions:
   ///   - points that depend on the frame;
-  ///   - points with a coordinate that is a double or half-way between two doubles, unless a plane
-  ///     or line of the definition is orthogonal to the axis of that coordinate.
+  ///   - points with a coordinate that is a double, or half-way between two doubles. Such a point
+  ///     is no exception if a plane or line of its definition is orthogonal to the axis of that
+  ///     coordinate.
   bool is_nearest(SpacePoint p) const { return p.is_input() || is_nearest_[p.index()] != 0; }
   /// Returns a box around P0, where P0 + u R is the point p. For a point that does not depend on
   /// the frame, u is 0 and the result is box(p). Cost: about 25 ns for a point that depends on the

@@ -8,10 +8,10 @@
 namespace plumb::exact3 {
 
 /// Returns a definition of the same point that needs fewer and smaller products, or `source`
-/// itself. If two of the three planes are defined by triangles with two common input points, the
-/// point is the intersection of the line through these two points with the third plane. This is
-/// typical of neighbouring triangles of a mesh. The function returns this definition, unless the
-/// third plane belongs to the frame.
+/// itself. Suppose that two of the three planes are defined by triangles, and that these triangles
+/// have two common input points. Then the point is the intersection of the line through these two
+/// points with the third plane. This is typical of neighbouring triangles of a mesh. The function
+/// returns this definition, unless the third plane belongs to the frame.
 PointSource as_line(const PlaneTable& planes, const PointSource& source);
 
 }  // namespace plumb::exact3

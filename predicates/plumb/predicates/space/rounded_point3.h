@@ -24,8 +24,9 @@ namespace rung {
 /// about 0.5 us. Returns no value in the following cases:
 ///   - the point has another definition;
 ///   - the arithmetic does not round to nearest;
-///   - a coordinate is equal or very near to a double or to the middle of two adjacent doubles,
-///     unless a plane or line of the definition is orthogonal to the axis of that coordinate.
+///   - a coordinate is equal or very near to a double, or to the middle of two adjacent doubles.
+///     There is an exception: the function returns a value if a plane or line of the definition is
+///     orthogonal to the axis of that coordinate.
 std::optional<RoundedPoint3> rounded_filter(const Point3Table& points, SpacePoint x);
 /// Computes exact coordinates in integers of fixed width, and rounds them by using their leading
 /// bits. Unlike rounded_filter(), this function also rounds points whose planes are nearly
