@@ -374,7 +374,8 @@ PLUMB_API plumb_status plumb_mesh_exact_point(const plumb_mesh* mesh, size_t poi
  * new mesh has no attributes. */
 PLUMB_API plumb_status plumb_mesh_triangulate(const plumb_mesh* mesh, plumb_mesh** out,
                                               const plumb_context* context, plumb_error** error);
-/** The repairs that plumb_mesh_repair() made. All members except the last are numbers. */
+/** The repairs that plumb_mesh_repair() made. A member of the type uint64_t is the number of the
+ * points, faces or other things that its comment describes. */
 typedef struct plumb_repair_report {
   size_t struct_size; /**< sizeof(plumb_repair_report). */
   uint64_t equal;     /**< Points whose coordinates were equal to those of an earlier point. */
@@ -672,7 +673,7 @@ typedef struct plumb_to_mesh_options {
 #define PLUMB_TO_MESH_OPTIONS_INIT \
   { sizeof(plumb_to_mesh_options), false, false, false, false, 0 }
 /** A report on the rounding of a mesh, and on the cells of the solid that the mesh does not
- * represent. */
+ * represent. Integer members except struct_size count the things that their comments describe. */
 typedef struct plumb_to_mesh_report {
   size_t struct_size;        /**< sizeof(plumb_to_mesh_report). */
   uint64_t rounded_vertices; /**< Vertices whose coordinates were rounded. */
@@ -1069,7 +1070,8 @@ PLUMB_API plumb_status plumb_plane_set_audit(const plumb_plane_set* set, plumb_b
 PLUMB_API plumb_status plumb_plane_set_transform(const plumb_plane_set* set,
                                                  const plumb_numbers* map, plumb_plane_set** out,
                                                  const plumb_context* context, plumb_error** error);
-/** A report on the changes made by rounding. Distances are measured in the maximum norm. */
+/** A report on the changes made by rounding. Distances are measured in the maximum norm. Integer
+ * members except struct_size count the things that their comments describe. */
 typedef struct plumb_rounding_report {
   size_t struct_size;     /**< sizeof(plumb_rounding_report). */
   size_t vertices_moved;  /**< Vertices that were not rounded to the nearest numbers. */
@@ -1385,9 +1387,9 @@ PLUMB_API void plumb_map_free(plumb_map* map); /**< Releases a map. */
 
 /** The requirement on the outer boundaries of components. */
 enum plumb_outer {
-  PLUMB_OUTER_LISTED = 0, /**< They must be listed, clockwise. */
+  PLUMB_OUTER_LISTED = 0, /**< Outer boundaries must be listed, clockwise. */
   PLUMB_OUTER_INFER = 1,  /**< Missing outer boundaries are added. */
-  PLUMB_OUTER_IGNORE = 2  /**< They may be missing. */
+  PLUMB_OUTER_IGNORE = 2  /**< Outer boundaries may be missing. */
 };
 /** Options of plumb_map_check(). */
 typedef struct plumb_map_options {
@@ -1838,7 +1840,8 @@ PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, doub
                                                 double kept, double within, plumb_plane_set** out,
                                                 double* moved, const plumb_context* context,
                                                 plumb_error** error);
-/** What a simplification has changed. */
+/** What a simplification has changed. Integer members except struct_size count the things that
+ * their comments describe. */
 typedef struct plumb_simplify_report {
   size_t struct_size;      /**< sizeof(plumb_simplify_report). */
   uint64_t corners_before; /**< The corners of the original borders. */
@@ -1976,9 +1979,9 @@ enum plumb_owner {
 };
 /** The kinds of regions in a plumb_layer_report. */
 enum plumb_layer_region_kind {
-  PLUMB_LAYER_OVERLAP = 0, /**< Several features cover it. */
-  PLUMB_LAYER_GAP = 1,     /**< No feature covers it, and it is narrow. */
-  PLUMB_LAYER_HOLE = 2     /**< No feature covers it, and it is wide. This is not a defect. */
+  PLUMB_LAYER_OVERLAP = 0, /**< A region that several features cover. */
+  PLUMB_LAYER_GAP = 1,     /**< A narrow region that no feature covers. */
+  PLUMB_LAYER_HOLE = 2     /**< A wide region that no feature covers. Such a region is no defect. */
 };
 /** The overlaps, gaps and holes that plumb_layer_check() or plumb_layer_repair() found. */
 typedef struct plumb_layer_report plumb_layer_report;

@@ -14,9 +14,9 @@
 // closure of S. Then R(S) + R(T) = R(K(S) + K(T)), and K(S) + K(T) is closed if S or T is bounded.
 //   both closed         Each operand is the union of its closed convex parts. So the sum is a
 //                       finite union of closed sets, and is closed, too.
-//   two bodies          A face of the sum is the sum of a face of each body. It is marked if both
-//                       faces are. If the two faces are parallel, or if a face has marked and
-//                       unmarked parts, the sums of their marked parts are added.
+//   two bodies          A face of the sum is the sum of a face of each body. The sum is marked if
+//                       these two faces are marked. If the two faces are parallel, or if a face has
+//                       marked and unmarked parts, the sums of their marked parts are added.
 //   otherwise           Each operand is the union of its relatively open parts. These parts are the
 //                       cells of its convex parts. The sum of any set and an open body is open.
 //                       The sum of an open body and a set X does not change if X is replaced by a

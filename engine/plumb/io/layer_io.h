@@ -76,7 +76,7 @@ std::string lack_of_polygons(const LayerFile& file);
 bool begins_like_layer(std::string_view text);
 
 /// Throws Error{UnknownFormat} if the extension of `path` belongs to a geographic format that plumb
-/// cannot read. These formats are .shp, .gpkg and others, if plumb is built without GDAL. The
+/// cannot read. A plumb that is built without GDAL cannot read .shp, .gpkg and some others. The
 /// message names a command that converts the file.
 void require_layer_format(const std::string& path);
 

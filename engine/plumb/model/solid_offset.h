@@ -15,8 +15,8 @@
 //                  erosion by an exact ball of radius |distance|. The result lies in the erosion by
 //                  an exact ball of radius inner_radius(rounds) * |distance|
 //   distance = 0   The result is the closure of the set
-// So the result lies between two exact offsets whose distances differ by (1 - inner_radius(rounds))
-// * |distance|.
+// So the result lies between two exact offsets. Their distances differ by
+// (1 - inner_radius(rounds)) * |distance|.
 //
 // Cost: the cost of minkowski_sum() of P and the set. P is convex, so only the set is decomposed
 // into convex parts. The erosion takes the sum of P and the complement of the set.

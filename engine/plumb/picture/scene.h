@@ -140,9 +140,9 @@ struct Scene {
   /// Half the side lengths of the box around all points of the scene. The centre of the box is the
   /// origin.
   Point3 half = {1, 1, 1};
-  /// A quarter of the vector `centre`. A point p of the scene represents the point `centre + scale
-  /// * p` of the set. Instead of `centre` and `scale`, a quarter of each is stored, because
-  /// differences of large doubles could overflow.
+  /// A quarter of the vector `centre`. A point p of the scene represents the point
+  /// `centre + scale * p` of the set. Instead of `centre` and `scale`, a quarter of each is stored,
+  /// because differences of large doubles could overflow.
   Point3 quarter_centre = {0, 0, 0};
   double quarter_scale = .25;  ///< A quarter of the number `scale`.
 

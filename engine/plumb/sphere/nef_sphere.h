@@ -244,8 +244,8 @@ class NefSphere {
   [[nodiscard]] static NefSphere from_complex(SphereComplex complex,
                                               Context& context = unlimited_context());
   /// Returns the set of a map. Requires that audit(planes, map, AuditForm::Minimal) finds no flaw,
-  /// and that the planes of the map pass through the centre. This function checks neither; audit()
-  /// of the result checks the first.
+  /// and that the planes of the map pass through the centre. This function checks neither of the
+  /// two requirements. audit() of the result checks the first one.
   [[nodiscard]] static NefSphere from_minimal_unchecked(SphereComplex complex);
   /// Returns the set that the map of this set represents after its marks are replaced by `marks`.
   /// Throws Error{BadArgument} if the number of marks differs from the number of cells. O(n).
