@@ -99,7 +99,8 @@ typedef struct plumb_error plumb_error;
 
 /** Returns the status that the function returned. */
 PLUMB_API plumb_status plumb_error_status(const plumb_error* error);
-/** Returns a sentence for a human reader, without the position. Never null for an error. */
+/** Returns a sentence for a human reader, without the position. The result is null only if
+ * `error` is null. */
 PLUMB_API const char* plumb_error_message(const plumb_error* error);
 /** Returns "FILE:LINE:COLUMN: MESSAGE", where unknown parts of the position are omitted. */
 PLUMB_API const char* plumb_error_text(const plumb_error* error);
@@ -841,11 +842,11 @@ typedef struct plumb_solid_info {
   size_t bytes;          /**< The memory in bytes, which copies share. */
   bool is_empty;         /**< Whether the set has no point. */
   bool is_whole;         /**< Whether the set is the whole space. */
-  bool is_bounded;       /**< Whether a ball contains it. */
-  bool is_closed;        /**< Whether it contains its boundary. */
-  bool is_open;          /**< Whether it contains no point of its boundary. */
+  bool is_bounded;       /**< Whether a ball contains the set. */
+  bool is_closed;        /**< Whether the set contains its boundary. */
+  bool is_open;          /**< Whether the set contains no point of its boundary. */
   bool is_simple;        /**< Whether the boundary is a 2-manifold. */
-  bool is_convex;        /**< Whether it contains the segment between any two of its points. */
+  bool is_convex;        /**< Whether the set contains the segment between any two of its points. */
 } plumb_solid_info;
 #define PLUMB_SOLID_INFO_INIT \
   { sizeof(plumb_solid_info), 0, 0, 0, 0, 0, 0, false, false, false, false, false, false, false }
@@ -1101,9 +1102,9 @@ typedef struct plumb_plane_set_info {
   size_t bytes;        /**< The memory in bytes, which copies share. */
   bool is_empty;       /**< Whether the set has no point. */
   bool is_whole;       /**< Whether the set is the whole plane. */
-  bool is_bounded;     /**< Whether a disk contains it. */
-  bool is_closed;      /**< Whether it contains its boundary. */
-  bool is_open;        /**< Whether it contains no point of its boundary. */
+  bool is_bounded;     /**< Whether a disk contains the set. */
+  bool is_closed;      /**< Whether the set contains its boundary. */
+  bool is_open;        /**< Whether the set contains no point of its boundary. */
 } plumb_plane_set_info;
 #define PLUMB_PLANE_SET_INFO_INIT \
   { sizeof(plumb_plane_set_info), 0, 0, 0, 0, 0, false, false, false, false, false }
@@ -1316,8 +1317,8 @@ typedef struct plumb_sphere_set_info {
   size_t bytes;        /**< The memory in bytes, which copies share. */
   bool is_empty;       /**< Whether the set has no direction. */
   bool is_whole;       /**< Whether the set is the whole sphere. */
-  bool is_closed;      /**< Whether it contains its boundary. */
-  bool is_open;        /**< Whether it contains no point of its boundary. */
+  bool is_closed;      /**< Whether the set contains its boundary. */
+  bool is_open;        /**< Whether the set contains no point of its boundary. */
 } plumb_sphere_set_info;
 #define PLUMB_SPHERE_SET_INFO_INIT \
   { sizeof(plumb_sphere_set_info), 0, 0, 0, 0, 0, false, false, false, false }
@@ -1820,7 +1821,8 @@ typedef struct plumb_offset_options {
   double mitre_limit;
   /** The greatest distance of an arc from its chords; 0 stands for a thousandth of the distance. */
   double chord_error;
-  /** Chords of a full circle; if it is 0, chord_error determines the chords. */
+  /** The number of chords of a full circle. If this number is 0, chord_error determines the
+   * chords. */
   uint32_t circle_segments;
 } plumb_offset_options;
 #define PLUMB_OFFSET_OPTIONS_INIT \

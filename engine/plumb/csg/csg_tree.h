@@ -32,53 +32,56 @@ enum class CsgKind : std::uint8_t {
   Root,   ///< The union of the children: the whole file.
   Group,  ///< The union of the children.
   Union,  ///< The union of the children.
-  /// The union of the children, with a colour. Either four numbers (red, green, blue and opacity)
-  /// or no numbers. Negative numbers mean that there is no colour.
+  /// The union of the children, with a colour. The node has four numbers (red, green, blue and
+  /// opacity) or no numbers. Negative numbers mean that there is no colour.
   Color,
   Render,        ///< The union of the children.
   Difference,    ///< The first child minus all other children.
   Intersection,  ///< The intersection of all children.
   Hull,          ///< The convex hull of all children together.
   Minkowski,     ///< The Minkowski sum of all children.
-  Multmatrix,    ///< The image of the union of the children. Twelve numbers: three rows of a map.
-  /// The union of the children, scaled along the axes. Six numbers. The first three are the sizes
-  /// of the result along the axes; 0 means that no size is given. The last three state the factor
-  /// of each axis without a size: 1 stands for the greatest factor of the other axes, and 0 stands
-  /// for the factor 1.
+  /// The image of the union of the children. The node has twelve numbers, which are the three rows
+  /// of the map.
+  Multmatrix,
+  /// The union of the children, scaled along the axes. The node has six numbers. The first three
+  /// are the sizes of the result along the axes; 0 means that no size is given. The last three
+  /// state the factor of each axis without a size: 1 stands for the greatest factor of the other
+  /// axes, and 0 stands for the factor 1.
   Resize,
-  /// The union of the children, grown by a distance. Five numbers: the distance; 0 for round joins,
-  /// 1 for mitres, or 2 for square joins; the division.
+  /// The union of the children, grown by a distance. The node has five numbers: the distance; 0 for
+  /// round joins, 1 for mitres, or 2 for square joins; the division.
   Offset,
-  /// A set of the plane made from the union of the children. One number: 0 for the projection of
-  /// the union along the z-axis, any other value for the slice of the union at z = 0.
+  /// A set of the plane made from the union of the children. The node has one number: 0 for the
+  /// projection of the union along the z-axis, any other value for the slice of the union at z = 0.
   Projection,
-  /// The solid that the union of the children sweeps along the z-axis. Nine numbers: the height; 1
-  /// if the solid is centred at z = 0, else 0; the twist; the number of slices, or 0 if it is not
-  /// given; the scales of x and y at the top; the division.
+  /// The solid that the union of the children sweeps along the z-axis. The node has nine numbers:
+  /// the height; 1 if the solid is centred at z = 0, else 0; the twist; the number of slices, or 0
+  /// if it is not given; the scales of x and y at the top; the division.
   LinearExtrude,
-  /// The solid that the union of the children sweeps around the z-axis. Four numbers: the angle;
-  /// the division.
+  /// The solid that the union of the children sweeps around the z-axis. The node has four numbers:
+  /// the angle; the division.
   RotateExtrude,
-  /// A box. Four numbers: the three sizes; 1 if the box is centred at the origin, else 0.
+  /// A box. The node has four numbers: the three sizes; 1 if the box is centred at the origin,
+  /// else 0.
   Cube,
-  Sphere,  ///< A ball. Four numbers: the radius; the division.
-  /// A cylinder or cone. Seven numbers: the height; the radii at the bottom and at the top; 1 if it
-  /// is centred, else 0; the division.
+  Sphere,  ///< A ball. The node has four numbers: the radius; the division.
+  /// A cylinder or cone. The node has seven numbers: the height; the radii at the bottom and at the
+  /// top; 1 if the cylinder is centred, else 0; the division.
   Cylinder,
   /// A solid bounded by listed faces. The numbers are the coordinates of the points. The indices
   /// are the number of faces, then the number of corners of each face, and then the corners of all
   /// faces. The corners of a face are in clockwise order, seen from outside.
   Polyhedron,
-  /// A rectangle. Three numbers: the two sizes; 1 if the rectangle is centred at the origin, else
-  /// 0.
+  /// A rectangle. The node has three numbers: the two sizes; 1 if the rectangle is centred at the
+  /// origin, else 0.
   Square,
-  Circle,  ///< A disk. Four numbers: the radius; the division.
+  Circle,  ///< A disk. The node has four numbers: the radius; the division.
   /// A set of the plane bounded by listed paths. The numbers are the coordinates of the points. The
   /// indices are as in Polyhedron, with paths instead of faces. A point belongs to the set if it
   /// lies inside an odd number of paths.
   Polygon,
-  Solid,  ///< A set of space from a file. One index into CsgTree::solids.
-  Shape,  ///< A set of the plane from a file. One index into CsgTree::shapes.
+  Solid,  ///< A set of space from a file. The node has one index into CsgTree::solids.
+  Shape,  ///< A set of the plane from a file. The node has one index into CsgTree::shapes.
 };
 
 /// Returns the word by which a .csg file calls nodes of this kind, such as "linear_extrude". For

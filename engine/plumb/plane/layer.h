@@ -169,7 +169,7 @@ struct LayerRegion {
   std::uint32_t features_begin;  ///< First entry in LayerReport::features.
   std::uint32_t features_end;    ///< The entry after the last entry in LayerReport::features.
   std::uint32_t owner;           ///< The feature that gets the region; kNobody for a hole.
-  bool is_open = false;          ///< Whether it is a gap that opens to the outside or into a hole.
+  bool is_open = false;  ///< Whether the region is a gap that opens to the outside or into a hole.
 };
 
 /// The regions that check_layer() or repair_layer() found, and the changes that repair_layer()

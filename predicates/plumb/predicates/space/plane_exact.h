@@ -105,7 +105,8 @@ struct Operand {
   const PlaneTable* table;  ///< The table that contains the plane.
   PlaneSource source;       ///< The definition of the plane.
   Grid grid;                ///< The grid of the input points that define the plane.
-  int width;  ///< The least sufficient width: 0 Narrow, 1 Medium, 2 Wide, 3 any length.
+  /// The least sufficient width: 0 means Narrow, 1 Medium, 2 Wide, and 3 any length.
+  int width;
 };
 
 /// Returns the operand of a plane.
