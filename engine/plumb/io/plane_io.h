@@ -92,7 +92,8 @@ struct PlaneFile {
 };
 
 /// Returns the union of the polygons, lines and points. `rule` decides which points the rings of
-/// the polygons enclose. For RingRule::Odd, the result is that of the function below.
+/// the polygons enclose. For RingRule::Odd, the result is the same as without `rule` (see the
+/// function below).
 Nef2 to_set(const PlaneShapes& shapes, RingRule rule, Context& context = unlimited_context());
 
 /// Returns the union of the polygons, lines and points, where each polygon encloses points by the

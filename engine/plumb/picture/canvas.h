@@ -67,7 +67,7 @@ class Canvas {
   /// is hidden if a patch is nearer to the viewer. `part` is the weight of `colour`, from 0 to 1.
   void dot(Spot at, double radius, Colour colour, bool is_hollow, double part);
 
-  /// Draws a line with round ends, which no patch hides.
+  /// Draws a line with round ends. No patch hides the line.
   void stroke(Point2 a, Point2 b, double width, Colour colour);
   /// For each sample, returns the patch that is visible at the sample, or Scene::kNoPatch if no
   /// patch is visible.

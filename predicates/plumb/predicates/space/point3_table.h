@@ -149,11 +149,11 @@ class Point3Table {
   /// Whether the middle of the box is known to be the point rounded to the nearest doubles. If the
   /// result is true and the radius is 0, the middle is the point itself. The result is true for
   /// every input point. It is also true for a constructed point if its box was computed with more
-  /// precision than that of doubles, with two exceptions:
+  /// precision than that of doubles. For two kinds of such points the result may be false
+  /// nevertheless:
   ///   - points that depend on the frame;
-  ///   - points with a coordinate that is a double, or half-way between two doubles. Such a point
-  ///     is no exception if a plane or line of its definition is orthogonal to the axis of that
-  ///     coordinate.
+  ///   - points with a coordinate that is a double or half-way between two doubles, unless a plane
+  ///     or line of the point's definition is orthogonal to the axis of that coordinate.
   bool is_nearest(SpacePoint p) const { return p.is_input() || is_nearest_[p.index()] != 0; }
   /// Returns a box around P0, where P0 + u R is the point p. For a point that does not depend on
   /// the frame, u is 0 and the result is box(p). Cost: about 25 ns for a point that depends on the
