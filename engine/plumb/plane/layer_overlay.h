@@ -35,9 +35,9 @@ namespace plumb {
 /// Selects the pairs that the overlay contains.
 enum class OverlayPairs : std::uint8_t {
   All,        ///< All pairs.
-  First,      ///< Pairs with a first partner, whether or not the second partner is missing.
-  Both,       ///< Pairs without a missing partner.
-  FirstOnly,  ///< Pairs whose second partner is missing.
+  First,      ///< Pairs with a feature of the first layer.
+  Both,       ///< Pairs with features of both layers.
+  FirstOnly,  ///< Pairs with a feature of the first layer only.
 };
 
 /// Options of overlay_layers().

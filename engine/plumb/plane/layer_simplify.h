@@ -45,8 +45,8 @@ struct LayerSimplifyOptions {
   /// exactly two edges of borders meet at the corner.
   double kept = 0;
   /// The largest distance by which borders may move. Every point of the simplified borders lies
-  /// within this distance of the original borders, and vice versa. Infinity means that there is no
-  /// bound.
+  /// within this distance of the original borders, and every point of the original borders lies
+  /// within this distance of the simplified borders. Infinity means that there is no bound.
   double within = std::numeric_limits<double>::infinity();
 };
 

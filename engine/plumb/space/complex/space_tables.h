@@ -1,7 +1,7 @@
 // The tables of the planes and points to which complexes in space refer.
 //
 // In every table, planes 0, 1 and 2 are x = 0, y = 0 and z = 0. A direction is given by a pair of
-// planes. Because of these three planes, the directions of the axes can be given in this way, too.
+// planes. The directions of the axes can be given by pairs of the planes 0, 1 and 2.
 //
 // An operation on two sets first makes a common table. The operation copies the larger table by
 // copy(), and adds the entries of the smaller table to the copy by merge(). The TableMap that
