@@ -86,7 +86,7 @@ ConvexityEvidence convexity_of_set(const Nef3& set, Context& context = unlimited
 /// Returns the edges around which some marked volume spans more than half a turn. Each edge occurs
 /// once in the returned list, which is in ascending order. If a facet lies inside a marked volume,
 /// the edges of its boundary are reflex edges. If a line was removed from a marked volume, the
-/// edges on this line are reflex edges. O(n) for n cells.
+/// edges on this line are reflex edges. Cost: O(n) for n cells.
 std::vector<EdgeId> reflex_edges(const SpaceComplex& complex);
 
 }  // namespace plumb

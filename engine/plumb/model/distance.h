@@ -80,8 +80,8 @@ struct PlaneDistance {
 /// const members at the same time.
 class DistanceIndex {
  public:
-  /// Builds the tree of the set. Throws Error{BadArgument} if the set is empty or unbounded. O(n
-  /// log n) for n cells.
+  /// Builds the tree of the set. Throws Error{BadArgument} if the set is empty or unbounded. Cost:
+  /// O(n log n) for n cells.
   explicit DistanceIndex(const Nef3& set, Context& context = unlimited_context());
   DistanceIndex(const DistanceIndex&);             ///< Copies share the tree.
   DistanceIndex& operator=(const DistanceIndex&);  ///< Copies share the tree.

@@ -38,7 +38,7 @@ struct BoundingBox3 {
 };
 
 /// Returns the bounding box of the closure of a set, or nullopt if the set is empty. Throws
-/// Error{BadArgument} if the set is unbounded. O(n) for n vertices.
+/// Error{BadArgument} if the set is unbounded. Cost: O(n) for n vertices.
 [[nodiscard]] std::optional<BoundingBox3> bounding_box(const Nef3& set);
 
 /// Returns the scaling about the origin that scales `box` to the given size. Along an axis whose

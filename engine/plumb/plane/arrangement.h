@@ -77,7 +77,7 @@ class SegmentSets {
   /// Returns the set with s removed. Requires that s is in the set. Throws as with() does.
   Set without(Set set, SegmentId s);
 
-  /// Appends the curves of the set to `curves`, in ascending order. O(size of the set).
+  /// Appends the curves of the set to `curves`, in ascending order. Cost: O(size of the set).
   void append(Set set, std::vector<SegmentId>& curves) const;
 
   /// Returns the number of nodes of all sets together.
@@ -129,7 +129,7 @@ struct Arrangement {
   std::vector<SegmentSets::Set> origins;
 
   /// Returns the curves that contain edge e, in ascending order. Requires that e is not a frame
-  /// edge. O(number of these curves).
+  /// edge. Cost: O(number of these curves).
   std::vector<SegmentId> origins_of(EdgeId e) const {
     std::vector<SegmentId> curves;
     origin_sets.append(origins[e.value()], curves);

@@ -36,7 +36,7 @@ struct Map {
     return {corners.data() + cycle_begin[c], corners.data() + cycle_begin[c + 1]};
   }
   /// Appends a cycle of vertex indices. The indices are not checked. Requires that `vertices` does
-  /// not point into `corners`. O(length of the cycle), amortized.
+  /// not point into `corners`. Cost: O(length of the cycle), amortized.
   void add_cycle(std::span<const std::uint32_t> vertices) {
     corners.insert(corners.end(), vertices.begin(), vertices.end());
     cycle_begin.push_back(static_cast<std::uint32_t>(corners.size()));

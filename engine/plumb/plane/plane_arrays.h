@@ -25,21 +25,21 @@ namespace plumb {
 
 /// Returns the points (xy[2 i], xy[2 i + 1]), in order. Throws Error{BadArgument} if the number of
 /// coordinates is odd or there are more than 2^32 - 2 points. Throws Error{NotFinite}, with the
-/// index of the point, if a coordinate is not finite. O(n) for n points.
+/// index of the point, if a coordinate is not finite. Cost: O(n) for n points.
 PointTable2 points_of(std::span<const double> xy);
 
 /// Returns the map of these points and cycles. Cycle c consists of corners[cycle_begin[c]], ...,
 /// corners[cycle_begin[c + 1] - 1]. So cycle_begin has one entry more than there are cycles. Throws
 /// Error{BadArgument} if cycle_begin does not ascend from 0 to the number of corners. Also throws
 /// the errors of points_of(). This function does not check the corners. check_map() checks them.
-/// O(n) for n points and corners.
+/// Cost: O(n) for n points and corners.
 Map map_of_cycles(std::span<const double> xy, std::span<const std::uint32_t> cycle_begin,
                   std::span<const std::uint32_t> corners);
 
 /// Returns the coordinates x y x y ... of all points. A coordinate that is not a double is rounded
 /// to the nearest double. The function repairs nothing, so segments between rounded points may
 /// cross. To avoid this, first round the set with round_to_doubles() (plane_rounding.h). The
-/// coordinates of the rounded set are doubles. O(n) for n points.
+/// coordinates of the rounded set are doubles. Cost: O(n) for n points.
 std::vector<double> coordinates_of(const PointTable2& points);
 
 }  // namespace plumb

@@ -24,7 +24,8 @@ namespace plumb {
 ///     sweep checks these two invariants.
 /// If `form` is AuditForm::Minimal, one more invariant is checked: no cell can be removed without
 /// changing the set. The complex of a Nef2 is minimal in this sense. Throws ResourceLimit if a
-/// limit of the Context is exceeded, and Cancelled if a stop is requested. O(n log n) for n cells.
+/// limit of the Context is exceeded, and Cancelled if a stop is requested. Cost: O(n log n) for n
+/// cells.
 std::optional<DcelFlaw> audit(const PlaneComplex& complex, AuditForm form,
                               Context& context = unlimited_context());
 

@@ -116,7 +116,7 @@ struct PlaneComplex {
 };
 
 /// Whether face f is unbounded. A face is unbounded if it is face 0 or if its boundary contains a
-/// frame edge. O(length of the boundary).
+/// frame edge. Cost: O(length of the boundary).
 bool is_unbounded(const PlaneComplex& complex, FaceId f);
 
 }  // namespace plumb

@@ -61,7 +61,7 @@ struct SetFeatures {
                                        Context& context = unlimited_context());
 
 /// Appends the features of `more`, with their ids and properties. Throws Error{ResourceLimit} if
-/// the layer would have more corners than indices can number. O(size of `more`).
+/// the layer would have more corners than indices can number. Cost: O(size of `more`).
 void append_layer(Layer& layer, const Layer& more);
 
 }  // namespace plumb

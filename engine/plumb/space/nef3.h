@@ -311,7 +311,7 @@ class Nef3 {
   /// (source_mesh.h) rejects the source. Takes O(size of the source).
   [[nodiscard]] Nef3 with_source(std::shared_ptr<const MeshSource> source) const;
   /// Returns this set with a list of sources in place of its own. Throws Error{BadArgument} if a
-  /// pointer is null. O(number of sources).
+  /// pointer is null. Cost: O(number of sources).
   [[nodiscard]] Nef3 with_sources(std::span<const PlacedSource> sources) const;
   /// Returns the union of this set and all bounded volumes of its complex. The bounded volumes are
   /// the volumes that the boundary of the set encloses. O(n).

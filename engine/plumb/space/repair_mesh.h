@@ -128,7 +128,7 @@ std::vector<std::string> sentences(const RepairReport& report);
 /// corners of these triangles are corners of the face, and the triangles together have the boundary
 /// of the face. If the projection of the face along some coordinate axis is a simple polygon, the
 /// triangles form a constrained Delaunay triangulation. Otherwise they form a fan. Throws
-/// Error{BadIndex}, Error{NotFinite}, and what the context throws. O(n log n) for n corners.
+/// Error{BadIndex}, Error{NotFinite}, and what the context throws. Cost: O(n log n) for n corners.
 PolygonMesh triangulated(const PolygonMesh& mesh, Context& context = unlimited_context());
 
 }  // namespace plumb

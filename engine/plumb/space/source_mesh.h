@@ -36,8 +36,8 @@ struct MeshSource {
   std::optional<Plane3> plane = {};
 };
 
-/// Returns a copy of the mesh that a view describes. It is used to make a source from arrays. O(n)
-/// for n corners.
+/// Returns a copy of the mesh that a view describes. It is used to make a source from arrays. Cost:
+/// O(n) for n corners.
 [[nodiscard]] PolygonMesh copied_mesh(const MeshView& mesh);
 
 /// A source, and the map that was applied to it.

@@ -55,7 +55,7 @@ struct SpaceItemHit {
 class SpaceLocator {
  public:
   /// Builds the index. The complex must outlive the locator. The arrays of the complex that the
-  /// head of this file names must not change. O(n log n) for n items.
+  /// head of this file names must not change. Cost: O(n log n) for n items.
   explicit SpaceLocator(const SpaceComplex& complex);
   ~SpaceLocator();
   SpaceLocator(const SpaceLocator&) = delete;

@@ -142,7 +142,7 @@ struct SphereFaceBoundary {
   std::vector<std::uint32_t> half_arcs;  ///< One half-arc of each boundary cycle.
   std::vector<std::uint32_t> points;     ///< The isolated points inside the face.
 };
-/// Returns the boundary of a face of a map. O(size of the map).
+/// Returns the boundary of a face of a map. Cost: O(size of the map).
 [[nodiscard]] SphereFaceBoundary face_boundary(const SphereMap& map, std::uint32_t face);
 
 class NefSphere;

@@ -57,7 +57,8 @@ class ExponentialMap {
  public:
   /// Makes the map around `centre`, which is a row of `points`. The x axis is the direction of the
   /// first side of `face`, turned counter-clockwise by `angle` degrees. Requires that the centre
-  /// lies in `face` and that `angle` is finite. The mesh must outlive the map. O(n) for n vertices.
+  /// lies in `face` and that `angle` is finite. The mesh must outlive the map. Cost: O(n) for n
+  /// vertices.
   ExponentialMap(const SurfacePointTable& points, SurfacePointId centre, FaceId face, double angle);
 
   /// Appends to `points` the point of the mesh that belongs to an offset, and returns the row of

@@ -159,8 +159,8 @@ class SurfaceDivision {
   /// are A, B, C, ... or s0, s1, ..., in the order of their indices. In a cell, the value of a
   /// shape is true if `rule` counts the label of the shape in this cell as inside. Throws
   /// Error{BadArgument} for any other name, and for a shape without an integer label. For the rule
-  /// EvenOdd, a label modulo 2 is sufficient. Throws what the context throws. O(cells + length of
-  /// labels).
+  /// EvenOdd, a label modulo 2 is sufficient. Throws what the context throws. Cost: O(cells +
+  /// length of labels).
   SurfaceRegion select(const SetExpression& expression, WindingRule rule,
                        Context& context = unlimited_context()) const;
   /// Returns the borders of a region as polygons with the region to their left.

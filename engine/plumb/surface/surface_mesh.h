@@ -74,7 +74,7 @@ class SurfaceMesh {
   /// faces of the component have consistent orientations. There are two ways to do this. The
   /// constructor chooses the way in which fewer faces are flipped; in case of a tie, the first face
   /// of the component is not flipped. If a face is flipped, its last two corners are exchanged, and
-  /// is_flipped() returns true for the face. O(n) for n faces. Throws:
+  /// is_flipped() returns true for the face. Cost: O(n) for n faces. Throws:
   /// - Error{BadIndex} if a corner is not the index of a point,
   /// - Error{DegenerateFace} if a face has a repeated corner,
   /// - Error{BadShape} if the triangles are not an orientable manifold; the error lists up to ten

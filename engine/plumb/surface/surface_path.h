@@ -149,7 +149,7 @@ struct SurfacePolygons {
 };
 
 /// Throws Error{BadArgument} unless both ends of every segment lie in the face of the segment. The
-/// error contains the indices of the polygon and of the segment. O(n) for n segments.
+/// error contains the indices of the polygon and of the segment. Cost: O(n) for n segments.
 void require_valid(const SurfacePolygons& polygons);
 
 }  // namespace plumb

@@ -56,7 +56,7 @@ enum class PathChoice : std::uint8_t {
 /// Traces paths between points of a mesh.
 class Tracer {
  public:
-  /// Makes a tracer for the mesh. The mesh must outlive the tracer. O(n) for n vertices.
+  /// Makes a tracer for the mesh. The mesh must outlive the tracer. Cost: O(n) for n vertices.
   explicit Tracer(const SurfaceMesh& mesh, PathChoice choice = PathChoice::Local);
   /// A moved-from tracer may only be destroyed. There is no copy constructor, because finder_
   /// refers to positions_.

@@ -37,7 +37,7 @@ struct SurfaceTriangulation {
 };
 
 /// Returns the triangulation of the surface. Each triangle lies in one cell. Throws what the
-/// context throws. O(n log n) for n half-edges.
+/// context throws. Cost: O(n log n) for n half-edges.
 SurfaceTriangulation triangulate_surface(const SurfaceDivision& division,
                                          Context& context = unlimited_context());
 

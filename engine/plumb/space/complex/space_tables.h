@@ -90,7 +90,7 @@ struct CompactedTables {
 ///
 /// The new ids have the same order as the old ids. If the planes that define a wall are dropped,
 /// the wall remains the same plane. However, is_wall_of() no longer recognizes it as a wall of
-/// these planes. O(size of the tables).
+/// these planes. Cost: O(size of the tables).
 CompactedTables compacted(const SpaceTables& tables, std::span<const PlaneId> planes,
                           std::span<const SpacePoint> points);
 

@@ -41,7 +41,7 @@ namespace plumb {
 class ShortestStripFinder {
  public:
   /// `positions` are the positions of the vertices, scaled so that no product of two coordinates
-  /// overflows. O(n) for n vertices.
+  /// overflows. Cost: O(n) for n vertices.
   ShortestStripFinder(const SurfaceMesh& mesh, std::span<const Point3> positions);
 
   /// Returns a strip that contains a shortest path from `from` to `to`, if it is shorter than
