@@ -857,7 +857,7 @@ PLUMB_API bool plumb_solid_is_empty(
     const plumb_solid* solid); /**< Whether the solid has no point. O(1). */
 PLUMB_API bool plumb_solid_is_whole(
     const plumb_solid* solid); /**< Whether the solid is the whole space. O(1). */
-/** Whether both are the same set. */
+/** Whether a and b are the same set. */
 PLUMB_API plumb_status plumb_solid_equals(const plumb_solid* a, const plumb_solid* b, bool* out,
                                           plumb_error** error);
 /** Whether every point of a is in b. */
@@ -1056,7 +1056,7 @@ PLUMB_API bool plumb_plane_set_is_empty(
     const plumb_plane_set* set); /**< Whether the set is empty. O(1). */
 PLUMB_API bool plumb_plane_set_is_whole(
     const plumb_plane_set* set); /**< Whether the set is the whole plane. O(1). */
-/** Whether both are the same set. */
+/** Whether a and b are the same set. */
 PLUMB_API plumb_status plumb_plane_set_equals(const plumb_plane_set* a, const plumb_plane_set* b,
                                               bool* out, plumb_error** error);
 /** Whether every point of a is in b. */
@@ -1296,7 +1296,7 @@ PLUMB_API bool plumb_sphere_set_is_empty(
     const plumb_sphere_set* set); /**< Whether the set is empty. O(1). */
 PLUMB_API bool plumb_sphere_set_is_whole(
     const plumb_sphere_set* set); /**< Whether the set is the whole sphere. O(1). */
-/** Whether both are the same set. */
+/** Whether a and b are the same set. */
 PLUMB_API plumb_status plumb_sphere_set_equals(const plumb_sphere_set* a, const plumb_sphere_set* b,
                                                bool* out, plumb_error** error);
 /** Whether every point of a is in b. */

@@ -171,7 +171,7 @@ class PlaneTrapezoids;
 /// Returns the symmetric difference: the points that belong to exactly one of the two sets. (In the
 /// library Manifold, `^` is the intersection.)
 [[nodiscard]] Nef2 operator^(const Nef2& a, const Nef2& b);
-[[nodiscard]] bool operator==(const Nef2& a, const Nef2& b);  ///< Whether both are the same set.
+[[nodiscard]] bool operator==(const Nef2& a, const Nef2& b);  ///< Whether both sets are equal.
 
 /// A set of the plane. The head of this file describes such sets.
 class Nef2 {
