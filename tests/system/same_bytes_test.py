@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""The program writes the same bytes on every processor and system: same_bytes_test.py PROGRAM [--write | --without-sines]
+"""The program writes the same bytes on every processor and system: same_bytes_test.py PROGRAM [--write]
 
 same_bytes.txt beside this file lists commands, each with the first half of the SHA-256 of what it writes. Little- and big-endian
 processors, signed and unsigned char, long of 32 and of 64 bits, libraries with and without fused multiplication have to agree with
 it (docs/platforms.md). With --write, the digests are replaced by those of PROGRAM; that is right only where a format or the
-canonical form of a set changes on purpose. With --without-sines, the section of shapes whose corners are sines and cosines is left
-out, for a C library that rounds some of them otherwise.
+canonical form of a set changes on purpose.
 """
 import hashlib
 import pathlib
@@ -38,18 +37,13 @@ def run(program, words, folder):
 def main():
     program = str(pathlib.Path(sys.argv[1]).resolve())
     writes = "--write" in sys.argv[2:]
-    without_sines = not writes and "--without-sines" in sys.argv[2:]
     compared = 0
-    section = ""
     lines = []
     differences = 0
     with tempfile.TemporaryDirectory() as scratch:
         for number, line in enumerate(LIST.read_text(encoding="utf-8").splitlines()):
             if not line.strip() or line.startswith("#"):
                 lines.append(line)
-                section = line or section
-                continue
-            if without_sines and "sines" in section:
                 continue
             compared += 1
             expected, words = line.split(maxsplit=1)

@@ -26,6 +26,7 @@
 #include "plumb/io/svg/svg_outline.h"
 #include "plumb/io/svg/svg_syntax.h"
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -500,8 +501,8 @@ SvgTransform SvgReader::read_one_transform(SvgValue& text) {
   if (is("matrix", 6, 6)) return {n[0], n[1], n[2], n[3], n[4], n[5]};
   if (is("translate", 1, 2)) return {1, 0, 0, 1, n[0], n[1]};
   if (is("scale", 1, 2)) return {n[0], 0, 0, count == 1 ? n[0] : n[1], 0, 0};
-  if (is("skewX", 1, 1)) return {1, 0, std::tan(n[0] * kDegree), 1, 0, 0};
-  if (is("skewY", 1, 1)) return {1, std::tan(n[0] * kDegree), 0, 1, 0, 0};
+  if (is("skewX", 1, 1)) return {1, 0, tangent(n[0] * kDegree), 1, 0, 0};
+  if (is("skewY", 1, 1)) return {1, tangent(n[0] * kDegree), 0, 1, 0, 0};
   if (is("rotate", 1, 3)) {
     const Point2 turn = unit_vector(n[0]);
     const SvgTransform rotation{turn.x, turn.y, -turn.y, turn.x, 0, 0};

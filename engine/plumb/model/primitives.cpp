@@ -16,6 +16,7 @@
 
 #include "plumb/model/hull.h"
 #include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -42,8 +43,8 @@ double sine_in_quadrant(double angle) {
   if (angle == 45) return std::numbers::sqrt2 / 2;
   if (angle == 60) return std::numbers::sqrt3 / 2;
   if (angle == 90) return 1;
-  return angle <= 45 ? std::sin(angle * std::numbers::pi / 180)
-                     : std::cos((90 - angle) * std::numbers::pi / 180);
+  return angle <= 45 ? sine(angle * std::numbers::pi / 180)
+                     : cosine((90 - angle) * std::numbers::pi / 180);
 }
 
 /// Returns the corners of a regular polygon in the plane at the height z.

@@ -41,7 +41,7 @@ std::array<double, 3> unit_axis(std::array<double, 3> axis) {
   const double largest = std::max({std::fabs(axis[0]), std::fabs(axis[1]), std::fabs(axis[2])});
   if (!(largest > 0)) throw Error(ErrorCode::BadArgument, "the axis of a rotation is zero");
   for (double& a : axis) a /= largest;
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
   for (double& a : axis) a /= length;
   return axis;
 }

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point_table2.h"
 #include "plumb/predicates/rounding.h"
@@ -62,7 +63,7 @@ double angle_between(const Vector& a, const Vector& b, double distance) {
   const Rational unit = exact_rational(distance);
   const double ax = nearest_double(a.x / unit), ay = nearest_double(a.y / unit);
   const double bx = nearest_double(b.x / unit), by = nearest_double(b.y / unit);
-  const double angle = std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+  const double angle = arc_tangent(ax * by - ay * bx, ax * bx + ay * by);
   return angle > 0 ? angle : std::numbers::pi;
 }
 
@@ -114,7 +115,7 @@ class Joiner {
     if (options.circle_segments != 0) return 2 * std::numbers::pi / options.circle_segments;
     const double error =
         options.chord_error > 0 ? options.chord_error / distance : kChordsPerDistance;
-    const double chord = 2 * std::acos(std::max(1 - error, 0.5));
+    const double chord = 2 * arc_cosine(std::max(1 - error, 0.5));
     return std::max(chord, 2 * std::numbers::pi / kMostCircleSegments);
   }
 
@@ -143,7 +144,7 @@ class Joiner {
       }
       const double a = angle_of(i);
       const Vector at =
-          sum(scaled(from, exact_rational(std::cos(a))), scaled(up, exact_rational(std::sin(a))));
+          sum(scaled(from, exact_rational(cosine(a))), scaled(up, exact_rational(sine(a))));
       // Short numbers; half a unit in the last place does not matter on an arc.
       const Vector rounded{exact_rational(nearest_double(at.x)),
                            exact_rational(nearest_double(at.y))};
@@ -167,7 +168,7 @@ class Joiner {
   }
 
   std::vector<Vector> square(const Vector& from, const Vector& to) const {
-    const Rational reach = exact_rational(std::tan(angle_between(from, to, distance_) / 4));
+    const Rational reach = exact_rational(tangent(angle_between(from, to, distance_) / 4));
     return {sum(from, scaled(turned_left(from), reach)), sum(to, scaled(turned_left(to), -reach))};
   }
 

@@ -22,6 +22,7 @@
 #include <string>
 
 #include "plumb/base/internal/degrees.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 #include "plumb/surface/strip/face_strip.h"
 
@@ -132,7 +133,7 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim_from_vertex(const Fan& f
   line.face = SurfaceMesh::face(fan.halfedges[k]);
   line.start = SurfaceMesh::side(fan.halfedges[k]);
   line.corners = laid_out(mesh_, positions_.at, line.face, line.start);
-  line.along = {length * std::cos(turn), length * std::sin(turn)};
+  line.along = {length * cosine(turn), length * sine(turn)};
   return line;
 }
 
@@ -150,7 +151,7 @@ ExponentialMap::Line ExponentialMap::aim_from_inside(Point2 along) const {
 std::optional<ExponentialMap::Line> ExponentialMap::aim_from_corner(Point2 along) const {
   const FaceCorners corners = laid_out(mesh_, positions_.at, face_, 0);
   const Point2 side = corners[(corner_ + 1) % 3] - corners[corner_];
-  const double turn = std::atan2(cross(side, along), dot(side, along));
+  const double turn = arc_tangent(cross(side, along), dot(side, along));
   const double size = length(along);
   if (!fan_.is_at_border) {
     return aim_from_vertex(fan_, angle_before_ + turn / (2 * kPi) * fan_.full_angle(), size);
@@ -227,7 +228,7 @@ std::optional<ExponentialMap::Line> ExponentialMap::beyond_vertex(const Line& li
   const Point2 at = line.corners[corner], side = line.corners[(corner + 1) % 3] - at;
   const Point2 back{-line.along.x, -line.along.y};
   const double wedge = corner_angle(mesh_, positions_.at, h);
-  const double back_angle = std::clamp(std::atan2(cross(side, back), dot(side, back)), 0., wedge);
+  const double back_angle = std::clamp(arc_tangent(cross(side, back), dot(side, back)), 0., wedge);
   const double angle = fan.angle_before(h) + back_angle, left = (1 - part) * length(line.along);
   if (!fan.is_at_border) return aim_from_vertex(fan, angle + fan.full_angle() / 2, left);
   const std::optional<Line> next = aim_from_vertex(fan, angle + kPi, left);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/point.h"
 
 #pragma GCC visibility push(default)
@@ -16,7 +17,7 @@ inline Point2 unit_vector(double degrees) {
   const double rest = std::remainder(degrees, 4 * kQuarter);  // This is exact.
   const double quarters = std::nearbyint(rest / kQuarter);
   const double angle = (rest - quarters * kQuarter) * (std::numbers::pi / (2 * kQuarter));
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = cosine(angle), s = sine(angle);
   switch (static_cast<int>(quarters)) {
     case 0:
       return {c, s};

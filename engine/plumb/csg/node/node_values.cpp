@@ -22,6 +22,7 @@
 #include "plumb/model/slice.h"
 #include "plumb/model/transform.h"
 #include "plumb/plane/plane_offset.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/mesh_arrays.h"
@@ -339,7 +340,7 @@ namespace {
 double step_of_arcs(double radius, std::uint32_t chords) {
   const double error = radius * (1 - cosine_of_degrees(180.0 / chords));
   const double share = std::min(error, radius / 4) / radius;
-  const double steps = std::numbers::pi / std::acos(1 - share);
+  const double steps = std::numbers::pi / arc_cosine(1 - share);
   return 2 * std::numbers::pi / std::min<double>(steps, kMostCircleSegments);
 }
 

@@ -30,6 +30,7 @@
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/record_reader.h"
 #include "plumb/io/text/text_output.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
@@ -620,7 +621,7 @@ class DxfReader {
   static double on_circle(double degrees, double ratio) {
     if (ratio == 1 || std::remainder(degrees, 90) == 0) return degrees;
     const Point2 at = unit_vector(degrees);
-    const double t = std::atan2(at.y, at.x * ratio) * 180 / 3.14159265358979323846;
+    const double t = arc_tangent(at.y, at.x * ratio) * 180 / 3.14159265358979323846;
     return degrees + std::remainder(t - degrees, 360);
   }
 

@@ -25,6 +25,7 @@
 
 #include "plumb/base/internal/degrees.h"
 #include "plumb/io/text/text_output.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -93,12 +94,12 @@ class CurveFlattener {
     const Point2 centre{(a.p.x + b.x) / 2 - reach * chord.y, (a.p.y + b.y) / 2 + reach * chord.x};
     const Point2 u{a.p.x - centre.x, a.p.y - centre.y};
     const Point2 v{-u.y, u.x};
-    const double angle = 4 * std::atan(a.bulge);
+    const double angle = 4 * arc_tangent(a.bulge, 1);
     const double quarters = std::max(1.0, std::ceil(std::fabs(angle) / (std::numbers::pi / 2)));
     for (double q = 0; q < quarters; ++q) {
       const double from = angle * q / quarters, to = angle * (q + 1) / quarters;
-      const Point2 end{centre.x + std::cos(to) * u.x + std::sin(to) * v.x,
-                       centre.y + std::cos(to) * u.y + std::sin(to) * v.y};
+      const Point2 end{centre.x + cosine(to) * u.x + sine(to) * v.x,
+                       centre.y + cosine(to) * u.y + sine(to) * v.y};
       outline_.arc_to(at, centre, u, v, from, to, q + 1 < quarters ? end : b);
     }
   }

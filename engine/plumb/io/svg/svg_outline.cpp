@@ -21,6 +21,7 @@
 
 #include "plumb/base/internal/degrees.h"
 #include "plumb/io/text/input_cursors.h"
+#include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -208,7 +209,7 @@ void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v,
   const std::size_t n = chords(at, reach * (to - from) * (to - from));
   for (std::size_t i = 1; i < n; ++i) {
     const double angle = from + (to - from) * static_cast<double>(i) / static_cast<double>(n);
-    const Point2 off = mixed(pu, std::cos(angle), pv, std::sin(angle));
+    const Point2 off = mixed(pu, cosine(angle), pv, sine(angle));
     add(at, {middle.x + off.x, middle.y + off.y});
   }
   add(at, end);
@@ -385,8 +386,8 @@ void PathReader::arc(bool is_relative) {
   const Point2 u{axis.x * rx, axis.y * rx}, v{-axis.y * ry, axis.x * ry};
   const Point2 centre{(at_.x + to.x) / 2 + c.x * u.x + c.y * v.x,
                       (at_.y + to.y) / 2 + c.x * u.y + c.y * v.y};
-  const double from = std::atan2(p.y - c.y, p.x - c.x);
-  double end = std::atan2(-p.y - c.y, -p.x - c.x);
+  const double from = arc_tangent(p.y - c.y, p.x - c.x);
+  double end = arc_tangent(-p.y - c.y, -p.x - c.x);
   // A large arc has at least half a turn, any other at most that. With a quarter turn of margin,
   // rounding cannot make an arc of half a turn none or a whole turn.
   const double least = is_large ? kPi / 2 : -kPi / 2;
