@@ -43,7 +43,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(_WIN32) && defined(PLUMB_C_BUILDING)
+#define PLUMB_API __declspec(dllexport)
+#elif defined(__GNUC__) || defined(__clang__)
 #define PLUMB_API __attribute__((visibility("default")))
 #else
 #define PLUMB_API
