@@ -1,7 +1,10 @@
 #include "plumb/space/set/barycentric_form.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
+#include "plumb/predicates/arithmetic/nearest_quotient.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
@@ -29,10 +32,29 @@ Row3 cross(const Row3& a, const Row3& b) {
   return result;
 }
 
-/// Returns the nearest double. The numbers are lent to a Rational without removing common factors,
-/// which does not matter to the division.
-double nearest_quotient(Integer numerator, Integer denominator) {
-  if (numerator.is_zero()) return 0;
+/// The leading 192 bits of the absolute value of a number, or some less, times 2^scale. top_bits()
+/// takes 106 of them.
+struct Leading {
+  Fixed<4> limbs;
+  int scale;
+};
+
+Leading leading_of(const Integer& number) {
+  static_assert(GMP_NUMB_BITS == 64 || GMP_NUMB_BITS == 32);
+  constexpr std::size_t kParts = 64 / GMP_NUMB_BITS, kTaken = 3 * kParts;
+  const std::size_t size = mpz_size(number.mpz());
+  const std::size_t first = size > kTaken ? size - kTaken : 0;
+  std::array<std::uint64_t, 4> limbs{};
+  for (std::size_t i = first; i < size; ++i) {
+    const std::uint64_t limb = mpz_getlimbn(number.mpz(), static_cast<mp_size_t>(i));
+    limbs[(i - first) / kParts] |= limb << ((i - first) % kParts * GMP_NUMB_BITS);
+  }
+  return {Fixed<4>::from_limbs(limbs.data()), static_cast<int>(first * GMP_NUMB_BITS)};
+}
+
+/// Returns the double that is nearest to a quotient. The numbers are lent to a Rational without
+/// removing common factors, which does not matter to the division.
+double nearest_by_division(Integer numerator, Integer denominator) {
   Rational lent;
   mpz_swap(mpq_numref(lent.mpq()), numerator.mpz());
   mpz_swap(mpq_denref(lent.mpq()), denominator.mpz());
@@ -54,7 +76,19 @@ void BarycentricWeights::move_inside() {
 
 std::array<double, 3> BarycentricWeights::rounded() const {
   std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) result[i] = nearest_quotient(numerator[i], denominator);
+  const bool has_filter = rounds_to_nearest();
+  const Leading below = leading_of(denominator);
+  const TwofoldScaled divisor = top_bits(below.limbs);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (numerator[i].is_zero()) continue;
+    // The quotient of the leading bits decides nearly all cases.
+    if (has_filter) {
+      const Leading above = leading_of(numerator[i]);
+      result[i] = nearest_quotient(above.limbs, divisor, above.scale - below.scale);
+      if (numerator[i].sign() < 0) result[i] = -result[i];
+    }
+    if (result[i] == 0) result[i] = nearest_by_division(numerator[i], denominator);
+  }
   return result;
 }
 

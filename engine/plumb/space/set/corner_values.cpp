@@ -95,6 +95,8 @@ class TriangleReader {
 
   /// Goes to a piece that has a source triangle.
   void set(const BoundaryPiece& piece) {
+    if (known_ == piece.triangle && cover_ == piece.cover) return;
+    weights_.clear();
     cover_ = piece.cover;
     if (known_ == piece.triangle) return;
     known_ = piece.triangle;
@@ -121,8 +123,20 @@ class TriangleReader {
     return kNone;
   }
 
-  /// Returns the weights at a point. Negative weights become 0, unless pieces were joined.
-  CornerWeights weights_at(const Point3& p) {
+  /// Returns the weights at a point. Negative weights become 0, unless pieces were joined. The
+  /// weights of the last points are kept, because several faces of a piece share their corners. The
+  /// result is valid until the next call.
+  const CornerWeights& weights_at(const Point3& p) {
+    constexpr std::size_t kMost = 16;
+    for (const auto& [at, weights] : weights_) {
+      if (at == p) return weights;
+    }
+    if (weights_.size() == kMost) weights_.clear();
+    return weights_.emplace_back(p, computed_weights(p)).second;
+  }
+
+ private:
+  CornerWeights computed_weights(const Point3& p) {
     BarycentricWeights w = form().at(input_.places.row(input_.complex.points(), p));
     CornerWeights weights{};
     if (w.has_negative()) {
@@ -135,8 +149,6 @@ class TriangleReader {
     weights.rounded = w.rounded();
     return weights;
   }
-
- private:
   Point3 rounded_corner(std::size_t i) {
     const Point3* const doubles = input_.sources.doubles(triangle(), i);
     if (doubles != nullptr) return rounded_to(input_.type, *doubles);
@@ -162,6 +174,7 @@ class TriangleReader {
   PieceCover cover_ = PieceCover::Triangle;
   std::array<Point3, 3> at_{};  // The corners, rounded.
   std::optional<BarycentricForm> form_;
+  std::vector<std::pair<Point3, CornerWeights>> weights_;  // At some points of the triangle.
 };
 
 /// Returns number k of a channel. Equal numbers at all corners give this number.
@@ -214,20 +227,29 @@ class ChannelWriter {
   }
 
  private:
+  /// The way of the numbers of a channel.
+  struct Way {
+    const MeshChannel* from;  ///< The channel of a source.
+    std::uint32_t to;         ///< The index of the channel of the result.
+    bool is_normal;           ///< Whether the numbers are normals.
+  };
+
   /// Makes the channels of the result, and tells where each channel of a source goes.
   void add_channels() {
     auto& channels = result_.attributes.channels;
     for (const PlacedSource& placed : input_.sources.sources()) {
-      std::vector<std::uint32_t> to;
+      std::vector<Way> ways;
       for (const MeshChannel& channel : placed.source->attributes.channels) {
         const auto known = std::find_if(channels.begin(), channels.end(),
                                         [&](const auto& c) { return c.name == channel.name; });
-        to.push_back(static_cast<std::uint32_t>(known - channels.begin()));
+        const auto to = static_cast<std::uint32_t>(known - channels.begin());
         if (known == channels.end()) channels.push_back({channel.name, channel.width, {}});
-        MeshChannel& target = channels[to.back()];
+        MeshChannel& target = channels[to];
         target.width = std::max(target.width, channel.width);
+        const bool is_normal = channel.name == "normal" && channel.width == 3;
+        if (!channel.values.empty()) ways.push_back({&channel, to, is_normal});
       }
-      target_.push_back(std::move(to));
+      ways_.push_back(std::move(ways));
       const bool is_moved = !is_identity(placed.map);
       is_moved_.push_back(is_moved ? 1 : 0);
       normal_map_.push_back(is_moved ? normal_map(placed.map) : NormalMap{});
@@ -241,25 +263,21 @@ class ChannelWriter {
   void fill_corner(std::uint32_t corner, bool is_flipped) {
     const Point3& p = result_.mesh.points[result_.mesh.corners[corner]];
     const std::uint32_t source_corner = reader_.corner_at(p);
-    std::optional<CornerWeights> weights;
-    if (source_corner == kNone) weights = reader_.weights_at(p);
+    const CornerWeights* const weights = source_corner == kNone ? &reader_.weights_at(p) : nullptr;
     const std::uint32_t source = reader_.triangle().source;
-    const auto& channels = input_.sources.sources()[source].source->attributes.channels;
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-      const MeshChannel& from = channels[c];
-      if (from.values.empty()) continue;
-      MeshChannel& to = result_.attributes.channels[target_[source][c]];
-      const std::span<double> values =
-          std::span(to.values).subspan(std::size_t{corner} * to.width, from.width);
-      if (!weights) {
-        std::copy_n(&from.values[std::size_t{source_corner} * from.width], from.width,
-                    values.begin());
+    for (const Way& way : ways_[source]) {
+      const MeshChannel& from = *way.from;
+      MeshChannel& to = result_.attributes.channels[way.to];
+      double* const values = &to.values[std::size_t{corner} * to.width];
+      if (weights == nullptr) {
+        const double* const own = &from.values[std::size_t{source_corner} * from.width];
+        for (std::uint32_t k = 0; k < from.width; ++k) values[k] = own[k];
       } else {
         for (std::uint32_t k = 0; k < from.width; ++k) {
           values[k] = value_of(from, k, reader_.triangle(), *weights);
         }
       }
-      if (to.name == "normal" && from.width == 3) turn_normal(source, is_flipped, values);
+      if (way.is_normal) turn_normal(source, is_flipped, std::span(values, 3));
     }
   }
 
@@ -272,7 +290,7 @@ class ChannelWriter {
   const CornerInput& input_;
   MeshWithAttributes& result_;
   TriangleReader reader_;
-  std::vector<std::vector<std::uint32_t>> target_;  // For each channel of a source, its channel.
+  std::vector<std::vector<Way>> ways_;  // For each source, those of its channels.
   std::vector<NormalMap> normal_map_;
   std::vector<std::uint8_t> is_moved_;
 };

@@ -85,16 +85,18 @@ SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, const Sp
                                  SpaceTables& tables, Context& context)
     : sources_(sources), tables_(tables) {
   const PlanesByCorners known(tables.planes);
-  const std::vector<PlaneId> planes_of_facets(complex.facet_plane.begin(),
-                                              complex.facet_plane.end());
-  const MovedPlanes wanted(tables.planes, planes_of_facets);
+  std::optional<MovedPlanes> wanted;  // Made for the first source that was moved.
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
     context.check_limits("place sources");
     is_mirrored_.push_back(determinant_of(sources[s].map) < 0 ? 1 : 0);
     const std::size_t first = triangles_.size();
     add_triangles(s, context);
     if (moves_[s]) {
-      find_moved_planes(s, first, wanted, context);
+      if (!wanted) {
+        const std::vector<PlaneId> planes(complex.facet_plane.begin(), complex.facet_plane.end());
+        wanted.emplace(tables.planes, planes);
+      }
+      find_moved_planes(s, first, *wanted, context);
     } else {
       find_planes(s, first, known, context);
     }
