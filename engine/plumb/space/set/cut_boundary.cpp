@@ -536,7 +536,7 @@ class PlaneCutter {
   CutState& state_;
   PlaneId plane_;
   std::span<const FacetSide> sides_;
-  std::span<const std::uint32_t> triangles_;
+  TriangleRange triangles_;
   FlatView view_;
 
   std::vector<VertexId> vertices_;  // The vertices of the facets, ascending.
@@ -593,7 +593,11 @@ std::size_t edge_of_definition(const SpaceTables& tables, const CornerPoints& co
 /// Whether a point is known to be a corner of a triangle without arithmetic.
 bool is_known_corner(const CutState& state, const SourceTriangle& triangle,
                      const CornerPoints& corners, SpacePoint p) {
-  if (p.is_input()) return corner_index(corners, state.tables.planes.point(p.input())) < 3;
+  if (p.is_input()) {
+    const std::array<InputPointId, 3>& input = triangle.input;
+    if (std::find(input.begin(), input.end(), p.input()) != input.end()) return true;
+    return corner_index(corners, state.tables.planes.point(p.input())) < 3;
+  }
   std::size_t i = 0;
   while (i < 3 && !state.sources.has_definition_of(triangle, i, p)) ++i;
   return i < 3;
@@ -668,7 +672,7 @@ std::vector<UseId> uses_at_corners(CutState& state, FacetId f, const SourceTrian
 }
 
 /// Whether all triangles come from one face of a source.
-bool are_of_one_face(const SourceTriangles& sources, std::span<const std::uint32_t> triangles) {
+bool are_of_one_face(const SourceTriangles& sources, TriangleRange triangles) {
   const SourceTriangle& first = sources[triangles.front()];
   return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
     return sources[t].source == first.source && sources[t].face == first.face;
@@ -694,7 +698,7 @@ void add_whole(CutState& state, const FacetSide& side, std::uint32_t triangle) {
 /// Adds the triangles of a face of a source as regions of a facet that is this face. `uses` are
 /// those of uses_at_corners().
 void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<const UseId> uses,
-                           std::span<const std::uint32_t> triangles) {
+                           TriangleRange triangles) {
   const SpaceComplex& c = state.complex;
   const PlaneId plane = c.facet_plane[side.facet];
   for (const std::uint32_t t : triangles) {
@@ -719,8 +723,7 @@ void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<con
 
 /// Adds the regions of a facet that is exactly one polygon of a source, whose triangles are given.
 /// Returns false for any other facet.
-bool add_untouched(CutState& state, const FacetSide& side,
-                   std::span<const std::uint32_t> triangles) {
+bool add_untouched(CutState& state, const FacetSide& side, TriangleRange triangles) {
   const SourceTriangle& first = state.sources[triangles.front()];
   if (state.sources.is_plane(first) || !are_of_one_face(state.sources, triangles)) return false;
   const std::vector<UseId> uses = uses_at_corners(state, side.facet, first);

@@ -32,8 +32,8 @@ PlanesByCorners::PlanesByCorners(const PlaneTable& planes) : planes_(planes) {
   }
 }
 
-OrientedPlane PlanesByCorners::find(const std::array<Corner, 3>& corners) const {
-  OrientedPlane found;
+PlanesByCorners::Found PlanesByCorners::find(const std::array<Corner, 3>& corners) const {
+  Found found;
   const auto is_same = [&](std::uint32_t id) {
     const std::array<std::uint32_t, 3>& code = planes_.source(PlaneId(id)).code;
     const auto has = [&](std::size_t i, std::size_t corner) {
@@ -44,7 +44,10 @@ OrientedPlane PlanesByCorners::find(const std::array<Corner, 3>& corners) const 
       const std::size_t next = (first + 1) % 3, last = (first + 2) % 3;
       const bool is_turned = has(1, last) && has(2, next);
       if (!is_turned && !(has(1, next) && has(2, last))) continue;
-      found = OrientedPlane(PlaneId(id), is_turned);
+      found.plane = OrientedPlane(PlaneId(id), is_turned);
+      found.points[first] = InputPointId(code[0]);
+      found.points[is_turned ? last : next] = InputPointId(code[1]);
+      found.points[is_turned ? next : last] = InputPointId(code[2]);
       return true;
     }
     return false;

@@ -25,10 +25,20 @@ class PlanesByCorners {
 
   /// Returns the hash of the coordinates of a point.
   static std::uint32_t hash_of(const Point3& p);
+  /// A plane, and the input points of the table at the corners by which it was found.
+  struct Found {
+    OrientedPlane plane;
+    std::array<InputPointId, 3> points;
+  };
+
+  /// Prefetches the entry that find() reads first for these corners.
+  void prefetch(const std::array<Corner, 3>& corners) const {
+    index_.prefetch(hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash}));
+  }
   /// Returns the plane that these three points define in the table. Seen from its positive side,
-  /// the corners appear counter-clockwise. The result is not valid if the table has no plane of
+  /// the corners appear counter-clockwise. The plane is not valid if the table has no plane of
   /// this definition; it may have the plane with another definition. Expected cost: O(1).
-  OrientedPlane find(const std::array<Corner, 3>& corners) const;
+  Found find(const std::array<Corner, 3>& corners) const;
 
  private:
   /// Returns the hash of a triangle from those of its corners in any order.

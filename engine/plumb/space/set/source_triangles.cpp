@@ -189,21 +189,30 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
     has_doubles[p] = 1;
     hash[p] = PlanesByCorners::hash_of(*at);
   }
+  // The index is larger than the caches, so a block of triangles is prepared before it is looked up.
+  constexpr std::size_t kBlock = 32;
+  std::array<std::array<PlanesByCorners::Corner, 3>, kBlock> corners{};
+  std::array<bool, kBlock> has_all{};
   std::vector<std::uint32_t> unknown;
-  for (auto t = static_cast<std::uint32_t>(first); t < triangles_.size(); ++t) {
-    SourceTriangle& triangle = triangles_[t];
-    std::array<PlanesByCorners::Corner, 3> corners{};
-    bool has_all = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t p = point_index(triangle, i);
-      has_all = has_all && has_doubles[p] != 0;
-      if (has_all) corners[i] = {doubles(source, p), hash[p]};
+  for (std::size_t begin = first; begin < triangles_.size(); begin += kBlock) {
+    const std::size_t count = std::min(kBlock, triangles_.size() - begin);
+    for (std::size_t k = 0; k < count; ++k) {
+      has_all[k] = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t p = point_index(triangles_[begin + k], i);
+        has_all[k] = has_all[k] && has_doubles[p] != 0;
+        if (has_all[k]) corners[k][i] = {doubles(source, p), hash[p]};
+      }
+      if (has_all[k]) known.prefetch(corners[k]);
     }
-    const OrientedPlane plane = has_all ? known.find(corners) : OrientedPlane();
-    if (plane.is_valid()) {
-      set_plane(triangle, plane);
-    } else {
-      unknown.push_back(t);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto found = has_all[k] ? known.find(corners[k]) : PlanesByCorners::Found();
+      if (found.plane.is_valid()) {
+        set_plane(triangles_[begin + k], found.plane);
+        triangles_[begin + k].input = found.points;
+      } else {
+        unknown.push_back(static_cast<std::uint32_t>(begin + k));
+      }
     }
   }
   intern_planes(unknown, context);
@@ -247,11 +256,12 @@ void SourceTriangles::sort_by_plane(std::size_t planes) {
     if (has_plane(t)) ++begin_[t.plane.value() + std::size_t{1}];
   }
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  by_plane_.resize(begin_.back());
+  std::vector<SourceTriangle> sorted(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-    if (has_plane(triangles_[i])) by_plane_[next[triangles_[i].plane.value()]++] = i;
+  for (const SourceTriangle& t : triangles_) {
+    if (has_plane(t)) sorted[next[t.plane.value()]++] = t;
   }
+  triangles_ = std::move(sorted);
 }
 
 bool SourceTriangles::has_definition_of(const SourceTriangle& t, std::size_t i,

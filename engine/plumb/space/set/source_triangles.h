@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -26,9 +27,16 @@ struct SourceTriangle {
   PlaneId plane;  ///< Its plane.
   /// Whether the set that the source bounds is on the positive side of the plane.
   bool is_opposite;
+  /// The input points of the tables at the corners. Valid if they define the plane.
+  std::array<InputPointId, 3> input = {};
 };
 
-/// The triangles of all sources that have an area. Points of a source get a place in the tables
+/// Consecutive triangles of SourceTriangles.
+using TriangleRange = std::ranges::iota_view<std::uint32_t, std::uint32_t>;
+
+/// The triangles of all sources that have an area, sorted by their planes, then by their sources
+/// and faces. Planes have ids in the order in which sets were made, so what belongs to neighbouring
+/// facets is close in memory. Points of a source get a place in the tables
 /// when they are asked for, because most of them never are.
 class SourceTriangles {
  public:
@@ -41,10 +49,9 @@ class SourceTriangles {
   /// Returns a triangle.
   const SourceTriangle& operator[](std::uint32_t t) const { return triangles_[t]; }
   /// Returns the triangles in a plane, in the order of their sources and faces.
-  std::span<const std::uint32_t> in_plane(PlaneId plane) const {
-    if (plane.value() + std::size_t{1} >= begin_.size()) return {};
-    const std::uint32_t first = begin_[plane.value()];
-    return std::span(by_plane_).subspan(first, begin_[plane.value() + std::size_t{1}] - first);
+  TriangleRange in_plane(PlaneId plane) const {
+    if (plane.value() + std::size_t{1} >= begin_.size()) return TriangleRange(0, 0);
+    return TriangleRange(begin_[plane.value()], begin_[plane.value() + std::size_t{1}]);
   }
   /// Returns the sources.
   std::span<const PlacedSource> sources() const { return sources_; }
@@ -65,6 +72,7 @@ class SourceTriangles {
   }
   /// Returns the same for corner i of a triangle.
   const Point3* doubles(const SourceTriangle& t, std::size_t i) {
+    if (t.input[i].is_valid()) return &tables_.planes.point(t.input[i]);
     return doubles(t.source, point_index(t, i));
   }
   /// Places the corners of a moved triangle, so that doubles() does not change the tables.
@@ -128,8 +136,7 @@ class SourceTriangles {
   // For each source, its map if it moves a mesh.
   std::vector<std::optional<MovedPlanes::Map>> moves_;
   std::vector<SourceTriangle> triangles_;
-  std::vector<std::uint32_t> begin_;     // For each plane, where its triangles start in by_plane_.
-  std::vector<std::uint32_t> by_plane_;  // Triangles, sorted by planes.
+  std::vector<std::uint32_t> begin_;  // For each plane, its first triangle.
 };
 
 /// Whether the map leaves all points where they are.
