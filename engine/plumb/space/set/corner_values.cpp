@@ -216,6 +216,7 @@ class ChannelWriter {
     const PolygonMesh& mesh = result_.mesh;
     for (std::size_t f = 0; f < piece.size(); ++f) {
       if (f % 1024 == 0) context.checkpoint("interpolate", f, piece.size());
+      if (f + kAhead < piece.size()) prefetch(input_.cut.pieces[piece[f + kAhead]].triangle);
       const BoundaryPiece& from = input_.cut.pieces[piece[f]];
       if (from.triangle == kNone) continue;
       reader_.set(from);
@@ -227,6 +228,8 @@ class ChannelWriter {
   }
 
  private:
+  static constexpr std::size_t kAhead = 12;  // Faces.
+
   /// The way of the numbers of a channel.
   struct Way {
     const MeshChannel* from;  ///< The channel of a source.
@@ -257,6 +260,16 @@ class ChannelWriter {
     for (MeshChannel& channel : channels) {
       channel.values.assign(result_.mesh.corners.size() * channel.width,
                             channel.name == "color" ? 1 : 0);
+    }
+  }
+
+  /// Prefetches the numbers at the corners of a triangle, which are far from those of the last one.
+  void prefetch(std::uint32_t t) const {
+    if (t == kNone) return;
+    const SourceTriangle& triangle = input_.sources[t];
+    for (const Way& way : ways_[triangle.source]) {
+      __builtin_prefetch(&way.from->values[std::size_t{triangle.corner[0]} * way.from->width]);
+      __builtin_prefetch(&way.from->values[std::size_t{triangle.corner[2]} * way.from->width]);
     }
   }
 

@@ -46,13 +46,18 @@ struct RegionEdge {
   EdgeId edge;  // The edge of the complex that contains it; invalid for a cut.
 };
 
+/// The outline of a region.
+struct Outline {
+  std::vector<RegionEdge> edges;
+  std::vector<VertexId> inner;  // Vertices inside.
+};
+
 /// A part of a facet that is triangulated by itself.
 struct Region {
   std::uint32_t piece;
   bool is_reversed;  // Whether the outside is the negative side of the plane.
   PlaneId plane;
-  std::vector<RegionEdge> edges;
-  std::vector<VertexId> inner;  // Vertices inside.
+  std::uint32_t outline;  // Its index in CutState::outlines; kNone for a whole facet.
 };
 
 /// Calls visit(u) for each use of the boundary of a facet.
@@ -186,7 +191,14 @@ struct CutState {
   Context& context;
   std::vector<BoundaryPiece> pieces;
   std::vector<Region> regions;
+  std::vector<Outline> outlines;  // Of the regions that are not whole facets.
   EdgeCuts edge_cuts;
+
+  void add_region(std::uint32_t piece, bool is_reversed, PlaneId plane, Outline outline) {
+    regions.push_back({piece, is_reversed, plane, static_cast<std::uint32_t>(outlines.size())});
+    outlines.push_back(std::move(outline));
+  }
+  Outline& outline_of_region(std::uint32_t region) { return outlines[regions[region].outline]; }
 };
 
 /// Cuts the facets of one plane along the source triangles of this plane.
@@ -486,7 +498,7 @@ class PlaneCutter {
     known = static_cast<std::uint32_t>(state_.regions.size());
     const auto piece = static_cast<std::uint32_t>(state_.pieces.size());
     state_.pieces.push_back({sides_[side].facet, triangle, is_flipped, PieceCover::Triangle});
-    state_.regions.push_back({piece, sides_[side].is_reversed, plane_, {}, {}});
+    state_.add_region(piece, sides_[side].is_reversed, plane_, {});
     return known;
   }
 
@@ -517,7 +529,8 @@ class PlaneCutter {
       h = edge_of(ends[0]) == edge_of(h) ? ends[1] : ends[0];
       to = dcel().target(h);
     }
-    state_.regions[region_of(face)].edges.push_back({vertex_at(from), vertex_at(to), edge});
+    const RegionEdge added{vertex_at(from), vertex_at(to), edge};
+    state_.outline_of_region(region_of(face)).edges.push_back(added);
     if (!edge.is_valid()) return;
     for (const VertexId v : {from, to}) {
       if (!old_vertex(v.value()).is_valid()) state_.edge_cuts.add(edge, vertex_at(v));
@@ -530,7 +543,7 @@ class PlaneCutter {
     const FaceId face = dcel().is_isolated(v) ? dcel().face(dcel().isolated_loop(v))
                                               : dcel().face(dcel().halfedge(v));
     if (side_[face.value()] == kNone) return;
-    state_.regions[region_of(face.value())].inner.push_back(old_vertex(v.value()));
+    state_.outline_of_region(region_of(face.value())).inner.push_back(old_vertex(v.value()));
   }
 
   CutState& state_;
@@ -692,7 +705,7 @@ std::uint32_t add_piece(CutState& state, const FacetSide& side, std::uint32_t tr
 
 void add_whole(CutState& state, const FacetSide& side, std::uint32_t triangle) {
   const std::uint32_t piece = add_piece(state, side, triangle);
-  state.regions.push_back({piece, side.is_reversed, state.complex.facet_plane[side.facet], {}, {}});
+  state.regions.push_back({piece, side.is_reversed, state.complex.facet_plane[side.facet], kNone});
 }
 
 /// Adds the triangles of a face of a source as regions of a facet that is this face. `uses` are
@@ -717,7 +730,7 @@ void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<con
                        is_side ? SpaceComplex::edge_of(c.use_halfedge[from]) : EdgeId()});
     }
     const std::uint32_t piece = add_piece(state, side, t);
-    state.regions.push_back({piece, side.is_reversed, plane, std::move(edges), {}});
+    state.add_region(piece, side.is_reversed, plane, {std::move(edges), {}});
   }
 }
 
@@ -754,14 +767,16 @@ bool add_without_overlay(CutState& state, const FacetSide& side) {
   return true;
 }
 
-/// Makes the region of a whole facet that gets vertices inside its edges.
-void fill_whole(const SpaceComplex& c, FacetId f, Region& region) {
+/// Returns the outline of a whole facet that gets vertices inside its edges.
+Outline outline_of_facet(const SpaceComplex& c, FacetId f) {
+  Outline outline;
   for_each_use(c, f, [&](UseId u) {
-    region.edges.push_back(
+    outline.edges.push_back(
         {c.use_origin(u), c.use_origin(c.use_next[u]), SpaceComplex::edge_of(c.use_halfedge[u])});
   });
   const auto inner = c.inner_of(f);
-  region.inner.assign(inner.begin(), inner.end());
+  outline.inner.assign(inner.begin(), inner.end());
+  return outline;
 }
 
 /// Cuts all facets with more than one source, plane by plane.
@@ -790,17 +805,17 @@ class RegionFaces {
         of_facet_(state.complex),
         result_(result) {}
 
-  /// Adds the faces of a region with edges.
-  void add(const Region& region) {
+  /// Adds the faces of a region that has an outline.
+  void add(const Region& region, const Outline& outline) {
     chains_.clear();
-    for (const RegionEdge& e : region.edges) add_chain(e);
-    if (chains_.size() == 3 && region.inner.empty()) {
+    for (const RegionEdge& e : outline.edges) add_chain(e);
+    if (chains_.size() == 3 && outline.inner.empty()) {
       cycle_ = {chains_[0].first, chains_[1].first, chains_[2].first};
       if (chains_[0].second != cycle_[1]) std::swap(cycle_[1], cycle_[2]);
       return add_face(region, cycle_);
     }
-    if (region.inner.empty() && is_cycle() && may_be_polygon()) return add_face(region, cycle_);
-    triangulate_region(region);
+    if (outline.inner.empty() && is_cycle() && may_be_polygon()) return add_face(region, cycle_);
+    triangulate_region(region, outline.inner);
   }
 
   /// Adds the faces of a region that is a whole facet and has no vertices inside its edges.
@@ -865,8 +880,8 @@ class RegionFaces {
     return cycle_.size() == chains_.size();
   }
 
-  void triangulate_region(const Region& region) {
-    list_vertices(region);
+  void triangulate_region(const Region& region, std::span<const VertexId> inner) {
+    list_vertices(inner);
     shown_.reset(FlatView::of_plane(complex_.planes(), region.plane));
     for (const VertexId v : vertices_) shown_.push_back(complex_.vertex_point[v]);
     std::vector<IndexEdge> edges;
@@ -886,8 +901,8 @@ class RegionFaces {
       chains_.emplace_back(chain_[i], chain_[i + 1]);
     }
   }
-  void list_vertices(const Region& region) {
-    vertices_ = region.inner;
+  void list_vertices(std::span<const VertexId> inner) {
+    vertices_.assign(inner.begin(), inner.end());
     for (const auto& [v, w] : chains_) {
       vertices_.push_back(v);
       vertices_.push_back(w);
@@ -944,15 +959,14 @@ CutBoundary faces_of_regions(CutState& state) {
   result.piece.reserve(state.regions.size());
   RegionFaces faces(state, result);
   for (std::size_t r = 0; r < state.regions.size(); ++r) {  // Regions may be added.
-    Region region = std::move(state.regions[r]);
+    const Region region = state.regions[r];
     const FacetId facet = state.pieces[region.piece].facet;
-    if (!region.edges.empty()) {
-      faces.add(region);
+    if (region.outline != kNone) {
+      faces.add(region, state.outlines[region.outline]);
     } else if (!has_cut_edge(state, facet)) {
       faces.add_facet(region, facet);
     } else if (!add_triangles_of_cut_face(state, region)) {
-      fill_whole(state.complex, facet, region);
-      faces.add(region);
+      faces.add(region, outline_of_facet(state.complex, facet));
     }
   }
   result.pieces = std::move(state.pieces);
@@ -963,7 +977,7 @@ CutBoundary faces_of_regions(CutState& state) {
 
 CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, SourceTriangles& sources,
                          const AttributeOptions& options, Context& context) {
-  CutState state{complex, tables, sources, options, context, {}, {}, EdgeCuts(complex)};
+  CutState state{complex, tables, sources, options, context, {}, {}, {}, EdgeCuts(complex)};
   const std::vector<FacetSide> sides = boundary_sides(complex);
   state.pieces.reserve(sides.size());
   state.regions.reserve(sides.size());

@@ -32,6 +32,23 @@ PlanesByCorners::PlanesByCorners(const PlaneTable& planes) : planes_(planes) {
   }
 }
 
+const PlaneSource* PlanesByCorners::candidate(const std::array<Corner, 3>& corners) const {
+  constexpr std::uint32_t kAbsent = ~std::uint32_t{0};
+  const std::uint32_t id = index_.find(hash_of_all(corners), [](std::uint32_t) { return true; });
+  return id != kAbsent ? &planes_.source(PlaneId(id)) : nullptr;
+}
+
+void PlanesByCorners::prefetch_plane(const std::array<Corner, 3>& corners) const {
+  const PlaneSource* const plane = candidate(corners);
+  if (plane != nullptr) __builtin_prefetch(plane);
+}
+
+void PlanesByCorners::prefetch_points(const std::array<Corner, 3>& corners) const {
+  const PlaneSource* const plane = candidate(corners);
+  if (plane == nullptr) return;
+  for (const std::uint32_t p : plane->code) __builtin_prefetch(&planes_.point(InputPointId(p)));
+}
+
 PlanesByCorners::Found PlanesByCorners::find(const std::array<Corner, 3>& corners) const {
   Found found;
   const auto is_same = [&](std::uint32_t id) {
@@ -52,7 +69,7 @@ PlanesByCorners::Found PlanesByCorners::find(const std::array<Corner, 3>& corner
     }
     return false;
   };
-  index_.find(hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash}), is_same);
+  index_.find(hash_of_all(corners), is_same);
   return found;
 }
 

@@ -31,10 +31,14 @@ class PlanesByCorners {
     std::array<InputPointId, 3> points;
   };
 
-  /// Prefetches the entry that find() reads first for these corners.
-  void prefetch(const std::array<Corner, 3>& corners) const {
-    index_.prefetch(hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash}));
+  /// Prefetches the entry that find() reads first for these corners, then the definition of the
+  /// plane there, then the points of this definition. The three are called one after the other,
+  /// each for many triangles, because the index and the tables are larger than the caches.
+  void prefetch_entry(const std::array<Corner, 3>& corners) const {
+    index_.prefetch(hash_of_all(corners));
   }
+  void prefetch_plane(const std::array<Corner, 3>& corners) const;
+  void prefetch_points(const std::array<Corner, 3>& corners) const;
   /// Returns the plane that these three points define in the table. Seen from its positive side,
   /// the corners appear counter-clockwise. The plane is not valid if the table has no plane of
   /// this definition; it may have the plane with another definition. Expected cost: O(1).
@@ -43,6 +47,11 @@ class PlanesByCorners {
  private:
   /// Returns the hash of a triangle from those of its corners in any order.
   static std::uint32_t hash_of_all(const std::array<std::uint32_t, 3>& corners);
+  static std::uint32_t hash_of_all(const std::array<Corner, 3>& corners) {
+    return hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash});
+  }
+  /// Returns the definition of the first plane whose hash is that of the corners, or nullptr.
+  const PlaneSource* candidate(const std::array<Corner, 3>& corners) const;
 
   const PlaneTable& planes_;
   IdIndex index_;

@@ -203,7 +203,13 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
         has_all[k] = has_all[k] && has_doubles[p] != 0;
         if (has_all[k]) corners[k][i] = {doubles(source, p), hash[p]};
       }
-      if (has_all[k]) known.prefetch(corners[k]);
+      if (has_all[k]) known.prefetch_entry(corners[k]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (has_all[k]) known.prefetch_plane(corners[k]);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (has_all[k]) known.prefetch_points(corners[k]);
     }
     for (std::size_t k = 0; k < count; ++k) {
       const auto found = has_all[k] ? known.find(corners[k]) : PlanesByCorners::Found();
