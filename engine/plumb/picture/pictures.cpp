@@ -87,7 +87,10 @@ std::string scene_picture(const Scene& scene, const SceneText& text,
 }  // namespace
 
 std::string picture_of(const Nef3& set, const PictureOptions& options, Context& context) {
-  const Scene scene = coloured_scene(set, context);
+  const bool shows_textures =
+      options.format == PictureFormat::Html || options.format == PictureFormat::Glb;
+  const Scene scene =
+      coloured_scene(set, context, shows_textures ? options.load_texture : TextureLoader());
   const auto write_svg = [&](std::ostream& out) {
     const std::string png = encoded(options, rendered(scene, kPageImage));
     write_space_svg(out, set, scene, png, options.title, context);

@@ -21,6 +21,7 @@
 #include "plumb/base/context.h"
 #include "plumb/picture/canvas.h"
 #include "plumb/picture/surface_scene.h"
+#include "plumb/picture/texture_image.h"
 #include "plumb/plane/map_check.h"
 #include "plumb/plane/nef2.h"
 #include "plumb/space/nef3.h"
@@ -46,10 +47,13 @@ struct PictureOptions {
   /// also called if the format is Svg and the object is a set of space or a surface. In these
   /// cases, an empty function leads to Error{BadArgument}.
   std::function<std::string(const Image&)> encode_png = {};
+  /// A function that returns the images of textures. It is called for sets of space if the format
+  /// is Html or Glb. Images and SVG pages do not show textures.
+  TextureLoader load_texture = {};
 };
 
-/// Returns a picture of a set of space. If the sources of the set have colours, the picture uses
-/// these colours (coloured_scene()).
+/// Returns a picture of a set of space. If the sources of the set have colours or textures, the
+/// picture uses them (coloured_scene()).
 std::string picture_of(const Nef3& set, const PictureOptions& options,
                        Context& context = unlimited_context());
 /// Returns a picture of several sets, each in a colour of its own. Each set is moved away from the

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plumb/picture/texture_image.h"
 #include "plumb/predicates/point.h"
 
 #pragma GCC visibility push(default)
@@ -80,7 +81,8 @@ std::string hex(Colour colour);
 
 /// Triangles, lines and dots, each with its paint.
 struct Scene {
-  static constexpr std::uint8_t kAllLayers = 0xff;  ///< The bits of all layers.
+  static constexpr std::uint8_t kAllLayers = 0xff;                ///< The bits of all layers.
+  static constexpr std::uint32_t kNoTexture = ~std::uint32_t{0};  ///< No index into textures.
 
   /// A flat part: the triangles of one facet.
   struct Patch {
@@ -115,6 +117,9 @@ struct Scene {
   struct Group {
     std::string name;  ///< The name in a legend.
     std::string text;  ///< The text that is written on the group.
+    /// Index into textures, or kNoTexture. The colours of an image are multiplied by the tint of
+    /// the group.
+    std::uint32_t texture = kNoTexture;
   };
   /// A part of the scene that can be shown or hidden. A layer may have tints, which replace the
   /// colours of the patches while the layer is shown. If several shown layers have tints, the tints
@@ -126,14 +131,18 @@ struct Scene {
   };
   static constexpr std::uint32_t kNoPatch = ~std::uint32_t{0};  ///< The invalid index into patches.
 
-  std::vector<Point3> points;       ///< Points within [-1, 1]^3.
-  std::vector<Patch> patches;       ///< The flat parts of the scene.
-  std::vector<Triangle> triangles;  ///< Triangles of all patches.
-  std::vector<Line> lines;          ///< Edges and curves.
-  std::vector<Dot> dots;            ///< Vertices and points.
-  std::vector<Group> groups;        ///< Groups of patches. The scene of one set has no groups.
-  std::vector<Layer> layers;        ///< Layers. The scene of one set has no layers.
-  std::uint8_t shown = kAllLayers;  ///< Bit i is 1 if layer i is currently shown.
+  std::vector<Point3> points;          ///< Points within [-1, 1]^3.
+  std::vector<Patch> patches;          ///< The flat parts of the scene.
+  std::vector<Triangle> triangles;     ///< Triangles of all patches.
+  std::vector<Line> lines;             ///< Edges and curves.
+  std::vector<Dot> dots;               ///< Vertices and points.
+  std::vector<Group> groups;           ///< Groups of patches. The scene of one set has no groups.
+  std::vector<Layer> layers;           ///< Layers. The scene of one set has no layers.
+  std::uint8_t shown = kAllLayers;     ///< Bit i is 1 if layer i is currently shown.
+  std::vector<TextureImage> textures;  ///< Images that groups show in pages and GLB files.
+  /// For each triangle, two texture coordinates at each corner. The first grows to the right of the
+  /// image, the second upwards. Empty if there are no textures.
+  std::vector<std::array<float, 6>> texcoords;
 
   bool is_flat = false;  ///< Whether the scene lies in the plane z = 0 and is seen from above.
   bool fades = false;    ///< Whether the scene fades out towards the sides of its box.

@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 #include <unordered_map>
 #include <utility>
@@ -77,12 +78,12 @@ class GlbWriter {
   }
 
  private:
-  std::size_t add_view(const std::string& bytes, int target) {
-    json_["bufferViews"].push_back({{"buffer", 0},
-                                    {"byteOffset", bytes_.size()},
-                                    {"byteLength", bytes.size()},
-                                    {"target", target}});
+  std::size_t add_view(const std::string& bytes, std::optional<int> target) {
+    Json view = {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}};
+    if (target) view["target"] = *target;
+    json_["bufferViews"].push_back(std::move(view));
     bytes_ += bytes;
+    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');  // Numbers begin at multiples of four.
     return json_["bufferViews"].size() - 1;
   }
 
@@ -140,53 +141,85 @@ class GlbWriter {
     return json_["materials"].size() - 1;
   }
 
+  /// Writes the images, each in a view of its own, and a texture for each of them.
+  void add_textures() {
+    if (scene_.textures.empty()) return;
+    for (const TextureImage& image : scene_.textures) {
+      json_["textures"].push_back({{"source", json_["textures"].size()}});
+      json_["images"].push_back(
+          {{"bufferView", add_view(image.bytes, {})}, {"mimeType", image.type}});
+    }
+  }
+
   void add_triangles(Paint paint) {
     if (paint == Paint::Cut) return;
     std::vector<std::uint32_t> chosen;
     for (std::uint32_t t = 0; t < scene_.triangles.size(); ++t) {
       if (scene_.patches[scene_.triangles[t].patch].paint == paint) chosen.push_back(t);
     }
-    if (!chosen.empty()) add_triangles(chosen, add_material(paint, false));
+    if (!chosen.empty()) add_triangles(chosen, add_material(paint, false), false);
   }
 
-  /// Writes a mesh for each group, with one material for each colour.
+  /// Writes a mesh for each group, with one material for each colour and texture.
   void add_groups() {
+    add_textures();
     std::vector<std::vector<std::uint32_t>> chosen(scene_.groups.size());
     for (std::uint32_t t = 0; t < scene_.triangles.size(); ++t) {
       chosen[scene_.patches[scene_.triangles[t].patch].group].push_back(t);
     }
-    std::map<Colour, std::size_t> materials;
+    std::map<std::pair<Colour, std::uint32_t>, std::size_t> materials;
     for (std::size_t g = 0; g < chosen.size(); ++g) {
       if (chosen[g].empty()) continue;
       const Scene::Patch& patch = scene_.patches[scene_.triangles[chosen[g].front()].patch];
       const Colour colour = scene_.colour_of(patch);
-      const auto [place, is_new] = materials.emplace(colour, 0);
-      if (is_new) place->second = add_material(colour, hex(colour), false);
-      add_triangles(chosen[g], place->second);
+      const std::uint32_t texture =
+          scene_.tinted() != nullptr ? scene_.groups[g].texture : Scene::kNoTexture;
+      const bool has_texture = texture != Scene::kNoTexture;
+      const auto [place, is_new] = materials.emplace(std::pair(colour, texture), 0);
+      if (is_new) {
+        place->second = add_material(colour, hex(colour), false);
+        Json& material = json_["materials"].back();
+        if (has_texture) material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = texture;
+      }
+      add_triangles(chosen[g], place->second, has_texture);
       end_mesh(scene_.groups[g].name);
     }
   }
 
-  /// Writes a vertex for each patch and corner.
-  void add_triangles(const std::vector<std::uint32_t>& chosen, std::size_t material) {
+  /// Writes a vertex for each patch and corner. The triangles of a patch with a texture have the
+  /// same texture coordinates at a common corner.
+  void add_triangles(const std::vector<std::uint32_t>& chosen, std::size_t material,
+                     bool has_texture) {
     std::vector<Point3> points, normals;
+    std::string texcoords;
     std::vector<std::uint32_t> indices;
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
     for (const std::uint32_t triangle : chosen) {
       const Scene::Triangle& t = scene_.triangles[triangle];
-      for (const std::uint32_t corner : t.corners) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t corner = t.corners[i];
         const auto next = static_cast<std::uint32_t>(points.size());
         const auto [place, is_new] = numbers.emplace(std::uint64_t{t.patch} << 32U | corner, next);
         if (is_new) {
           points.push_back(scene_.points[corner]);
           normals.push_back(scene_.patches[t.patch].normal);
+          if (has_texture) {
+            append(texcoords, scene_.texcoords[triangle][2 * i]);
+            append(texcoords, 1 - scene_.texcoords[triangle][2 * i + 1]);  // Down in glTF.
+          }
         }
         indices.push_back(place->second);
       }
     }
     const std::size_t position = add_vectors(points, true), normal = add_vectors(normals, false);
+    Json attributes = {{"POSITION", position}, {"NORMAL", normal}};
+    if (has_texture) {
+      attributes["TEXCOORD_0"] =
+          add_accessor(texcoords, kVertices,
+                       {{"componentType", kFloat}, {"count", points.size()}, {"type", "VEC2"}});
+    }
     primitives_.push_back({{"mode", kTriangles},
-                           {"attributes", {{"POSITION", position}, {"NORMAL", normal}}},
+                           {"attributes", std::move(attributes)},
                            {"indices", add_indices(indices)},
                            {"material", material}});
   }

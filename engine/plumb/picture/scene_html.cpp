@@ -1,7 +1,8 @@
 // Scenes as a page of HTML that draws them with WebGL, without any other file.
 //
 // The scene is written as JSON with arrays of numbers in base64, which the page reads as typed
-// arrays; the program of the page is text in scene/scene_page.h. The first view is the one of an
+// arrays; the program of the page is text in scene/scene_page.h. The images of textures are written
+// as data URIs with the bytes of their files, which the browser decodes. The first view is the one of an
 // image (picture/render.h), and the legend lists the paints and layers that occur.
 // Tested by tests/picture/space_scene_test.cpp and tests/picture/surface_scene_test.cpp.
 #include "plumb/picture/scene_html.h"
@@ -107,7 +108,19 @@ Json layers_json(const Scene& scene) {
 
 Json groups_json(const Scene& scene) {
   Json list = Json::array();
-  for (const Scene::Group& group : scene.groups) list.push_back({{"text", group.text}});
+  for (const Scene::Group& group : scene.groups) {
+    Json entry = {{"text", group.text}};
+    if (group.texture != Scene::kNoTexture) entry["texture"] = group.texture;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json textures_json(const Scene& scene) {
+  Json list = Json::array();
+  for (const TextureImage& image : scene.textures) {
+    list.push_back("data:" + image.type + ";base64," + base64(image.bytes));
+  }
   return list;
 }
 
@@ -124,7 +137,13 @@ Json scene_json(const Scene& scene) {
                {"wide", line_widths()},
                {"shown", scene.shown},
                {"layers", layers_json(scene)},
-               {"groups", groups_json(scene)}};
+               {"groups", groups_json(scene)},
+               {"textures", textures_json(scene)}};
+  if (!scene.textures.empty()) {
+    json["texcoords"] = numbers(scene.texcoords, [](Numbers& out, const auto& triangle) {
+      for (const float number : triangle) out.add(number);
+    });
+  }
   json["points"] = numbers(scene.points, [](Numbers& out, const Point3& p) { out.add(p); });
   json["normals"] = numbers(scene.patches, [](Numbers& out, const auto& p) { out.add(p.normal); });
   json["patchPaint"] =

@@ -7,7 +7,7 @@
 // more than the edges there.
 //
 // A coloured scene has the edges and dots of the scene of the set, and the triangles of the mesh
-// with attributes, whose groups are the colours.
+// with attributes, whose groups are the colours and textures.
 //
 // An exploded scene moves every part away from the common middle, in proportion to the distance of
 // its own middle.
@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -256,18 +258,72 @@ Scene scene_of(const Nef3& set, Context& context) {
 namespace {
 
 constexpr const char* kColourChannel = "color";
+constexpr const char* kTextureChannel = "texcoord_0";
 constexpr double kSteps = 15;  // Steps of a colour of corners between 0 and 1.
 
 std::uint8_t byte_of(double part) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
 }
 
-const MeshChannel* colour_channel(const MeshAttributes& attributes) {
+const MeshChannel* channel_of(const MeshAttributes& attributes, std::string_view name,
+                              std::uint32_t least_width) {
   for (const MeshChannel& channel : attributes.channels) {
-    if (channel.name == kColourChannel && channel.width >= 3) return &channel;
+    if (channel.name == name && channel.width >= least_width) return &channel;
   }
   return nullptr;
 }
+
+const MeshChannel* colour_channel(const MeshAttributes& attributes) {
+  return channel_of(attributes, kColourChannel, 3);
+}
+
+/// The images of the materials of a set.
+class Textures {
+ public:
+  /// Loads the images, each once, into `scene`. Materials are numbered as mesh_with_attributes()
+  /// numbers them: those of all sources, one after the other.
+  Textures(const Nef3& set, const TextureLoader& load, Scene& scene) {
+    std::map<std::pair<std::string, std::string>, std::uint32_t> known;
+    for (const PlacedSource& placed : set.sources()) {
+      const MeshSource& source = *placed.source;
+      const bool has_places = load &&
+                              channel_of(source.attributes, kTextureChannel, 2) != nullptr &&
+                              !source.attributes.face_material.empty();
+      const std::vector<bool> is_used = used_materials(source.attributes);
+      for (std::size_t m = 0; m < source.attributes.materials.size(); ++m) {
+        const std::string& name = source.attributes.materials[m].texture;
+        std::uint32_t texture = Scene::kNoTexture;
+        if (has_places && is_used[m] && !name.empty()) {
+          const auto [entry, is_new] = known.emplace(std::pair(source.name, name), texture);
+          if (is_new) entry->second = add(load(source.name, name), scene);
+          texture = entry->second;
+        }
+        of_material_.push_back(texture);
+      }
+    }
+  }
+
+  /// Returns the texture of a material of the result, or Scene::kNoTexture.
+  std::uint32_t of(std::uint32_t material) const {
+    return material < of_material_.size() ? of_material_[material] : Scene::kNoTexture;
+  }
+
+ private:
+  static std::vector<bool> used_materials(const MeshAttributes& attributes) {
+    std::vector<bool> is_used(attributes.materials.size());
+    for (const std::uint32_t material : attributes.face_material) {
+      if (material != MeshAttributes::kNone) is_used[material] = true;
+    }
+    return is_used;
+  }
+  static std::uint32_t add(std::optional<TextureImage> image, Scene& scene) {
+    if (!image) return Scene::kNoTexture;
+    scene.textures.push_back(std::move(*image));
+    return static_cast<std::uint32_t>(scene.textures.size() - 1);
+  }
+
+  std::vector<std::uint32_t> of_material_;
+};
 
 /// The colours of the faces of a mesh of triangles.
 class FaceColours {
@@ -315,7 +371,7 @@ Point3 unit_normal(const Point3& a, const Point3& b, const Point3& c) {
 }
 
 /// Puts triangles in their colours in the place of those beside marked volumes.
-void colour_triangles(const MeshWithAttributes& made, Scene& scene) {
+void colour_triangles(const MeshWithAttributes& made, const Textures& textures, Scene& scene) {
   const Colour plain = style_of(Paint::ClosedFacet).colour;
   const FaceColours colours(made.attributes);
   const auto point = static_cast<std::uint32_t>(scene.points.size());
@@ -329,24 +385,39 @@ void colour_triangles(const MeshWithAttributes& made, Scene& scene) {
   std::erase_if(scene.triangles, [&](const Scene::Triangle& t) {
     return scene.patches[t.patch].paint != Paint::Sheet;
   });
+  if (!scene.textures.empty()) scene.texcoords.resize(scene.triangles.size());
+  const MeshChannel* const places = channel_of(made.attributes, kTextureChannel, 2);
+  constexpr Colour kWhite{255, 255, 255};
   scene.groups = {{"without a colour", ""}};
   Scene::Layer layer{"colours", {plain}};
-  std::map<Colour, std::uint32_t> group_of{{plain, 0}};
+  std::map<std::pair<Colour, std::uint32_t>, std::uint32_t> group_of{
+      {{plain, Scene::kNoTexture}, 0}};
   for (std::size_t f = 0; f < made.mesh.face_count(); ++f) {
     const auto face = made.mesh.face(f);
     const Scene::Triangle triangle{{point + face[0], point + face[1], point + face[2]},
                                    static_cast<std::uint32_t>(scene.patches.size())};
-    const Colour colour = colours.of(f, plain);
+    const std::uint32_t texture = made.attributes.face_material.empty()
+                                      ? Scene::kNoTexture
+                                      : textures.of(made.attributes.face_material[f]);
+    const Colour colour = colours.of(f, texture == Scene::kNoTexture ? plain : kWhite);
     const auto next = static_cast<std::uint32_t>(scene.groups.size());
-    const auto [entry, is_new] = group_of.emplace(colour, next);
+    const auto [entry, is_new] = group_of.emplace(std::pair(colour, texture), next);
     if (is_new) {
-      scene.groups.push_back({hex(colour), ""});
+      scene.groups.push_back({hex(colour), "", texture});
       layer.tints.push_back(colour);
     }
     const auto& [a, b, c] = triangle.corners;
     scene.patches.push_back({unit_normal(scene.points[a], scene.points[b], scene.points[c]),
                              Paint::ClosedFacet, entry->second});
     scene.triangles.push_back(triangle);
+    if (scene.textures.empty()) continue;
+    std::array<float, 6>& place = scene.texcoords.emplace_back();
+    if (texture == Scene::kNoTexture || places == nullptr) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double* const own = &places->values[(3 * f + c) * places->width];
+      place[2 * c] = static_cast<float>(own[0]);
+      place[2 * c + 1] = static_cast<float>(own[1]);
+    }
   }
   scene.layers = {std::move(layer)};
   scene.shown = 1;
@@ -365,10 +436,23 @@ bool has_colours(const Nef3& set) {
   });
 }
 
-Scene coloured_scene(const Nef3& set, Context& context) {
+bool has_textures(const Nef3& set) {
+  return std::ranges::any_of(set.sources(), [](const PlacedSource& placed) {
+    const MeshAttributes& attributes = placed.source->attributes;
+    return channel_of(attributes, kTextureChannel, 2) != nullptr &&
+           !attributes.face_material.empty() &&
+           std::ranges::any_of(attributes.materials, [](const MeshMaterial& material) {
+             return !material.texture.empty();
+           });
+  });
+}
+
+Scene coloured_scene(const Nef3& set, Context& context, const TextureLoader& load_texture) {
   Scene scene = scene_of(set, context);
-  if (scene.fades || !has_colours(set)) return scene;
-  colour_triangles(mesh_with_attributes(set, {}, context), scene);
+  if (scene.fades) return scene;
+  const Textures textures(set, load_texture, scene);
+  if (!has_colours(set) && scene.textures.empty()) return scene;
+  colour_triangles(mesh_with_attributes(set, {}, context), textures, scene);
   return scene;
 }
 

@@ -17,6 +17,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/picture/scene.h"
+#include "plumb/picture/texture_image.h"
 #include "plumb/space/nef3.h"
 
 #pragma GCC visibility push(default)
@@ -28,13 +29,19 @@ Scene scene_of(const Nef3& set, Context& context = unlimited_context());
 /// Whether a set has a source with colours: a material with a colour, or a channel "color".
 bool has_colours(const Nef3& set);
 
+/// Whether a source of the set has texture coordinates, and a material with a texture.
+bool has_textures(const Nef3& set);
+
 /// Returns the scene of a set in the colours of its sources (mesh_with_attributes.h). The facets
 /// beside marked volumes are divided into triangles. A triangle has the colour of its material,
 /// multiplied by the mean of the channel "color" at its corners. So that the scene has few colours,
 /// the red, green and blue of this mean are rounded to one of 16 values each. All triangles with
 /// the same colour form a group. If the set is unbounded or has no colours, the function returns
-/// scene_of(set). Cost: the cost of mesh_with_attributes().
-Scene coloured_scene(const Nef3& set, Context& context = unlimited_context());
+/// scene_of(set). If a material has a texture, the source has texture coordinates
+/// ("texcoord_0"), and `load_texture` returns the image, then the triangles show this image. The
+/// function is called once for each texture of a source. Cost: the cost of mesh_with_attributes().
+Scene coloured_scene(const Nef3& set, Context& context = unlimited_context(),
+                     const TextureLoader& load_texture = {});
 
 /// Returns a scene of several sets in one layer. Each set is a group with its own colour. Each set
 /// is moved away from the middle of all sets. The distance of this move is `apart` times the

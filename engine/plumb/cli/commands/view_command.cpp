@@ -20,6 +20,9 @@
 #include "plumb/io/plane_io.h"
 #include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
+#include "plumb/io/text/input_cursors.h"
+#include "plumb/picture/space_scene.h"
+#include "plumb/picture/texture_image.h"
 #include "plumb/plane/map_check.h"
 
 namespace plumb::cli {
@@ -121,7 +124,34 @@ class View : public CommandBody {
     session.begin("read");
     const Nef3 set = input_.read(file, bytes, session);
     session.begin("draw");
-    return picture_of(set, picture(format, title), context);
+    PictureOptions shown = picture(format, title);
+    shown.load_texture = [&](const std::string&, const std::string& name) {
+      return loaded_texture(file, name, session);
+    };
+    const bool shows_textures = format == PictureFormat::Html || format == PictureFormat::Glb;
+    if (!shows_textures && has_textures(set)) {
+      session.note("textures are not drawn; pictures in HTML and GLB show them");
+    }
+    return picture_of(set, shown, context);
+  }
+
+  /// Returns the image of a texture that lies in the folder of the file or below it. A note says
+  /// why any other texture is not drawn.
+  static std::optional<TextureImage> loaded_texture(const std::string& file,
+                                                    const std::string& name, Session& session) {
+    try {
+      const std::string path = named_file(file, name, NamedFiles::Below);
+      std::error_code unknown;  // Reading the file tells what is wrong with it.
+      const std::uintmax_t size = std::filesystem::file_size(path_of(path), unknown);
+      if (!unknown && size > TextureImage::kMostBytes) {
+        throw Error(ErrorCode::BadArgument, "it has more than 64 MiB");
+      }
+      return texture_image(read_input(path, session.context()));
+    } catch (const Error& error) {
+      if (error.code() != ErrorCode::CannotOpen && error.code() != ErrorCode::BadArgument) throw;
+      session.note("the texture " + plumb::quoted(name) + " is not drawn: " + error.what());
+      return std::nullopt;
+    }
   }
 
   void draw_solids(PictureFormat format, Session& session) {

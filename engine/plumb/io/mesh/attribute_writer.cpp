@@ -87,17 +87,23 @@ void require_complete(const MeshAttributes& attributes, const PolygonMesh& mesh)
   }
 }
 
-void merge_equal_materials(MeshAttributes& attributes) {
+void keep_used_materials(MeshAttributes& attributes) {
   const auto is_less = [](const MeshMaterial& a, const MeshMaterial& b) {
     return std::tie(a.name, a.color, a.texture) < std::tie(b.name, b.color, b.texture);
   };
+  std::vector<bool> is_used(attributes.materials.size());
+  for (const std::uint32_t material : attributes.face_material) {
+    if (material != MeshAttributes::kNone) is_used[material] = true;
+  }
   std::map<MeshMaterial, std::uint32_t, decltype(is_less)> known(is_less);
-  std::vector<std::uint32_t> number;
+  std::vector<std::uint32_t> number(attributes.materials.size(), MeshAttributes::kNone);
   std::vector<MeshMaterial> kept;
-  for (MeshMaterial& material : attributes.materials) {
+  for (std::size_t m = 0; m < attributes.materials.size(); ++m) {
+    if (!is_used[m]) continue;
+    MeshMaterial& material = attributes.materials[m];
     const auto [at, is_new] = known.emplace(material, static_cast<std::uint32_t>(kept.size()));
     if (is_new) kept.push_back(std::move(material));
-    number.push_back(at->second);
+    number[m] = at->second;
   }
   attributes.materials = std::move(kept);
   for (std::uint32_t& material : attributes.face_material) {

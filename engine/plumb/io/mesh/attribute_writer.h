@@ -23,9 +23,10 @@ namespace plumb {
 /// each material and group of a face exists. O(n).
 void require_complete(const MeshAttributes& attributes, const PolygonMesh& mesh);
 
-/// Makes one material of those that have the same name, colour and texture: the first one. Expected
-/// cost: O(n log m) for n faces and m materials.
-void merge_equal_materials(MeshAttributes& attributes);
+/// Leaves out the materials that no face has, and makes one material of those that have the same
+/// name, colour and texture: the first one. The order stays. Cost: O(n + m log m) for n faces and m
+/// materials.
+void keep_used_materials(MeshAttributes& attributes);
 
 /// Returns the channel of this name if it has a width from `least` to `most`, otherwise nullptr.
 const MeshChannel* channel_of(const MeshAttributes& attributes, std::string_view name,

@@ -234,7 +234,7 @@ void SolidText::add_attributes(Context& context) {
   mesh_ = std::move(made.mesh);
   if (!holds_any(made.attributes, *format_.mesh)) return;
   attributes_ = std::move(made.attributes);
-  merge_equal_materials(attributes_);
+  keep_used_materials(attributes_);
 }
 
 void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& context) {

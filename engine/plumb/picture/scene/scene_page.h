@@ -50,6 +50,11 @@ const facetVertex = `attribute vec3 at; attribute vec3 normal; attribute vec3 pa
 const facetFragment = common + `uniform float veil;
   void main() { float s = strength();
     gl_FragColor = veil > 0. ? vec4(colour, veil) : vec4(mix(vec3(1.), colour, s), 1.); }`;
+// Facets with an image, whose colours are multiplied by those of the facet.
+const imageVertex = 'attribute vec2 spot; varying vec2 seen;' +
+  facetVertex.replace('void main() {', 'void main() { seen = spot;');
+const imageFragment = common + `uniform sampler2D image; varying vec2 seen;
+  void main() { gl_FragColor = vec4(mix(vec3(1.), colour * texture2D(image, seen).rgb, strength()), 1.); }`;
 const lineVertex = `attribute vec3 at; attribute vec3 other; attribute float side; attribute vec3 paint;
   attribute float wide; uniform mat3 turn; uniform vec4 move; uniform vec2 pixel;
   varying vec3 place; varying vec3 colour;
@@ -104,14 +109,22 @@ const tinted = () => {
   for (let i = tints.length; i-- > 0;) if (shown >> i & 1 && tints[i].length) return tints[i];
 };
 
-function facets(p, wanted, ownColour) {
+// The texture of each patch while the facets have tints.
+const textureOf = (() => {
+  const group = scene.textures.length && new Uint32Array(bytes(scene.patchGroup).buffer);
+  return i => group && tinted() ? scene.groups[group[i]].texture : undefined;
+})();
+
+function facets(p, wanted, ownColour, texture) {
   const tint = tinted(), group = tint && new Uint32Array(bytes(scene.patchGroup).buffer);
   const colourOf = i => tint ? [0, 1, 2].map(k => tint[3 * group[i] + k] / 255) : colours[paint[i]];
   const corners = new Uint32Array(bytes(scene.corners).buffer);
   const patch = new Uint32Array(bytes(scene.patch).buffer);
   const normals = floats(scene.normals), paint = bytes(scene.patchPaint);
   const chosen = [];
-  for (let t = 0; t < patch.length; ++t) if (wanted(paint[patch[t]])) chosen.push(t);
+  for (let t = 0; t < patch.length; ++t) {
+    if (wanted(paint[patch[t]]) && (ownColour || textureOf(patch[t]) === texture)) chosen.push(t);
+  }
   const at = new Float32Array(9 * chosen.length), normal = at.slice(), colour = at.slice();
   chosen.forEach((t, i) => {
     const own = (ownColour || colourOf)(patch[t]);
@@ -121,7 +134,35 @@ function facets(p, wanted, ownColour) {
       colour.set(own, 9 * i + 3 * k);
     }
   });
-  return batch(p, 3 * chosen.length, {at: [3, at], normal: [3, normal], paint: [3, colour]});
+  const attributes = {at: [3, at], normal: [3, normal], paint: [3, colour]};
+  if (texture !== undefined) {
+    const places = floats(scene.texcoords), spot = new Float32Array(6 * chosen.length);
+    chosen.forEach((t, i) => spot.set(places.subarray(6 * t, 6 * t + 6), 6 * i));
+    attributes.spot = [2, spot];
+  }
+  return {...batch(p, 3 * chosen.length, attributes), texture};
+}
+
+// An image that repeats, which in WebGL 1 has powers of two as sides. It is white until it is there.
+function imageOf(address) {
+  const texture = gl.createTexture(), image = new Image();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4).fill(255));
+  const most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), 4096);
+  const side = n => Math.min(most, 2 ** Math.ceil(Math.log2(n)));
+  image.onload = () => {
+    const page = document.createElement('canvas');
+    [page.width, page.height] = [side(image.naturalWidth), side(image.naturalHeight)];
+    page.getContext('2d').drawImage(image, 0, 0, page.width, page.height);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, page);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    redraw();
+  };
+  image.src = address;
+  return texture;
 }
 
 function lines(p, wanted) {
@@ -263,12 +304,14 @@ let turn, zoom, shift, frame = 0;
 function reset() { turn = scene.turn.slice(); zoom = 1; shift = [0, 0]; redraw(); }
 function redraw() { if (gl && !frame) frame = requestAnimationFrame(draw); }
 
-let shapes, programs;
+let shapes, programs, images;
 function prepare() {
   programs ??= {facet: program(facetVertex, facetFragment), line: program(lineVertex, lineFragment),
-                dot: program(dotVertex, dotFragment)};
+                dot: program(dotVertex, dotFragment), image: program(imageVertex, imageFragment)};
+  images ??= scene.textures.map(imageOf);
   shapes = {solid: facets(programs.facet, paint => paint !== CUT), cut: facets(programs.facet, paint => paint === CUT),
             lines: lines(programs.line, paint => paint < scene.curve),
+            images: images.map((_, k) => facets(programs.image, () => true, undefined, k)),
             curves: lines(programs.line, paint => paint >= scene.curve), dots: dots(programs.dot),
             numbered: numbered(programs.facet)};
 }
@@ -293,6 +336,7 @@ function show(shape, mode, uniforms) {
     else if (value.length) gl['uniform' + value.length + 'fv'](at, value);
     else gl.uniform1f(at, value);
   }
+  if (shape.texture !== undefined) gl.bindTexture(gl.TEXTURE_2D, images[shape.texture]);
   for (const [at, size, buffer] of shape.buffers) {
     if (at < 0) continue;
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
@@ -325,6 +369,7 @@ function draw() {
                   fades: scene.fades ? 1 : 0};
   gl.disable(gl.BLEND);
   show(shapes.solid, gl.TRIANGLES, {...shared, flatness: scene.flat ? 1 : 0, veil: 0});
+  for (const shape of shapes.images) show(shape, gl.TRIANGLES, {...shared, flatness: 0});
   gl.enable(gl.BLEND);
   gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
   const length = shapes.lines.length * s, room = .12 * w * h / Math.max(length, 1);
