@@ -1,29 +1,28 @@
 #!/usr/bin/env python3
-"""Texture coordinates through a Boolean, beside manifold3d: attributes_peer.py --plumb PROGRAM
+"""Texture coordinates through a Boolean, beside manifold3d: attributes_peer.py --library FILE
 
-Unions and differences of two spheres with random texture coordinates at their vertices. plumb is the
-program, which reads and writes PLY. manifold3d gets the same arrays with the coordinates as
-properties of vertices. At random points of the faces of each result, the texture coordinates are
-compared with those of the source triangle that contains the point, which is found by brute force.
-The table has the greatest difference for each library, and what attributes cost: the CPU time with
-them divided by that without them, in the median of ROUNDS runs. plumb's time is that of the whole
-program, with reading and writing of files.
+Unions and differences of two meshes with random texture coordinates at their vertices: two spheres
+of --depth, or two files --pair A.off B.off. FILE is the shared library of the C interface of plumb,
+which is called with the arrays that manifold3d gets as properties of vertices, in the same process.
+At random points of the faces of each result, the texture coordinates are compared with those of the
+source triangle that contains the point, which is found by brute force. A row has the greatest
+difference for each library, the CPU time from arrays to arrays without and with texture
+coordinates, and the ratio of the two, in the median of ROUNDS runs one after the other. The mesh of
+plumb is valid after rounding in both cases.
 
     pip install numpy manifold3d
 """
 
 import argparse
-import pathlib
-import resource
+import ctypes
 import statistics
-import subprocess
-import tempfile
 import time
 
 import manifold3d
 import numpy as np
 
 SAMPLES = 2000
+OPERATIONS = {"union": 14, "difference": 2}  # Constants of plumb_operation in plumb.h.
 
 
 def icosphere(depth, centre):
@@ -56,34 +55,83 @@ def icosphere(depth, centre):
     return (np.array(points) + centre).astype(np.float32), np.array(faces, np.uint32)
 
 
-def write_ply(path, points, faces, uv):
-    """Writes a text file of PLY."""
-    with open(path, "w") as out:
-        out.write("ply\nformat ascii 1.0\nelement vertex %d\n" % len(points))
-        out.write("".join("property double %s\n" % n for n in ("x", "y", "z", "s", "t")))
-        out.write("element face %d\nproperty list uchar int vertex_indices\nend_header\n"
-                  % len(faces))
-        for row in np.hstack([points, uv]).astype(float):
-            out.write(" ".join(repr(float(x)) for x in row) + "\n")
-        for face in faces:
-            out.write("3 %d %d %d\n" % tuple(face))
+def read_off(path):
+    """Returns the points and the triangles of a text file of OFF."""
+    with open(path) as file:
+        words = file.read().split()
+    count, faces = int(words[1]), int(words[2])
+    points = np.array(words[4:4 + 3 * count], float).reshape(-1, 3)
+    rows = np.array(words[4 + 3 * count:4 + 3 * count + 4 * faces], np.int64).reshape(-1, 4)
+    assert (rows[:, 0] == 3).all(), "only triangles"
+    return points.astype(np.float32), rows[:, 1:].astype(np.uint32)
 
 
-def read_ply(path):
-    """Returns points, triangles and texture coordinates of a text file of PLY."""
-    lines = pathlib.Path(path).read_text().split("\n")
-    end = lines.index("end_header")
-    header = [line.split() for line in lines[:end]]
-    count = {line[1]: int(line[2]) for line in header if line[0] == "element"}
-    first_face = next(i for i, line in enumerate(header) if line[:2] == ["element", "face"])
-    names = [line[2] for line in header[:first_face] if line[0] == "property"]
-    body = lines[end + 1:]
-    rows = np.array([line.split() for line in body[:count["vertex"]]], float)
-    faces = [list(map(int, line.split()[1:4]))
-             for line in body[count["vertex"]:count["vertex"] + count["face"]]]
-    column = names.index
-    points = rows[:, [column("x"), column("y"), column("z")]]
-    return points, np.array(faces), rows[:, [column("s"), column("t")]]
+class Plumb:
+    """The functions of the C interface that unite two meshes."""
+
+    def __init__(self, path):
+        self.library = ctypes.CDLL(path)
+        self.library.plumb_error_text.restype = ctypes.c_char_p
+        for name, numbers in (("points", ctypes.c_double), ("corners", ctypes.c_uint32)):
+            getattr(self.library, "plumb_mesh_" + name).restype = ctypes.POINTER(numbers)
+        self.library.plumb_mesh_channel_values.restype = ctypes.POINTER(ctypes.c_double)
+        for name in ("point", "face", "corner"):
+            getattr(self.library, "plumb_mesh_%s_count" % name).restype = ctypes.c_size_t
+
+    def call(self, name, *arguments):
+        """Calls a function whose last parameter is the error."""
+        error = ctypes.c_void_p()
+        if getattr(self.library, name)(*arguments, ctypes.byref(error)) != 0:
+            raise RuntimeError(self.library.plumb_error_text(error).decode())
+
+    def made(self, name, *arguments, after=()):
+        """Returns what a function makes; its parameter stands before those in `after`."""
+        out = ctypes.c_void_p()
+        self.call(name, *arguments, ctypes.byref(out), *after)
+        return out
+
+    def solid(self, points, faces, uv):
+        """Returns the solid of arrays, with texture coordinates if `uv` is given."""
+        size = ctypes.c_size_t
+        arrays = (points.ctypes.data_as(ctypes.c_void_p), size(len(points)),
+                  faces.ctypes.data_as(ctypes.c_void_p), size(len(faces)))
+        if uv is None:
+            return self.made("plumb_solid_from_triangles", *arrays, None, after=(None,))
+        mesh = self.made("plumb_mesh_from_triangles", *arrays)
+        self.call("plumb_mesh_set_channel", mesh, b"texcoord_0", ctypes.c_uint32(2), 1,
+                  uv.ctypes.data_as(ctypes.c_void_p), size(len(uv)))
+        solid = self.made("plumb_solid_from_mesh", mesh, None, after=(None,))
+        self.library.plumb_mesh_free(mesh)
+        return solid
+
+    def run(self, operation, a, b, has_uv):
+        """Returns the result and the CPU time."""
+        sources = [(p.astype(float), f, u if has_uv else None) for p, f, u in (a, b)]
+        start = time.process_time()
+        first, second = (self.solid(*source) for source in sources)
+        both = self.made("plumb_solid_combine", first, second, OPERATIONS[operation],
+                         after=(None,))
+        if has_uv:
+            mesh = self.made("plumb_solid_to_mesh_with_attributes", both, None,
+                             after=(None, None))
+        else:
+            mesh = self.made("plumb_solid_to_mesh", both, None, after=(None, None))
+        seconds = time.process_time() - start
+        result = self.arrays(mesh) if has_uv else None
+        for solid in (first, second, both):
+            self.library.plumb_solid_free(solid)
+        self.library.plumb_mesh_free(mesh)
+        return result, seconds
+
+    def arrays(self, mesh):
+        """Returns points, triangles and texture coordinates, all per corner."""
+        corners = self.library.plumb_mesh_corner_count(mesh)
+        points = self.library.plumb_mesh_point_count(mesh)
+        copied = np.ctypeslib.as_array
+        at = copied(self.library.plumb_mesh_points(mesh), (points, 3))
+        faces = copied(self.library.plumb_mesh_corners(mesh), (corners,))
+        uv = copied(self.library.plumb_mesh_channel_values(mesh, ctypes.c_size_t(0)), (corners, 2))
+        return at[faces], np.arange(corners).reshape(-1, 3), uv.copy()
 
 
 def weights_of(triangles, point):
@@ -116,14 +164,6 @@ def greatest_difference(result, sources, seed):
     return worst
 
 
-def cpu_of(command):
-    """Runs a program and returns its CPU time."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, check=True, capture_output=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-
 def manifold_of(points, faces, uv):
     """Returns the solid of manifold3d, with properties if `uv` is given."""
     rows = points if uv is None else np.hstack([points, uv.astype(np.float32)])
@@ -142,37 +182,42 @@ def run_manifold(operation, a, b, has_uv):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--plumb", required=True, help="the program")
-    parser.add_argument("--depth", type=int, default=4, help="20 * 4**DEPTH triangles")
-    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--library", required=True, help="the shared library of plumb")
+    parser.add_argument("--depth", type=int, nargs="*", default=[3, 4, 5],
+                        help="spheres of 20 * 4**DEPTH triangles")
+    parser.add_argument("--pair", nargs=2, action="append", default=[], metavar=("A", "B"))
+    parser.add_argument("--rounds", type=int, default=9)
     options = parser.parse_args()
-    random = np.random.default_rng(1)
-    sources = []
-    for centre in ((0, 0, 0), (0.53, 0.31, 0.17)):
-        points, faces = icosphere(options.depth, np.array(centre))
-        uv = random.random((len(points), 2)).astype(np.float32).astype(float)
-        sources.append((points, faces, uv))
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        files = [folder / "a.ply", folder / "b.ply"]
-        for file, source in zip(files, sources):
-            write_ply(file, *source)
+    plumb = Plumb(options.library)
+    rows = [("spheres", [icosphere(depth, np.array(centre))
+                         for centre in ((0, 0, 0), (0.53, 0.31, 0.17))])
+            for depth in options.depth]
+    rows += [(pair[0], [read_off(path) for path in pair]) for pair in options.pair]
+    print("| meshes, triangles of both | operation | greatest difference, plumb and manifold3d "
+          "| plumb without, with | ratio | manifold3d without, with | ratio |")
+    print("|---|---|---|---|---|---|---|")
+    for name, meshes in rows:
+        random = np.random.default_rng(1)
+        sources = [(points, faces,
+                    random.random((len(points), 2)).astype(np.float32).astype(float))
+                   for points, faces in meshes]
         for operation in ("union", "difference"):
-            out = folder / "out.ply"
-            command = [options.plumb, "solid", operation, *map(str, files), "-o", str(out),
-                       "--format", "ply-text"]
-            ours, theirs = [], []
-            for _ in range(options.rounds):
-                without = cpu_of([*command, "--keep", "none"])
-                ours.append(cpu_of(command) / without)
-                without = run_manifold(operation, *sources, False)[1]
-                result, time_with = run_manifold(operation, *sources, True)
-                theirs.append(time_with / without)
-            print("%-10s greatest difference: plumb %.1e, manifold3d %.1e; cost of attributes: "
-                  "plumb %.2f, manifold3d %.2f"
-                  % (operation, greatest_difference(read_ply(out), sources, 2),
-                     greatest_difference(result, sources, 2), statistics.median(ours),
-                     statistics.median(theirs)))
+            measured = {plumb.run: [], run_manifold: []}
+            results = {}
+            for _ in range(options.rounds + 1):
+                for run, pairs in measured.items():
+                    without = run(operation, *sources, False)[1]
+                    results[run], time_with = run(operation, *sources, True)
+                    pairs.append((without, time_with))
+            cells = []
+            for pairs in measured.values():
+                counted = pairs[1:]  # The first round is not counted.
+                cells.append("%.4f s, %.4f s" % tuple(map(statistics.median, zip(*counted))))
+                cells.append("%.2f" % statistics.median(b / a for a, b in counted))
+            worst = [greatest_difference(results[run], sources, 2) for run in measured]
+            triangles = sum(len(faces) for _, faces in meshes)
+            print("| %s, %s | %s | %.1e, %.1e | %s |"
+                  % (name, format(triangles, ","), operation, *worst, " | ".join(cells)))
 
 
 if __name__ == "__main__":

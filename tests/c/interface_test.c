@@ -1221,6 +1221,50 @@ static void test_attributes_of_solids(void) {
   plumb_numbers_free(n);
 }
 
+/* The cuts of a half-space are its face 0, with its material, group and id. */
+static void test_sources_of_half_spaces(void) {
+  const double level[] = {0, 0, 2, -1};
+  plumb_numbers* n = NULL;
+  plumb_plane_source source = PLUMB_PLANE_SOURCE_INIT;
+  plumb_material material = PLUMB_MATERIAL_INIT;
+  plumb_solid *cube = cube_at(0, 0, 0), *half = NULL, *cut = NULL;
+  plumb_mesh* mesh = NULL;
+  size_t i, faces_of_cut = 0;
+  material.name = "end grain";
+  source.name = "saw";
+  source.material = &material;
+  source.group = "cuts";
+  source.id = 77;
+  OK(plumb_numbers_from_doubles(level, 4, &n, &error));
+  FAILS(plumb_solid_half_space_with_source(NULL, true, &source, &half, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_solid_half_space_with_source(n, false, &source, &half, &error));
+  CHECK(plumb_solid_source_count(half) == 1 && !strcmp(plumb_solid_source_name(half, 0), "saw"));
+  OK(plumb_solid_combine(cube, half, PLUMB_INTERSECTION, &cut, NULL, &error));
+  OK(plumb_solid_to_mesh_with_attributes(cut, NULL, &mesh, NULL, NULL, &error));
+  CHECK(plumb_mesh_material_count(mesh) == 1 && plumb_mesh_group_count(mesh) == 1);
+  CHECK(!strcmp(plumb_mesh_group(mesh, 0), "cuts"));
+  for (i = 0; i < plumb_mesh_face_count(mesh); ++i) {
+    const bool is_cut = plumb_mesh_face_values(mesh, PLUMB_FACE_SOURCE)[i] == 0;
+    const uint32_t* corner = plumb_mesh_corners(mesh) + 3 * i;
+    size_t k, on_level = 0;
+    for (k = 0; k < 3; ++k) on_level += plumb_mesh_points(mesh)[3 * corner[k] + 2] == 0.5;
+    faces_of_cut += is_cut;
+    CHECK(is_cut == (on_level == 3));
+    CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_ID)[i] == (is_cut ? 77 : PLUMB_NONE));
+    CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_GROUP)[i] == (is_cut ? 0 : PLUMB_NONE));
+    CHECK(plumb_mesh_face_values(mesh, PLUMB_FACE_MATERIAL)[i] == (is_cut ? 0 : PLUMB_NONE));
+  }
+  CHECK(faces_of_cut == 2);
+  plumb_mesh_free(mesh);
+  plumb_solid_free(cut);
+  plumb_solid_free(half);
+  OK(plumb_solid_half_space_with_source(n, true, NULL, &half, &error));
+  CHECK(plumb_solid_source_count(half) == 1);
+  plumb_solid_free(half);
+  plumb_solid_free(cube);
+  plumb_numbers_free(n);
+}
+
 static size_t sources_of(const plumb_mesh* mesh, const plumb_solid_options* options) {
   plumb_solid* solid = NULL;
   size_t count;
@@ -2728,6 +2772,7 @@ int main(int count, char** arguments) {
   test_solid_meshes();
   test_attribute_arrays();
   test_attributes_of_solids();
+  test_sources_of_half_spaces();
   test_kept_attributes();
   test_attribute_files();
   test_solid_pictures();

@@ -476,6 +476,21 @@ TEST_F(SolidProgram, keeps_the_colours_of_faces) {
   for (const char* name : {"u.off", "u.obj", "u.stl", "none.off"}) EXPECT_EQ(measured(name), 15);
 }
 
+TEST_F(SolidProgram, only_materials_that_faces_have_are_written) {
+  std::string library;
+  for (int i = 0; i < 1000; ++i) library += "newmtl m" + std::to_string(i) + "\nKd 0.5 0 0\n";
+  holding(library, "many.mtl");
+  const std::string mesh = holding(
+      "mtllib many.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl m700\nf 1 3 2\n"
+      "f 1 2 4\nusemtl m30\nf 2 3 4\nf 1 4 3\n",
+      "many.obj");
+  EXPECT_EQ(run({"solid", "closure", mesh, "-o", file("few.obj")}).code, 0);
+  EXPECT_EQ(read_file(file("few.mtl")),
+            "# plumb\nnewmtl m700\nKd 0.5 0 0\nd 1\nnewmtl m30\nKd 0.5 0 0\nd 1\n");
+  EXPECT_EQ(lines_with(file("few.obj"), "usemtl m700"), 1);
+  EXPECT_EQ(lines_with(file("few.obj"), "usemtl m30"), 1);
+}
+
 TEST_F(SolidProgram, files_without_faces_are_refused) {
   const std::string mesh = holding("OFF 2 0 0\n0 0 0\n1 0 0\n", "a.off");
   for (const char* group : {"solid", "convex"}) {

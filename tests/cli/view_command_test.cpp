@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -201,6 +202,80 @@ TEST_F(ViewProgram, shows_colours) {
   EXPECT_TRUE(contains(coloured, "#0000ff")) << coloured;
   EXPECT_FALSE(contains(plain, "#ff0000")) << plain;
   EXPECT_TRUE(contains(drawn(file, "a.html"), "colours"));
+}
+
+/// A PNG file of one grey pixel.
+std::string tiny_png() {
+  const std::string_view bytes(
+      "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55"
+      "\0\0\0\nIDATx\x9c\x63\x68\0\0\0\x82\0\x81\x77\xcd\x72\xb6\0\0\0\0IEND\xae\x42\x60\x82",
+      67);
+  return std::string(bytes);
+}
+
+// The image lies beside the mesh. Images elsewhere are not opened, and what is no image or too wide
+// is not embedded.
+TEST_F(ViewProgram, shows_textures) {
+  const std::string png = tiny_png();
+  const std::string file = (scratch_ / "below/a.obj").string();
+  fs::create_directory(scratch_ / "below");
+  write_file(file,
+             "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0.25\nvt 0 1\n"
+             "usemtl a\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\nusemtl b\nf 2 3 4\nf 1 4 3\n");
+  const auto with_texture = [&](const std::string& name) {
+    write_file(scratch_ / "below/a.mtl", "newmtl a\nKd 1 0 0\nmap_Kd " + name + "\nnewmtl b\n");
+  };
+  write_file(scratch_ / "below/a.png", png);
+  with_texture("a.png");
+  EXPECT_TRUE(contains(drawn(file, "a.html"), "[\"data:image/png;base64,iVBORw0KGgo"));
+  const std::string glb = drawn(file, "a.glb");
+  expect_glb(glb);
+  const auto [json, data] = chunks_of(glb);
+  EXPECT_EQ(json["images"].size(), 1U);
+  const Json& view = json["bufferViews"][json["images"][0]["bufferView"].get<std::size_t>()];
+  EXPECT_EQ(data.substr(view["byteOffset"], view["byteLength"]), png);
+  std::size_t textured = 0;
+  for (const Json& mesh : json["meshes"]) {
+    const Json& primitive = mesh["primitives"][0];
+    if (!primitive["attributes"].contains("TEXCOORD_0")) continue;
+    ++textured;
+    const Json& material = json["materials"][primitive["material"].get<std::size_t>()];
+    EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorTexture"]["index"], 0);
+    EXPECT_EQ(json["accessors"][primitive["indices"].get<std::size_t>()]["count"], 6);
+    const Json& places =
+        json["accessors"][primitive["attributes"]["TEXCOORD_0"].get<std::size_t>()];
+    EXPECT_EQ(places["count"], 6);
+    const std::size_t at =
+        json["bufferViews"][places["bufferView"].get<std::size_t>()]["byteOffset"];
+    std::multiset<float> heights;  // v points down in glTF.
+    for (std::size_t i = 0; i < 6; ++i) {
+      float v = 0;
+      std::memcpy(&v, data.data() + at + 8 * i + 4, sizeof v);
+      heights.insert(v);
+    }
+    EXPECT_EQ(heights, (std::multiset<float>{0, 0, 0.75, 0.75, 1, 1}));
+  }
+  EXPECT_EQ(textured, 1U);
+
+  const auto told = [&](const std::string& picture) {
+    const RunResult result = run({"view", file, "-o", (scratch_ / picture).string()});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(picture.ends_with(".png") || !contains(read_file(scratch_ / picture), "image/png"));
+    return result.err;
+  };
+  EXPECT_TRUE(contains(told("a.png"), "textures are not drawn"));
+  write_file(scratch_ / "secret.png", png);
+  with_texture("../secret.png");
+  EXPECT_TRUE(contains(told("a.html"), "does not lie in the folder"));
+  with_texture("absent.png");
+  EXPECT_TRUE(contains(told("a.html"), "No such file"));
+  with_texture("a.mtl");
+  EXPECT_TRUE(contains(told("a.html"), "neither a PNG nor a JPEG"));
+  std::string wide = png;
+  wide[17] = 1;  // 65537 pixels.
+  write_file(scratch_ / "below/wide.png", wide);
+  with_texture("wide.png");
+  EXPECT_TRUE(contains(told("a.glb"), "wider or higher than 16384"));
 }
 
 TEST_F(ViewProgram, wrong_usage_is_refused) {

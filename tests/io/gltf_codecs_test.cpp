@@ -146,6 +146,35 @@ TEST(GltfCodecs, draco_channels) {
   }
 }
 
+// Two primitives name one stream, and each takes channels that the other does not take.
+TEST(GltfCodecs, draco_channels_of_two_primitives) {
+  if (!has_draco()) GTEST_SKIP() << "plumb is built without Draco (libdraco-dev)";
+  for (const char* text : kDracoChannels) {
+    Document d = channels_document(from_base64(text));
+    Json& primitives = d.json["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]);
+    const auto drop = [&](std::size_t i, const char* member) {
+      primitives[i]["attributes"].erase(member);
+      primitives[i]["extensions"]["KHR_draco_mesh_compression"]["attributes"].erase(member);
+    };
+    for (const char* member : {"NORMAL", "TEXCOORD_0"}) drop(0, member);
+    drop(1, "COLOR_0");
+    const MeshFile file = read_with_attributes(d);
+    for (const std::string& note : file.notes) EXPECT_EQ(note.find("cannot be read"), note.npos);
+    ASSERT_EQ(file.mesh.face_count(), 8U);
+    std::size_t with_normals = 0, with_colours = 0;
+    for (const MeshChannel& c : file.attributes.channels) {
+      for (std::size_t i = 0; i < file.mesh.corners.size(); ++i) {
+        const double* const at = &c.values[i * c.width];
+        if (c.name == "normal") with_normals += at[0] != 0 || at[1] != 0 || at[2] != 0 ? 1 : 0;
+        if (c.name == "color") with_colours += at[0] != 1 || at[1] != 1 || at[2] != 1 ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(with_normals, 12U);
+    EXPECT_EQ(with_colours, 12U);
+  }
+}
+
 // What cannot be read of the looks of a mesh is named, and the shape is read.
 TEST(GltfCodecs, passes_over_damaged_draco_channels) {
   if (!has_draco()) GTEST_SKIP() << "plumb is built without Draco (libdraco-dev)";

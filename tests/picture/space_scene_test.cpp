@@ -12,6 +12,8 @@
 #include <random>
 #include <set>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +22,7 @@
 #include "plumb/picture/scene_html.h"
 #include "plumb/picture/space_svg.h"
 #include "plumb/picture/svg/svg_text.h"
+#include "plumb/picture/texture_image.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/source_mesh.h"
 #include "plumb/space/space_measure.h"
@@ -366,6 +369,27 @@ TEST(ColouredScene, has_each_colour_on_the_area_of_its_faces) {
   EXPECT_EQ(count(cut, Paint::Edge) + count(cut, Paint::OpenEdge),
             count(scene(set - cube(2, 5)), Paint::Edge) +
                 count(scene(set - cube(2, 5)), Paint::OpenEdge));
+}
+
+// JPEG files have their size in a segment somewhere behind the start; PNG files in the first chunk.
+TEST(TextureImage, types_and_sizes_are_read_and_bounded) {
+  const auto jpeg = [](std::string_view width) {
+    return std::string("\xff\xd8\xff\xe0\0\4ab\xff\xff\xc4\0\3x\xff\xc2\0\x0b\x08\0\2", 21) +
+           std::string(width) + std::string(8, '\0');
+  };
+  EXPECT_EQ(texture_image(jpeg({"\0\3", 2})).type, "image/jpeg");
+  const std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1", 24);
+  EXPECT_EQ(texture_image(png).type, "image/png");
+  EXPECT_EQ(texture_image(png).bytes, png);
+  const auto refused = [](std::string bytes) {
+    EXPECT_THROW(texture_image(std::move(bytes)), Error);
+  };
+  refused(jpeg("\x40\1"));
+  refused(jpeg({"\0\0", 2}));
+  for (std::size_t size = 0; size < 24; ++size) refused(png.substr(0, size));
+  for (std::size_t size = 0; size < 23; ++size) refused(jpeg("\1\1").substr(0, size));
+  refused(std::string(png).replace(19, 1, 1, '\0'));
+  refused("GIF89a, which browsers draw");
 }
 
 TEST(ColouredScene, shows_what_has_no_colours_as_before) {

@@ -739,6 +739,23 @@ PLUMB_API plumb_status plumb_solid_to_mesh_with_attributes(
 PLUMB_API plumb_status plumb_solid_with_source(const plumb_solid* solid, const plumb_mesh* mesh,
                                                const char* name, plumb_solid** out,
                                                plumb_error** error);
+/** The attributes of the boundary of a half-space. */
+typedef struct plumb_plane_source {
+  size_t struct_size;             /**< sizeof(plumb_plane_source). */
+  const char* name;               /**< The name of the source. Null stands for an empty name. */
+  const plumb_material* material; /**< The material of the cuts. Null stands for none. */
+  const char* group;              /**< The group of the cuts. Null stands for none. */
+  uint32_t id;                    /**< The id of the cuts, or PLUMB_NONE. */
+} plumb_plane_source;
+#define PLUMB_PLANE_SOURCE_INIT \
+  { sizeof(plumb_plane_source), NULL, NULL, NULL, PLUMB_NONE }
+/** Makes a half-space as plumb_solid_half_space() does, with its boundary as a source. This source
+ * has one face, face 0. Faces of results that the half-space cuts have the attributes of this face.
+ * `source` may be null; then the face has no attributes. */
+PLUMB_API plumb_status plumb_solid_half_space_with_source(const plumb_numbers* plane,
+                                                          bool is_closed,
+                                                          const plumb_plane_source* source,
+                                                          plumb_solid** out, plumb_error** error);
 /** Returns the number of sources of the solid. The sources are the meshes with attributes from
  * which it was made, in the order of the operands. */
 PLUMB_API size_t plumb_solid_source_count(const plumb_solid* solid);

@@ -298,6 +298,30 @@ plumb_status plumb_solid_with_source(const plumb_solid* solid, const plumb_mesh*
   });
 }
 
+plumb_status plumb_solid_half_space_with_source(const plumb_numbers* plane, bool is_closed,
+                                                const plumb_plane_source* source, plumb_solid** out,
+                                                plumb_error** error) {
+  return make(out, error, [&] {
+    const plumb_plane_source asked = options_of(source, PLUMB_PLANE_SOURCE_INIT);
+    const std::span<const Rational> v = exactly(plane, "plane", 4);
+    auto made = std::make_shared<MeshSource>();
+    made->name = text_or_empty(asked.name);
+    made->plane = Plane3{v[0], v[1], v[2], v[3]};
+    if (asked.material != nullptr) {
+      const plumb_material material = options_of(asked.material, PLUMB_MATERIAL_INIT);
+      made->attributes.materials = {material_of(material)};
+      made->attributes.face_material = {0};
+    }
+    if (asked.group != nullptr) {
+      made->attributes.groups = {text(asked.group, "group")};
+      made->attributes.face_group = {0};
+    }
+    if (asked.id != PLUMB_NONE) made->attributes.face_id = {asked.id};
+    const Nef3 half = Nef3::half_space(*made->plane, boundary(is_closed));
+    return half.with_source(std::move(made));
+  });
+}
+
 std::size_t plumb_solid_source_count(const plumb_solid* solid) {
   return solid != nullptr ? solid->set.sources().size() : 0;
 }

@@ -26,6 +26,9 @@ const materialLayout = new Struct({
   texture: 'pointer'
 });
 
+const planeLayout = new Struct({name: 'pointer', material: 'pointer', group: 'pointer', id: 'u32'});
+const none = 0xffffffff;
+
 const faceValues = {
   faceMaterial: 0,
   faceGroup: 1,
@@ -53,14 +56,17 @@ function colorOf(color, what) {
   return {has_color: true, color_x, color_y, color_z, color_w};
 }
 
-function addMaterial(frame, mesh, material, what) {
+function materialOf(frame, material, what) {
   const {name, color, texture} = record(material, what);
-  const given = frame.struct(materialLayout, {
+  return frame.struct(materialLayout, {
     name: frame.text(name, `${what}.name`),
     texture: frame.text(texture, `${what}.texture`),
     ...(isWanted(color) ? colorOf(color, `${what}.color`) : {}),
   });
-  frame.check('plumb_mesh_add_material', mesh, given, 0);
+}
+
+function addMaterial(frame, mesh, material, what) {
+  frame.check('plumb_mesh_add_material', mesh, materialOf(frame, material, what), 0);
 }
 
 function addGroup(frame, mesh, name, what) {
@@ -99,6 +105,17 @@ export function setAttributes(frame, mesh, attributes) {
       throw badArgument(`channels and vertexChannels have the same name ${shown(name)}`);
     setChannel(frame, mesh, name, channel, perVertex, `vertexChannels.${name}`);
   }
+}
+
+/** The struct of the attributes of the boundary of a half-space. */
+export function planeSourceOf(frame, source) {
+  const {name, material, group, id} = record(source, 'source');
+  return frame.struct(planeLayout, {
+    name: frame.text(name, 'source.name'),
+    material: isWanted(material) ? materialOf(frame, material, 'source.material') : 0,
+    group: frame.text(group, 'source.group'),
+    id: isWanted(id) ? count(id, 'source.id') : none,
+  });
 }
 
 // ---- out

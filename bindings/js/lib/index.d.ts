@@ -191,6 +191,18 @@ export interface MeshAttributes {
   /** Numbers of vertices, which all corners at a vertex get. */
   vertexChannels?: Readonly<Record<string, Channel>>;
 }
+/**
+ * The attributes of the boundary of a half-space, which is a source with one face. Faces of results
+ * that the half-space cuts have them.
+ */
+export interface PlaneSource {
+  /** The name in Solid.sources(). */
+  name?: string;
+  material?: Material;
+  group?: string;
+  /** A number that the caller chose. */
+  id?: number;
+}
 /** The attributes of a mesh that the package made. A member is null if no face has a value. */
 export interface FoundAttributes {
   materials: {name: string; color: [number, number, number, number] | null; texture: string}[];
@@ -482,8 +494,11 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   static fromPolygons(
       vertices: Coordinates, faceBegin: Indices, corners: Indices,
       options?: FromArraysOptions): Solid;
-  /** Returns the set of points with a x + b y + c z + d <= 0, or < 0 if `closed` is false. */
-  static halfSpace(plane: Vector4, options?: {closed?: boolean}): Solid;
+  /**
+   * Returns the set of points with a x + b y + c z + d <= 0, or < 0 if `closed` is false. `source`
+   * has the attributes of the boundary.
+   */
+  static halfSpace(plane: Vector4, options?: {closed?: boolean; source?: PlaneSource}): Solid;
   /**
    * Returns the intersection of half-spaces. `planes` contains four numbers for each half-space.
    */

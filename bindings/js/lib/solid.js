@@ -1,5 +1,5 @@
 // Sets of space.
-import {attributesOf, setAttributes, sourcesOf} from './attributes.js';
+import {attributesOf, planeSourceOf, setAttributes, sourcesOf} from './attributes.js';
 import {takeNumbers, vector, vectors, withNumbers} from './fraction.js';
 import {addressesOf, addressOf, wrap} from './handle.js';
 import {
@@ -350,13 +350,16 @@ export class Solid extends PointSet {
   static fromPolygons(vertices, faceBegin, corners, options) {
     return ofMesh({vertices, faceBegin, corners}, options);
   }
-  static halfSpace(plane, {closed = true} = {}) {
+  static halfSpace(plane, {closed = true, source} = {}) {
+    const made = (frame, numbers) => isWanted(source) ?
+        frame.makeBriefly(
+            'plumb_solid_half_space_with_source', numbers, closed, planeSourceOf(frame, source)) :
+        frame.makeBriefly('plumb_solid_half_space', numbers, closed);
     return inFrame(
         undefined,
         (frame) => withNumbers(
             frame, vector(plane, 4, 'the plane'), 'the plane',
-            (numbers) =>
-                wrap(Solid, frame.makeBriefly('plumb_solid_half_space', numbers, closed))));
+            (numbers) => wrap(Solid, made(frame, numbers))));
   }
   static plane(plane) {
     return inFrame(

@@ -310,6 +310,30 @@ export const cases = {
     check(faceMaterial.every((i) => `${materials[i].color}` === '1,0,0,1'));
   },
 
+  'half-spaces give their cuts attributes'(plumb) {
+    const {Solid} = plumb, body = painted(plumb, boxMesh(plumb, 0, 2), 'wood');
+    const source = {name: 'saw', material: {name: 'end grain'}, group: 'cuts', id: 77};
+    const cut = body.intersection(Solid.halfSpace([0, 0, 1, -1], {closed: false, source}));
+    checkEqual(cut.sources(), ['wood', 'saw']);
+    const {vertices, triangles, source: from, attributes} = cut.toMeshWithAttributes();
+    const {materials, faceMaterial, groups, faceGroup, faceId} = attributes;
+    let cuts = 0;
+    from.forEach((s, f) => {
+      const corners = [...triangles.slice(3 * f, 3 * f + 3)];
+      checkEqual(s === 1, corners.every((v) => vertices[3 * v + 2] === 1));
+      if (s !== 1) return;
+      ++cuts;
+      checkEqual(
+          [materials[faceMaterial[f]].name, groups[faceGroup[f]], faceId[f]],
+          ['end grain', 'cuts', 77]);
+    });
+    checkEqual(cuts, 2);
+    checkEqual(Solid.halfSpace([0, 0, 1, -1], {source: {}}).sources(), ['']);
+    checkEqual(Solid.halfSpace([0, 0, 1, -1]).sources(), []);
+    failure(plumb, 'BAD_ARGUMENT', () => Solid.halfSpace([0, 0, 1, -1], {source: 'saw'}));
+    failure(plumb, 'BAD_ARGUMENT', () => Solid.halfSpace([0, 0, 1, -1], {source: {id: -1}}));
+  },
+
   'fewer corners of plane sets'(plumb) {
     const {PlaneSet} = plumb, square = PlaneSet.box([0, 0], [8, 8]);
     const toothed = PlaneSet.polygon([[0, 0], [8, 0], [8, 8], [5, 8], [4, '17/2'], [3, 8], [0, 8]]);

@@ -166,6 +166,18 @@ Nef3 with_attributes(const Nef3& set, const MeshView& mesh, const AttributesIn& 
   return set.with_source(std::move(source));
 }
 
+Nef3 with_plane_source(const Nef3& set, const Plane3& plane, const AttributesIn& given) {
+  if (!given.is_given) return set;
+  if (!given.channel_rows.empty()) {
+    throw Error(ErrorCode::BadArgument, "the boundary of a half-space has no channels");
+  }
+  auto source = std::make_shared<MeshSource>();
+  source->name = given.name;
+  source->plane = plane;
+  source->attributes = given.attributes;
+  return set.with_source(std::move(source));
+}
+
 nb::object mesh_object(MeshWithAttributes mesh) {
   const nb::tuple arrays = face_arrays(mesh);
   return call("made", nb::make_tuple(arrays, parts_of(std::move(mesh.attributes))));

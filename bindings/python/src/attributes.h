@@ -19,6 +19,10 @@ struct AttributesIn {
   std::exception_ptr problem;
 };
 
+/// Returns the set with a plane as its source, which has these attributes on its only face, if they
+/// are given.
+Nef3 with_plane_source(const Nef3& set, const Plane3& plane, const AttributesIn& given);
+
 /// A mesh with attributes that goes out.
 struct MeshOut {
   MeshWithAttributes mesh;

@@ -370,11 +370,17 @@ void def_makers(nb::class_<Nef3>& c) {
                  "planes"_a, "closed"_a = true);
   def_run_static(
       c, "half_space",
-      +[](Context&, const Exact<4>& plane, bool closed) {
-        return Nef3::half_space(plane_of(plane), boundary_of(closed));
+      +[](Context&, const Exact<4>& plane, bool closed, const AttributesIn& attributes) {
+        const Plane3 boundary = plane_of(plane);
+        return with_plane_source(Nef3::half_space(boundary, boundary_of(closed)), boundary,
+                                 attributes);
       },
-      "Return the points with a x + b y + c z + d <= 0, or < 0 if not `closed`.", "plane"_a,
-      "closed"_a = true);
+      "Return the points with a x + b y + c z + d <= 0, or < 0 if not `closed`. The `attributes` "
+      "are those of the boundary, which is one face without channels. Faces of results that the "
+      "half-space cuts have them:\n\n"
+      "    cuts = plumb.MeshAttributes(name='saw', face_id=[7])\n"
+      "    solid & plumb.Solid.half_space((0, 0, 1, -1), attributes=cuts)",
+      "plane"_a, "closed"_a = true, "attributes"_a = nb::none());
   def_run_static(
       c, "plane", +[](Context&, const Exact<4>& plane) { return Nef3::plane(plane_of(plane)); },
       "Return the points with a x + b y + c z + d = 0.", "plane"_a);

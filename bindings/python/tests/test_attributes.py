@@ -224,3 +224,32 @@ def test_moved_sources_are_left_soon_when_an_operation_is_stopped():
 
     # The time of the processor; one of three attempts has to be in time.
     assert any(seconds() < 0.2 for _ in range(3))
+
+
+def test_half_spaces_give_their_cuts_attributes() -> None:
+    cuts = plumb.MeshAttributes(
+        name="saw",
+        materials=[plumb.Material("end grain")],
+        face_material=[0],
+        groups=["cuts"],
+        face_group=[0],
+        face_id=[77],
+    )
+    body = painted(box(0, 2), "wood")
+    for closed in (True, False):
+        half = plumb.Solid.half_space((0, 0, 1, -1), closed, attributes=cuts)
+        assert half.sources() == ["saw"]
+        made = (body & half).to_mesh_with_attributes()
+        is_cut = made.source == 1
+        assert areas(made)[is_cut].sum() == 4
+        assert (made.vertices[made.triangles[is_cut]][:, :, 2] == 1).all()
+        assert (made.face_id[is_cut] == 77).all() and (made.source_face[is_cut] == 0).all()
+        assert {made.materials[m].name for m in made.face_material[is_cut]} == {"end grain"}
+        assert {made.groups[g] for g in made.face_group[is_cut]} == {"cuts"}
+    assert plumb.Solid.half_space((0, 0, 1, -1)).sources() == []
+    with pytest.raises(plumb.Error, match="one per face|faces"):
+        plumb.Solid.half_space((0, 0, 1, 0), attributes=plumb.MeshAttributes(face_id=[1, 2]))
+    with pytest.raises(plumb.Error, match="no channels"):
+        plumb.Solid.half_space(
+            (0, 0, 1, 0), attributes=plumb.MeshAttributes(channels={"texcoord_0": [[0.0, 0.0]]})
+        )

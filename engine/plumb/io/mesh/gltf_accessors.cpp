@@ -8,6 +8,7 @@
 // Tested by tests/io/gltf_accessors_test.cpp.
 #include "plumb/io/mesh/gltf_accessors.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace plumb {
@@ -226,9 +227,16 @@ GltfAccessors::Compressed GltfAccessors::compressed(std::size_t view,
                                                     const CompressedVectors& positions,
                                                     std::span<const CompressedVectors> others) {
   require_vectors(positions.accessor, positions.type);
-  const auto [at, is_new] = streams_.try_emplace(view);
-  const Stream& stream = at->second;
-  if (is_new) decode(view, positions, others, at->second);
+  // A primitive may ask for vectors that the primitives before it did not ask for. The number of
+  // times is bounded, because ids are not.
+  constexpr std::size_t kMostTimes = 16;
+  Stream& stream = streams_[view];
+  const bool asks_more = std::any_of(others.begin(), others.end(), [&](const auto& other) {
+    return !stream.asked.contains(other.attribute);
+  });
+  if (stream.times == 0 || (asks_more && stream.times < kMostTimes)) {
+    decode(view, positions, others, stream);
+  }
   const std::optional<GltfElements> found = vectors_in(stream, positions);
   if (!found) {
     in_.fail(ErrorCode::CountMismatch, GltfDocument::entry("bufferViews", view),
@@ -251,9 +259,12 @@ void GltfAccessors::decode(std::size_t view, const CompressedVectors& positions,
   for (const CompressedVectors& other : others) ids.push_back(other.attribute);
   in_.with_where(GltfDocument::entry("bufferViews", view), [&] {
     const DracoMesh mesh(bytes, ids, context_);
-    stream.points = mesh.point_count();
-    charge_.add(mesh.triangle_count() * 3 * sizeof(std::uint32_t), "compressed data");
-    stream.corners = mesh.corners();
+    if (stream.times++ == 0) {
+      stream.points = mesh.point_count();
+      charge_.add(mesh.triangle_count() * 3 * sizeof(std::uint32_t), "compressed data");
+      stream.corners = mesh.corners();
+    }
+    stream.asked.insert(ids.begin(), ids.end());
     const auto keep = [&](const CompressedVectors& wanted) {
       const std::size_t parts = parts_of(wanted.type);
       if (stream.vectors.contains(wanted.attribute) || !mesh.has(wanted.attribute, parts)) return;

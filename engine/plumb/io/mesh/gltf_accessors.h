@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,8 +20,9 @@
 
 namespace plumb {
 
-/// Elements are found on first use and kept: an accessor, a view or a compressed stream is read
-/// once, however many primitives name it. They point into memory of the document or of this object.
+/// Elements are found on first use and kept: an accessor and a view are read once, and a compressed
+/// stream a bounded number of times, however many primitives name them. Elements point into memory
+/// of the document or of this object.
 class GltfAccessors {
  public:
   /// The document and the context must outlive it.
@@ -54,8 +56,8 @@ class GltfAccessors {
     std::vector<std::optional<GltfElements>> others;  ///< Without a value if they cannot be read.
   };
   /// Returns the triangles of a compressed mesh, and other vectors of its points. A stream is read
-  /// once, with the vectors that are asked for first. Requires require_vectors() for the accessors
-  /// of `others`.
+  /// again, up to 16 times, if a primitive asks for vectors that no other one asked for. Requires
+  /// require_vectors() for the accessors of `others`.
   Compressed compressed(std::size_t view, const CompressedVectors& positions,
                         std::span<const CompressedVectors> others);
 
@@ -83,6 +85,8 @@ class GltfAccessors {
     std::size_t points = 0;
     std::string corners;
     std::map<std::size_t, Vectors> vectors;  // Per attribute.
+    std::set<std::size_t> asked;             // Attributes, also those that the stream lacks.
+    std::size_t times = 0;                   // How often the stream was read.
   };
 
   const Accessor& accessor_of(std::size_t accessor, const std::string& where);

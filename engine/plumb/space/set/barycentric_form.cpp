@@ -18,8 +18,8 @@ Row3 seen(const FlatView& view, const IntegerRow& point) {
 
 Integer dot(const Row3& a, const Row3& b) {
   Integer sum = a[0] * b[0];
-  sum += a[1] * b[1];
-  sum += a[2] * b[2];
+  mpz_addmul(sum.mpz(), a[1].mpz(), b[1].mpz());
+  mpz_addmul(sum.mpz(), a[2].mpz(), b[2].mpz());
   return sum;
 }
 
@@ -27,7 +27,8 @@ Row3 cross(const Row3& a, const Row3& b) {
   Row3 result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    result[i] = a[j] * b[k] - a[k] * b[j];
+    result[i] = a[j] * b[k];
+    mpz_submul(result[i].mpz(), a[k].mpz(), b[j].mpz());
   }
   return result;
 }

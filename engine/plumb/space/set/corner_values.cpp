@@ -109,9 +109,14 @@ class TriangleReader {
 
   /// Returns the corner of the source, an index of mesh.corners, whose point is rounded to p; kNone
   /// if there is none.
-  std::uint32_t corner_at(const Point3& p) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (at_[i] == p) return triangle().corner[i];
+  std::uint32_t corner_at(const Point3& p) {
+    // Faces run along their triangle or against it, so the corner after or before the last one is
+    // found first in most cases.
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (last_ + 1 + k) % 3;
+      if (at_[i] != p) continue;
+      last_ = i;
+      return triangle().corner[i];
     }
     if (cover_ != PieceCover::Face) return kNone;
     const PolygonMesh& mesh = input_.sources.mesh_of(triangle());
@@ -173,6 +178,7 @@ class TriangleReader {
   std::uint32_t known_ = kNone;
   PieceCover cover_ = PieceCover::Triangle;
   std::array<Point3, 3> at_{};  // The corners, rounded.
+  std::size_t last_ = 2;        // The corner that was found last.
   std::optional<BarycentricForm> form_;
   std::vector<std::pair<Point3, CornerWeights>> weights_;  // At some points of the triangle.
 };
