@@ -283,20 +283,21 @@ class MarkedCells {
     return ((a + kOffset - (b & kCellMask)) & kHighBits) == kExpected;
   }
   bool meets_marked_cells(Corners face, std::span<const std::uint32_t> codes) const {
-    std::uint32_t low = 0, high = 0;
-    for (std::uint32_t shift = 0; shift < 24; shift += 8) {
-      std::uint32_t least = kCells, most = 0;
-      for (const std::uint32_t v : face) {
-        const std::uint32_t at = codes[v] >> shift & kByte;
-        least = std::min(least, at);
-        most = std::max(most, at);
-      }
-      low |= least << shift;
-      high |= most << shift;
+    std::uint32_t low = codes[face[0]] & kCellMask, high = low;
+    for (const std::uint32_t v : face.subspan(1)) {
+      const std::uint32_t at = codes[v] & kCellMask;
+      low ^= (low ^ at) & ~bytes_not_above(low, at);
+      high ^= (high ^ at) & bytes_not_above(high, at);
     }
     return !for_rows(low, high, [&](std::uint32_t row, std::uint64_t cells) {
       return (rows_[row] & cells) == 0;
     });
+  }
+  /// Returns the bytes, filled with ones, in which a is not greater than b. Requires bytes below
+  /// 128.
+  static std::uint32_t bytes_not_above(std::uint32_t a, std::uint32_t b) {
+    constexpr std::uint32_t kHighBits = 0x808080;
+    return (((b | kHighBits) - a) & kHighBits) / 128 * kByte;
   }
 
   /// Calls visit(row, cells in it) for the cells from `low` to `high` until it returns false.
@@ -411,8 +412,7 @@ class Fans {
     const auto around = std::span(corners_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
     if (around.size() < 3 || around.size() > kMostCorners) return false;
     const View view = view_of(around);
-    return is_seen_from_one_side(around, view) && goes_around_once(around, view) &&
-           is_closed(around);
+    return is_seen_from_one_side(around, view) && goes_around_once(around, view);
   }
   /// Returns a view against which most normals around a vertex point.
   View view_of(std::span<const std::uint32_t> around) const {
@@ -441,17 +441,28 @@ class Fans {
       return known_sign(dot(plane.m, view.along), 4 * kProductError * plane.size) > 0;
     });
   }
+  /// Whether one closed chain of edges goes through all corners, and goes around the vertex once.
   bool goes_around_once(std::span<const std::uint32_t> around, const View& view) const {
-    int count = 0;
-    for (const std::uint32_t c : around) {
-      const FilteredTriangle& t = triangles_[c / 4];
-      const std::size_t i = c % 4, j = kNextCorner[i];
-      const int begins = rise(t.at[i], t.at[j], view);
-      const int ends = rise(t.at[i], t.at[kNextCorner[j]], view);
-      if (begins == kUnknown || ends == kUnknown) return false;
-      count += begins <= 0 && ends > 0 ? 1 : 0;
+    std::array<std::uint32_t, kMostCorners> begins{}, ends{};
+    std::array<int, kMostCorners> rises{};  // Of the edges at which corners begin.
+    for (std::size_t n = 0; n < around.size(); ++n) {
+      const FilteredTriangle& t = triangles_[around[n] / 4];
+      const std::size_t i = around[n] % 4, j = kNextCorner[i];
+      begins[n] = t.corner[j];
+      ends[n] = t.corner[kNextCorner[j]];
+      rises[n] = rise(t.at[i], t.at[j], view);
+      if (rises[n] == kUnknown) return false;
     }
-    return count == 1;
+    const auto last = begins.begin() + static_cast<std::ptrdiff_t>(around.size());
+    std::size_t at = 0, length = 0, count = 0;
+    do {
+      const auto found = std::find(begins.begin(), last, ends[at]);
+      if (found == last) return false;
+      const auto next = static_cast<std::size_t>(found - begins.begin());
+      count += rises[at] <= 0 && rises[next] > 0 ? 1 : 0;
+      at = next;
+    } while (++length < around.size() && at != 0);
+    return at == 0 && length == around.size() && count == 1;
   }
   /// Returns the sign of the rise of an edge, or kUnknown.
   static int rise(const Vec3& from, const Vec3& to, const View& view) {
@@ -460,24 +471,6 @@ class Fans {
     const int sign = known_sign(x + y, kProductError * (std::fabs(x) + std::fabs(y)));
     return sign == 0 && (x != 0 || y != 0) ? kUnknown : sign;
   }
-  /// Whether one closed chain of edges goes through all corners.
-  bool is_closed(std::span<const std::uint32_t> around) const {
-    const auto edge = [&](std::size_t corner, std::size_t side) {
-      const std::uint32_t c = around[corner];
-      return triangles_[c / 4].corner[(c % 4 + side) % 3];
-    };
-    std::array<std::uint32_t, kMostCorners> begins{};
-    for (std::size_t n = 0; n < around.size(); ++n) begins[n] = edge(n, 1);
-    const auto last = begins.begin() + static_cast<std::ptrdiff_t>(around.size());
-    std::size_t at = 0, length = 0;
-    do {
-      const auto next = std::find(begins.begin(), last, edge(at, 2));
-      if (next == last) return false;
-      at = static_cast<std::size_t>(next - begins.begin());
-    } while (++length < around.size() && at != 0);
-    return at == 0 && length == around.size();
-  }
-
   std::span<const FilteredTriangle> triangles_;
   std::span<const std::array<std::uint32_t, 3>> number_;
   std::vector<std::uint8_t> has_fan_;
@@ -663,8 +656,9 @@ class DoubtSearch {
   }
   bool look_at_pairs_in(const PackedBoxTree& tree) {
     const auto may_go_on = [&] {
-      if (steps_left_ > 0 && --steps_left_ % 4096 == 0) checkpoint(0);
-      return pairs_left_ > 0 && steps_left_ > 0;
+      if (steps_left_ == 0) return false;
+      if (--steps_left_ % 4096 == 0) checkpoint(0);
+      return true;
     };
     const auto look = [&](std::uint32_t i, std::uint32_t j) { look_at(i, j); };
     if (!tree.for_each_pair_inside(look, may_go_on)) return false;
@@ -694,7 +688,7 @@ class DoubtSearch {
   /// Marks two faces if they may meet. Face i is to be checked.
   void look_at(std::uint32_t i, std::uint32_t j) {
     if (Fans::share(fan_corners_[i], fan_corners_[j]) || !boxes_[i].meets(boxes_[j])) return;
-    if (pairs_left_ > 0) --pairs_left_;
+    if (pairs_left_ > 0 && --pairs_left_ == 0) steps_left_ = 0;
     if (is_doubtful_[i] != 0 && is_doubtful_[j] != 0) return;
     if (!is_certain(i, j)) is_doubtful_[i] = is_doubtful_[j] = 1;
   }

@@ -203,12 +203,19 @@ class FlatVertices {
   }
   /// Whether v is near a segment between two vertices of its link.
   bool is_on_line() const {
-    for (std::size_t i = 0; i < link_.size(); ++i) {
-      for (std::size_t j = i + 1; j < link_.size(); ++j) {
-        if (distance_from_line(i, j) <= width_) return true;
+    for (std::size_t i = 0; i < from_.size(); ++i) {
+      for (std::size_t j = i + 1; j < from_.size(); ++j) {
+        if (may_be_near_line(i, j) && distance_from_line(i, j) <= width_) return true;
       }
     }
     return false;
+  }
+  /// Returns false only if distance_from_line() exceeds width_. Takes no roots and no quotient.
+  bool may_be_near_line(std::size_t i, std::size_t j) const {
+    constexpr double kLeastSquare = 0x1p-1000;  // Smaller squares may have lost digits.
+    if (!(dot(from_[i], from_[j]) < 0)) return false;
+    const Vector3 area = cross(from_[i], from_[j]), along = difference_of(from_[i], from_[j]);
+    return !(dot(area, area) > 2 * width_ * width_ * dot(along, along) + kLeastSquare);
   }
 
   /// Finds the plane of the triangles from link_[first] to link_[last]. Returns false if a point is
@@ -228,13 +235,26 @@ class FlatVertices {
     return most > 0 && side.height <= width_;
   }
 
-  /// Returns the vertices that are flat or on a fold, in ascending order.
+  /// Returns the vertices that are flat or on a fold, in ascending order. Most vertices are near no
+  /// line, whatever the order of the triangles around them, so their fans need not be found.
   std::vector<std::uint32_t> find_candidates() {
     std::vector<std::uint32_t> result;
     for (std::uint32_t v = 0; v < is_removable_.size(); ++v) {
-      if (is_removable_[v] != 0 && find_fan(v) && is_on_line()) result.push_back(v);
+      if (is_removable_[v] == 0 || degree_[v] < 3 || degree_[v] > kMostAround) continue;
+      find_spokes(v);
+      if (is_on_line() && find_fan(v)) result.push_back(v);
     }
     return result;
+  }
+  /// Lists the differences from v to the first of the other two vertices of each triangle at v. If
+  /// the triangles are one closed fan, these vertices are its link.
+  void find_spokes(std::uint32_t v) {
+    from_.clear();
+    const Vector3 origin = place(v);
+    for (std::uint32_t c = head_[v]; c != kNone; c = next_[c]) {
+      const Triangle& t = triangle_[c / 3];
+      from_.push_back(difference_of(place(t[(c % 3 + 1) % 3]), origin));
+    }
   }
 
   // ---- removal
