@@ -17,9 +17,7 @@
 #include "plumb/predicates/point3_signs.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "plumb/predicates/plane_signs.h"
@@ -80,45 +78,6 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
   });
 }
 
-double coordinate(const Point3& p, std::size_t axis) {
-  return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
-}
-
-/// Whether a plane is orthogonal to an axis, as its definition shows: stored coefficients are 0, or
-/// the corners have the same coordinate.
-bool is_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
-  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const PlaneRow& row = planes.row(plane);
-  if (row.n[i] != 0 || row.n[j] != 0) return false;  // Zeros are rounded to zero.
-  const PlaneSource& source = planes.source(plane);
-  if (!source.is_explicit()) {
-    const auto bits = [&](std::size_t k) {
-      return std::bit_cast<std::uint64_t>(coordinate(planes.points()[source.code[k]], axis));
-    };
-    return bits(0) == bits(1) && bits(0) == bits(2);
-  }
-  const PlaneSlot& slot = planes.slot(source);
-  const auto is_zero = [&](std::size_t k) {
-    const std::uint64_t* const limbs = planes.limbs(slot) + k * slot.limbs;
-    return std::all_of(limbs, limbs + slot.limbs, [](std::uint64_t limb) { return limb == 0; });
-  };
-  return is_zero(i) && is_zero(j);
-}
-
-/// Returns the coordinate of all points of a plane across an axis if it is seen to be a double, as
-/// it is if the plane has corners, or the equation x = d with a short number d.
-std::optional<double> coordinate_of_plane(const PlaneTable& planes, PlaneId plane,
-                                          std::size_t axis) {
-  constexpr int kMostBits = 53, kMostScale = 900;
-  const PlaneSource& source = planes.source(plane);
-  if (!source.is_explicit()) return coordinate(planes.points()[source.code[0]], axis);
-  const PlaneSlot& slot = planes.slot(source);
-  if (source.is_frame() || slot.limbs != 1 || slot.offset_bits > kMostBits) return {};
-  const std::uint64_t* const row = planes.limbs(slot);
-  if (row[axis] != 1 || std::abs(slot.scale) > kMostScale) return {};
-  return std::ldexp(-static_cast<double>(static_cast<std::int64_t>(row[3])), slot.scale);
-}
-
 /// Returns the side of a plane across an axis on which an input point lies: coordinates are
 /// compared, as a canonical normal along an axis is positive. Unsure if the plane is not seen to be
 /// across an axis.
@@ -126,9 +85,10 @@ FilteredSign side_across(const PlaneTable& planes, InputPointId x, PlaneId plane
   const PlaneSource& source = planes.source(plane);
   if (!source.is_explicit()) return exact3::side_across(planes, x, source);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!is_across(planes, plane, axis)) continue;
-    const std::optional<double> c = coordinate_of_plane(planes, plane, axis);
-    return c ? filtered(compare(coordinate(planes.point(x), axis), *c)) : FilteredSign::Unsure;
+    if (!exact3::is_across(planes, plane, axis)) continue;
+    const std::optional<double> c = exact3::coordinate_across(planes, plane, axis);
+    if (!c) return FilteredSign::Unsure;
+    return filtered(compare(exact3::coordinate(planes.point(x), axis), *c));
   }
   return FilteredSign::Unsure;
 }
@@ -291,13 +251,13 @@ PlaneId plane_across(const Point3Table& points, SpacePoint x, std::size_t axis) 
   if (x.is_input()) return {};
   const PointSource& source = points.source(x);
   for (std::size_t i = 0; i < source.plane_count(); ++i) {
-    if (is_across(points.planes(), source.plane(i), axis)) return source.plane(i);
+    if (exact3::is_across(points.planes(), source.plane(i), axis)) return source.plane(i);
   }
   return {};
 }
 
-/// Compares coordinates that the definitions of points show: doubles of input points and of planes
-/// across the axis. Unsure if a coordinate is not shown.
+/// Compares coordinates that the definitions of points show: doubles of input points, and of planes
+/// and lines across the axis. Unsure if a coordinate is not shown.
 FilteredSign order_by_definition(const Point3Table& points, SpacePoint x, SpacePoint y,
                                  std::size_t axis) {
   const PlaneId p = plane_across(points, x, axis), q = plane_across(points, y, axis);
@@ -305,8 +265,9 @@ FilteredSign order_by_definition(const Point3Table& points, SpacePoint x, SpaceP
   const auto known = [&](SpacePoint at, PlaneId across) -> std::optional<double> {
     const PointBox box = points.box(at);
     if (box.radius == 0) return box.mid[axis];
-    if (!across.is_valid()) return {};
-    return coordinate_of_plane(points.planes(), across, axis);
+    if (across.is_valid()) return exact3::coordinate_across(points.planes(), across, axis);
+    if (at.is_input()) return {};
+    return exact3::coordinate_along(points.planes(), points.source(at), axis);
   };
   const std::optional<double> a = known(x, p), b = known(y, q);
   return a && b ? filtered(compare(*a, *b)) : FilteredSign::Unsure;

@@ -12,7 +12,12 @@
 #include "plumb/predicates/space/point3_exact.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
 #include <optional>
+
+#include "plumb/predicates/arithmetic/double_bits.h"
 
 namespace plumb::exact3 {
 
@@ -198,6 +203,86 @@ PointSource as_line(const PlaneTable& planes, const PointSource& source) {
     if (common) return {(*common)[0], (*common)[1], other};
   }
   return source;
+}
+
+bool is_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const PlaneRow& row = planes.row(plane);
+  if (row.n[i] != 0 || row.n[j] != 0) return false;  // Zeros are rounded to zero.
+  const PlaneSource& source = planes.source(plane);
+  if (!source.is_explicit()) {
+    const auto bits = [&](std::size_t k) {
+      return std::bit_cast<std::uint64_t>(coordinate(planes.points()[source.code[k]], axis));
+    };
+    return bits(0) == bits(1) && bits(0) == bits(2);
+  }
+  const PlaneSlot& slot = planes.slot(source);
+  const auto is_zero = [&](std::size_t k) {
+    const std::uint64_t* const limbs = planes.limbs(slot) + k * slot.limbs;
+    return std::all_of(limbs, limbs + slot.limbs, [](std::uint64_t limb) { return limb == 0; });
+  };
+  return is_zero(i) && is_zero(j);
+}
+
+std::optional<double> coordinate_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
+  constexpr int kMostBits = 53, kMostScale = 900;
+  const PlaneSource& source = planes.source(plane);
+  if (!source.is_explicit()) return coordinate(planes.points()[source.code[0]], axis);
+  const PlaneSlot& slot = planes.slot(source);
+  if (source.is_frame() || slot.limbs != 1 || slot.offset_bits > kMostBits) return {};
+  const std::uint64_t* const row = planes.limbs(slot);
+  if (row[axis] != 1 || std::abs(slot.scale) > kMostScale) return {};
+  return std::ldexp(-static_cast<double>(static_cast<std::int64_t>(row[3])), slot.scale);
+}
+
+namespace {
+
+/// Whether two points differ at most in the coordinate along an axis.
+bool are_along(const Point3& p, const Point3& q, std::size_t axis) {
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return is_equal(coordinate(p, i), coordinate(q, i)) &&
+         is_equal(coordinate(p, j), coordinate(q, j));
+}
+
+/// Whether two of the input points that define a plane show that it is parallel to an axis.
+bool is_parallel(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
+  const PlaneSource& source = planes.source(plane);
+  if (source.is_explicit() || planes.row(plane).n[axis] != 0) return false;
+  const auto corner = [&](std::size_t i) { return planes.points()[source.code[i]]; };
+  return are_along(corner(0), corner(1), axis) || are_along(corner(1), corner(2), axis) ||
+         are_along(corner(2), corner(0), axis);
+}
+
+/// Returns an input point that both planes go through by definition, if there is one.
+std::optional<InputPointId> common_point(const PlaneSource& p, const PlaneSource& q) {
+  if (p.is_explicit()) return {};
+  const auto* const found =
+      std::ranges::find_if(p.code, [&](std::uint32_t x) { return q.has_point(InputPointId(x)); });
+  if (found == p.code.end()) return {};
+  return InputPointId(*found);
+}
+
+}  // namespace
+
+std::optional<double> coordinate_along(const PlaneTable& planes, const PointSource& source,
+                                       std::size_t axis) {
+  const PointSource line = as_line(planes, source);
+  if (line.is_line()) {
+    const double c = coordinate(planes.point(line.end(0)), axis);
+    if (!is_equal(c, coordinate(planes.point(line.end(1)), axis))) return {};
+    return c;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PlaneId p = source.plane(i), q = source.plane((i + 1) % 3);
+    const auto common = common_point(planes.source(p), planes.source(q));
+    if (!common) continue;
+    for (const std::size_t other : {(axis + 1) % 3, (axis + 2) % 3}) {
+      if (is_parallel(planes, p, other) && is_parallel(planes, q, other)) {
+        return coordinate(planes.point(*common), axis);
+      }
+    }
+  }
+  return {};
 }
 
 /// The width is the greatest of those of the planes and of the grid of the line's points.

@@ -44,6 +44,25 @@ PointOperand operand(const Point3Table& points, const PointSource& source);
 /// Returns the operand of a point of any kind.
 PointOperand operand(const Point3Table& points, SpacePoint point);
 
+/// Returns a coordinate of a point.
+inline double coordinate(const Point3& p, std::size_t axis) {
+  return axis == 0 ? p.x : (axis == 1 ? p.y : p.z);
+}
+
+/// Whether a plane is orthogonal to an axis, as its definition shows: stored coefficients are 0, or
+/// the corners have the same coordinate.
+bool is_across(const PlaneTable& planes, PlaneId plane, std::size_t axis);
+
+/// Returns the coordinate of all points of a plane if it is seen to be a double, as it is if the
+/// plane has corners, or the equation x = d with a short number d. Requires is_across().
+std::optional<double> coordinate_across(const PlaneTable& planes, PlaneId plane, std::size_t axis);
+
+/// Returns a coordinate of a point that two of its planes determine together, if their definitions
+/// show it to be a double: both go through the two input points of as_line(), which have the same
+/// coordinate, or both are parallel to another axis and go through one input point.
+std::optional<double> coordinate_along(const PlaneTable& planes, const PointSource& source,
+                                       std::size_t axis);
+
 /// Returns the least width that holds coordinates of so many bits.
 int width_of_bits(int bits);
 
@@ -104,14 +123,15 @@ Sign point_ladder(int width, const Question& question, const Count& count) {
 namespace plumb::exact3 {
 
 /// Returns the rounded point, given in `clear` the nearest doubles of coordinates that are known to
-/// be no doubles, and 0 for the others. Each of the others must be stated by a plane through input
-/// points across its axis, or by the line; if one is not, returns nothing.
+/// be no doubles, and 0 for the others. Each of the others must be shown by a plane across its axis
+/// or by the line (coordinate_across(), coordinate_along()); if one is not, returns nothing.
 std::optional<RoundedPoint3> with_coordinates_across(std::array<double, 3> clear,
                                                      const PlaneTable& planes,
                                                      const PointSource& source);
 
-/// Returns the rounded point of a line and a plane through input points, or of three planes that
-/// define such a point (as_line()), as some 100 bits show it; nothing for other sources, and under
+/// Returns the rounded point of a line and a plane through input points or across an axis, or of
+/// three planes that define such a point (as_line()), as some 100 bits show it; nothing for other
+/// sources, and under
 /// the conditions of rung::rounded_filter(). Cost: about 120 ns.
 std::optional<RoundedPoint3> rounded_on_line(const PlaneTable& planes, const PointSource& source);
 

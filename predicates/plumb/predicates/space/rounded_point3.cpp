@@ -59,7 +59,8 @@ struct TwofoldPlane {
   Twofold d;
 };
 
-using Corners = std::array<const Point3*, 3>;
+/// Three points of a plane.
+using Corners = std::array<Point3, 3>;
 
 std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
@@ -72,7 +73,7 @@ bool is_in_range(const Point3& p) {
 }
 
 bool are_in_range(const Corners& corners) {
-  return std::ranges::all_of(corners, [](const Point3* p) { return is_in_range(*p); });
+  return std::ranges::all_of(corners, [](const Point3& p) { return is_in_range(p); });
 }
 
 /// Returns component i of a x b.
@@ -91,11 +92,11 @@ std::array<Twofold, 3> between(const Point3& from, const Point3& to) {
 }
 
 std::array<Twofold, 3> normal_of(const Corners& corners) {
-  return cross(between(*corners[0], *corners[1]), between(*corners[0], *corners[2]));
+  return cross(between(corners[0], corners[1]), between(corners[0], corners[2]));
 }
 
 TwofoldPlane plane_through(const Corners& corners) {
-  const std::array p = coordinates(*corners[0]);
+  const std::array p = coordinates(corners[0]);
   const std::array<Twofold, 3> n = normal_of(corners);
   return {n, negative(sum(sum(product(n[0], p[0]), product(n[1], p[1])), product(n[2], p[2])))};
 }
@@ -107,7 +108,7 @@ std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Po
                                                        const Corners& corners) {
   const std::array<Twofold, 3> n = normal_of(corners);
   const auto side = [&](const Point3& x) {
-    const std::array<Twofold, 3> to_x = between(*corners[0], x);
+    const std::array<Twofold, 3> to_x = between(corners[0], x);
     return sum(sum(product(n[0], to_x[0]), product(n[1], to_x[1])), product(n[2], to_x[2]));
   };
   const Twofold at_a = side(a), w = sum(at_a, negative(side(b)));
@@ -144,40 +145,27 @@ std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
   return found;
 }
 
-/// Returns the input points that define a plane; nothing for other planes.
+/// Returns the input points that define a plane, or three points of a plane across an axis whose
+/// equation is stored; nothing for other planes.
 std::optional<Corners> corners_of(const PlaneTable& planes, PlaneId plane) {
   const PlaneSource& source = planes.source(plane);
-  if (source.is_explicit()) return {};
-  Corners corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = &planes.points()[source.code[i]];
-  return corners;
+  if (!source.is_explicit()) {
+    const auto corner = [&](std::size_t i) { return planes.points()[source.code[i]]; };
+    return Corners{corner(0), corner(1), corner(2)};
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!exact3::is_across(planes, plane, axis)) continue;
+    const std::optional<double> c = exact3::coordinate_across(planes, plane, axis);
+    if (!c) return {};
+    if (axis == 0) return Corners{Point3{*c, 0, 0}, {*c, 1, 0}, {*c, 0, 1}};
+    if (axis == 1) return Corners{Point3{0, *c, 0}, {0, *c, 1}, {1, *c, 0}};
+    return Corners{Point3{0, 0, *c}, {1, 0, *c}, {0, 1, *c}};
+  }
+  return {};
 }
 
-const double& along(const Point3& p, std::size_t axis) {
-  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
-/// Returns the coordinate along an axis that all points of a plane through input points have; null
-/// if they differ, and for other planes.
-const double* coordinate_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
-  const std::optional<Corners> corners = corners_of(planes, plane);
-  if (!corners) return nullptr;
-  const double& c = along(*(*corners)[0], axis);
-  const bool is_across =
-      is_equal(c, along(*(*corners)[1], axis)) && is_equal(c, along(*(*corners)[2], axis));
-  return is_across ? &c : nullptr;
-}
-
-/// Returns the same for the points of a line.
-const double* coordinate_along(const PlaneTable& planes, const PointSource& source,
-                               std::size_t axis) {
-  if (!source.is_line()) return nullptr;
-  const double& c = along(planes.point(source.end(0)), axis);
-  return is_equal(c, along(planes.point(source.end(1)), axis)) ? &c : nullptr;
-}
-
-/// Returns the input points of the three planes that define a point, if all planes have such,
-/// within range; otherwise nothing.
+/// Returns corners_of() the three planes that define a point, if all planes have such, within range;
+/// otherwise nothing.
 std::optional<std::array<Corners, 3>> corners_of_planes(const PlaneTable& planes,
                                                         const PointSource& source) {
   std::array<Corners, 3> corners;
@@ -230,12 +218,14 @@ std::optional<RoundedPoint3> exact3::with_coordinates_across(std::array<double, 
       is_exact = false;
       continue;
     }
-    const double* only = nullptr;
-    for (std::size_t i = 0; i < source.plane_count() && only == nullptr; ++i) {
-      only = coordinate_across(planes, source.plane(i), axis);
+    std::optional<double> only;
+    for (std::size_t i = 0; i < source.plane_count() && !only; ++i) {
+      if (is_across(planes, source.plane(i), axis)) {
+        only = coordinate_across(planes, source.plane(i), axis);
+      }
     }
-    if (only == nullptr) only = coordinate_along(planes, exact3::as_line(planes, source), axis);
-    if (only == nullptr) return {};
+    if (!only) only = coordinate_along(planes, source, axis);
+    if (!only) return {};
     clear[axis] = is_equal(*only, 0) ? 0 : *only;  // Never -0.0.
   }
   return RoundedPoint3{{clear[0], clear[1], clear[2]}, is_exact};
