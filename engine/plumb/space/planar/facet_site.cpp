@@ -1,10 +1,12 @@
 // Corners and cycles of facets, and the nesting of cycles by one sweep.
 //
 // Directions in the plane n of a facet are sign (n x m) for another plane m of the line, so the
-// turn from one to another is the sign of a det3. Which way a cycle runs is decided at its
-// lexicographically least vertex: all edges leave it within half a turn, so its corner on the
-// inside is less than half a turn if and only if the cycle is outer. If the cycle passes that
-// vertex several times, all corners there have to be such.
+// turn from one to another is the sign of a det3. A cycle runs counter-clockwise around the area of
+// all that it surrounds if it is outer, and clockwise around the area of its holes, or around none,
+// if it is not. So the sign of the area that it winds around tells, if boxes of the vertices give
+// this sign. Otherwise, it is decided at the lexicographically least vertex: all edges leave it
+// within half a turn, so its corner on the inside is less than half a turn if and only if the cycle
+// is outer. If the cycle passes that vertex several times, all corners there have to be such.
 //
 // Nesting: the region of all facets of a plane lies to the left of their edges. Below the least
 // point of a hole is an edge of the outer cycle of its facet, or of another hole of the same facet,
@@ -17,6 +19,7 @@
 #include "plumb/space/planar/facet_site.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/plane_signs.h"
@@ -78,7 +81,43 @@ Sign corner_sign(const SpaceComplex& complex, UseId u) {
   return d1.sign * d2.sign * det3_sign(complex.planes(), plane, d1.m, d2.m);
 }
 
+namespace {
+
+/// Returns the sign of the area that a cycle winds around, counter-clockwise. Unsure if the boxes
+/// of its vertices do not give it. The area is the sum of triangles from the first vertex. Their
+/// errors are those of turn_of_nearby(), and a sum of n terms is off by n roundings of all
+/// products.
+FilteredSign area_sign(const SpaceComplex& complex, UseId cycle) {
+  const Point3Table& points = complex.points();
+  const FlatView view =
+      FlatView::of_plane(complex.planes(), complex.facet_plane[complex.use_facet[cycle]]);
+  const std::size_t x = view.coordinate(0), y = view.coordinate(1);
+  const auto box = [&](UseId u) { return points.box(complex.vertex_point[complex.use_origin(u)]); };
+  const PointBox first = box(cycle);
+  double area = 0, products = 0, reach = 0, radius = first.radius, terms = 0;
+  double ax = 0, ay = 0;  // From the first vertex to the one before.
+  for (UseId u = complex.use_next[cycle]; u != cycle; u = complex.use_next[u]) {
+    const PointBox b = box(u);
+    const double bx = b.mid[x] - first.mid[x], by = b.mid[y] - first.mid[y];
+    area += ax * by - ay * bx;
+    products += std::fabs(ax * by) + std::fabs(ay * bx);
+    reach += std::fabs(bx) + std::fabs(by);
+    radius = std::max(radius, b.radius);
+    terms += 1;
+    ax = bx;
+    ay = by;
+  }
+  const double off = 2 * radius + 0x1p-1000;  // Of a difference.
+  const double error = 2 * (2 * off * reach + terms * (2 * off * off + 0x1p-50 * products));
+  if (area > error) return FilteredSign::Positive;
+  return area < -error ? FilteredSign::Negative : FilteredSign::Unsure;
+}
+
+}  // namespace
+
 bool is_outer(const SpaceComplex& complex, UseId cycle) {
+  const FilteredSign area = area_sign(complex, cycle);
+  if (is_decided(area)) return area == FilteredSign::Positive;
   const Point3Table& points = complex.points();
   VertexId least = complex.use_origin(cycle);
   for (UseId u = complex.use_next[cycle]; u != cycle; u = complex.use_next[u]) {

@@ -227,8 +227,9 @@ SpaceItem facet_site(const SpaceComplex& complex, FacetId f, const Place& x) {
 /// Negative above, Zero at half a turn and at a full one (at the end of a slit).
 Sign corner_sign(const SpaceComplex& complex, UseId u);
 
-/// Whether the cycle bounds its facet from outside, and not a hole. It is decided at its least
-/// vertex: there a corner of more than half a turn belongs to a hole. O(length).
+/// Whether the cycle bounds its facet from outside, and not a hole. It is decided by the sign of
+/// its area or, if this is unknown, at its least vertex: there a corner of more than half a turn
+/// belongs to a hole. O(length).
 bool is_outer(const SpaceComplex& complex, UseId cycle);
 
 /// Returns the sign of l in n_r x n_s = l (n_p x n_q), for pairs of planes whose lines have the
