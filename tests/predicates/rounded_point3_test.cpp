@@ -295,6 +295,67 @@ TEST(RoundedPoint3, NextToTiesAndToDoubles) {
   EXPECT_GT(clear_ones, 200U);
 }
 
+/// Coordinates that definitions show need no exact arithmetic: on an axis plane, whose equation is
+/// stored, and on an edge along an axis of two walls that have one input point in common. If the
+/// walls have none, their common coordinates are fractions, and the filter must not take those of a
+/// corner.
+TEST(RoundedPoint3, FilterKnowsCoordinatesThatDefinitionsShow) {
+  std::mt19937_64 random(33);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    const std::size_t axis = i % 3;
+    // Coordinates u and v across the axis, and w along it.
+    const auto place = [axis](double u, double v, double w) {
+      std::array<double, 3> c{};
+      c[axis] = w;
+      c[(axis + 1) % 3] = u;
+      c[(axis + 2) % 3] = v;
+      return Point3{c[0], c[1], c[2]};
+    };
+    const auto any = [&] { return place(unit(random), unit(random), unit(random)); };
+    PlaneTable table;
+    const auto plane = [&table](InputPointId a, InputPointId b, InputPointId c) {
+      return table.intern(a, b, c).plane();
+    };
+    const auto point = [&table](const Point3& p) { return table.add_point(p); };
+    const double u = unit(random), v = unit(random);
+    const auto low = point(place(u, v, -1)), slope_a = point(any()), slope_b = point(any());
+    const PlaneId slope = plane(slope_a, slope_b, point(any()));
+    const auto wall = [&](InputPointId corner, const Point3& foot) {
+      Point3 top = foot;
+      (axis == 0 ? top.x : axis == 1 ? top.y : top.z) += 1;
+      return plane(corner, point(foot), point(top));
+    };
+    const PlaneId first = wall(low, any()), second = wall(low, any()),
+                  apart = wall(point(any()), any());
+    const PlaneId level =
+        table.intern(axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0, 0.0)
+            .plane();
+    Point3Table points(table);
+    const std::array<std::array<PlaneId, 3>, 4> sources{std::array{first, second, slope},
+                                                        {first, slope, level},
+                                                        {apart, first, slope},
+                                                        {slope, apart, level}};
+    for (const auto& [p, q, r] : sources) {
+      const SpacePoint x = points.add(p, q, r);
+      ASSERT_TRUE(x.is_valid());
+      const RoundedPoint3 exactly = rung::rounded_exact(points, x);
+      EXPECT_EQ(rounded(points, x).at, exactly.at);
+      const auto clear = rung::rounded_filter(points, x);
+      if (!clear) continue;
+      ++told;
+      EXPECT_EQ(clear->at, exactly.at);
+      EXPECT_EQ(clear->is_exact, exactly.is_exact);
+    }
+    // Along the edge of the walls, two coordinates are those of the common corner.
+    const SpacePoint x = points.add(first, second, slope), y = points.add(first, second, level);
+    EXPECT_EQ(compare_axis(points, x, y, (axis + 1) % 3), Sign::Zero);
+    EXPECT_EQ(compare_axis(points, x, y, (axis + 2) % 3), Sign::Zero);
+  }
+  EXPECT_GE(told, 4U * 290U);
+}
+
 TEST(RoundedPoint3, IsExactOnlyIfAllCoordinatesAre) {
   for (std::size_t inexact = 0; inexact < 4; ++inexact) {
     PlaneTable table;
