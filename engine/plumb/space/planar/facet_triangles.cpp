@@ -16,6 +16,8 @@
 
 #include "plumb/plane/sweep/sweep.h"
 #include "plumb/predicates/error.h"
+#include "plumb/predicates/input/rung_counters.h"
+#include "plumb/space/planar/facet_site.h"
 
 namespace plumb {
 namespace {
@@ -119,20 +121,31 @@ Sign orientation_of(const FlatPoints& points, std::span<const std::uint32_t> pol
 void FacetTriangles::cut(FacetId f) {
   show(f);
   triangles_.clear();
-  if (is_single_cycle(f) && shown_.size() == edges_.size() && cut_as_fan()) return;
+  if (is_single_cycle(f) && shown_.size() == edges_.size() && cut_as_fan(f)) return;
   triangles_.clear();
   PLUMB_CHECK(triangulate(flat_, edges_, triangles_));
 }
 
 /// Cuts the facet into a fan from its first corner. Returns false if a triangle there does not turn
 /// left; if all do, the simple polygon is star-shaped around that corner.
-bool FacetTriangles::cut_as_fan() {
-  for (std::size_t i = 1; i + 1 < edges_.size(); ++i) {
+bool FacetTriangles::cut_as_fan(FacetId f) {
+  UseId u = complex_.use_next[complex_.cycles_of(f)[0]];
+  for (std::size_t i = 1; i + 1 < edges_.size(); ++i, u = complex_.use_next[u]) {
     const IndexTriangle t{edges_[0][0], edges_[i][0], edges_[i][1]};
-    if (flat_.orient(t[0], t[1], t[2]) != Sign::Positive) return false;
+    if (turn_at_edge(f, u, t) != Sign::Positive) return false;
     triangles_.push_back(t);
   }
   return true;
+}
+
+/// Returns the turn of a triangle whose second and third corner are the ends of a use. If it is
+/// unclear, it is the side of a plane through the edge, which takes smaller numbers than three
+/// points.
+Sign FacetTriangles::turn_at_edge(FacetId f, UseId u, const IndexTriangle& t) const {
+  const FilteredSign s = flat_.nearby_orient(t[0], t[1], t[2]);
+  if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
+  return side_in_plane(complex_, complex_.facet_plane[f], complex_.use_halfedge[u],
+                       complex_.points(), complex_.vertex_point[shown_[t[0]]]);
 }
 
 /// Fills shown_, edges_ and flat_ with a facet.

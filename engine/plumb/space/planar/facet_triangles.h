@@ -79,7 +79,8 @@ class FacetTriangles {
     return complex_.cycles_of(f).size() == 1 && complex_.inner_of(f).empty();
   }
   void cut(FacetId f);
-  bool cut_as_fan();
+  bool cut_as_fan(FacetId f);
+  Sign turn_at_edge(FacetId f, UseId u, const IndexTriangle& t) const;
   void show(FacetId f);
 
   const SpaceComplex& complex_;

@@ -96,15 +96,20 @@ FilteredSign turn_of_nearby(const Point2& a, const Point2& b, const Point2& c, d
   return value < -bound ? FilteredSign::Negative : FilteredSign::Unsure;
 }
 
+// A difference of two coordinates is off by the sum of two radii, and by what subnormals lose,
+// flushed or rounded: 2^-1000 covers it.
+FilteredSign FlatPoints::nearby_orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+  const Entry &a = at_[i], &b = at_[j], &c = at_[k];
+  const double radii = 2 * std::max({a.radius, b.radius, c.radius});
+  return turn_of_nearby(a.mid, b.mid, c.mid, radii + 0x1p-1000);
+}
+
 Sign FlatPoints::orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
   const Entry &a = at_[i], &b = at_[j], &c = at_[k];
   if (a.point.is_input() && b.point.is_input() && c.point.is_input()) {
     return orient2d(a.mid, b.mid, c.mid);
   }
-  // A difference of two coordinates is off by the sum of two radii, and by what subnormals lose,
-  // flushed or rounded: 2^-1000 covers it.
-  const double radii = 2 * std::max({a.radius, b.radius, c.radius});
-  const FilteredSign s = turn_of_nearby(a.mid, b.mid, c.mid, radii + 0x1p-1000);
+  const FilteredSign s = nearby_orient(i, j, k);
   if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
   const auto& [ax, ay, aw] = homogeneous_point(i);
   const auto& [bx, by, bw] = homogeneous_point(j);

@@ -88,6 +88,8 @@ class FlatPoints final : public PlanarPoints {
   void push_back(SpacePoint p, const RoundedPoint3& nearest);
   std::uint32_t size() const override { return static_cast<std::uint32_t>(at_.size()); }
   Sign orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const override;
+  /// Returns orient(i, j, k) if a filter decides it, otherwise Unsure.
+  FilteredSign nearby_orient(std::uint32_t i, std::uint32_t j, std::uint32_t k) const;
   Sign compare(std::uint32_t i, std::uint32_t j) const override;
   Sign incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const override;
   /// Returns the side of a plane of space on which point i lies. Point i may be a point of the
