@@ -139,13 +139,17 @@ bool FacetTriangles::cut_as_fan(FacetId f) {
 }
 
 /// Returns the turn of a triangle whose second and third corner are the ends of a use. If it is
-/// unclear, it is the side of a plane through the edge, which takes smaller numbers than three
-/// points.
+/// unclear, and a corner is constructed, it is the side of a plane through the edge, which takes
+/// smaller numbers than three points.
 Sign FacetTriangles::turn_at_edge(FacetId f, UseId u, const IndexTriangle& t) const {
+  const auto point = [&](std::size_t i) { return complex_.vertex_point[shown_[t[i]]]; };
   const FilteredSign s = flat_.nearby_orient(t[0], t[1], t[2]);
   if (is_decided(s)) return decide(Predicate::Orient2d, Rung::Filter, s);
+  if (point(0).is_input() && point(1).is_input() && point(2).is_input()) {
+    return flat_.orient(t[0], t[1], t[2]);
+  }
   return side_in_plane(complex_, complex_.facet_plane[f], complex_.use_halfedge[u],
-                       complex_.points(), complex_.vertex_point[shown_[t[0]]]);
+                       complex_.points(), point(0));
 }
 
 /// Fills shown_, edges_ and flat_ with a facet.
