@@ -431,12 +431,12 @@ void add_all_faces(const FaceInput& in, MeshOfComplex& out, Context& context) {
 class ClosureCount {
  public:
   ClosureCount(const SpaceComplex& complex, ToMeshReport& report)
-      : complex_(complex),
-        report_(report),
-        edges_(complex.edge_count(), kNothing),
-        vertices_(complex.vertex_count(), kNothing) {}
+      : complex_(complex), report_(report) {}
 
   void run() {
+    if (has_only_boundary()) return count_boundary();
+    edges_.assign(complex_.edge_count(), kNothing);
+    vertices_.assign(complex_.vertex_count(), kNothing);
     look_at_facets();
     look_at_free_cells();
     for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
@@ -450,7 +450,33 @@ class ClosureCount {
  private:
   /// Which volumes lie around a cell: bits for marked ones and for others.
   using Around = std::uint8_t;
-  static constexpr Around kNothing = 0, kMarked = 1, kUnmarked = 2;
+  static constexpr Around kNothing = 0, kMarked = 1, kUnmarked = 2, kBoth = kMarked | kUnmarked;
+
+  /// Whether each facet has volumes of both kinds beside it, and each edge has a facet.
+  bool has_only_boundary() const {
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      if (around_facet(FacetId(f)) != kBoth) return false;
+    }
+    for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
+      if (!complex_.edge_use[e].is_valid()) return false;
+    }
+    return true;
+  }
+  /// Counts all cells in that case, without following links: each vertex that is not isolated in a
+  /// volume has a facet, too.
+  void count_boundary() {
+    for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
+      count(complex_.facet_mark[f], kBoth, &ItemCounts::facets);
+    }
+    for (std::uint32_t e = 0; e < complex_.edge_count(); ++e) {
+      count(complex_.edge_mark[e], kBoth, &ItemCounts::edges);
+    }
+    for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+      const VolumeId isolated_in = complex_.vertex_volume[v];
+      count(complex_.vertex_mark[v], isolated_in.is_valid() ? around_volume(isolated_in) : kBoth,
+            &ItemCounts::vertices);
+    }
+  }
 
   /// Counts the facets, and notes the volumes beside them at their edges and vertices: those are
   /// all volumes around an edge or a vertex with facets.
