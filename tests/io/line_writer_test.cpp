@@ -1,12 +1,15 @@
-// Lines that several threads make are those that one loop writes, in its order.
+// Lines that several threads make are those that one loop writes, in its order. Texts that wait are
+// charged, and a stop ends the work.
 #include "plumb/io/text/line_writer.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -49,6 +52,42 @@ TEST(LineWriter, PassesOnTheErrorOfAnItem) {
       if (i == 20'000) throw std::runtime_error("item");
     };
     EXPECT_THROW(write_lines(text, 30'000, context, write), std::runtime_error);
+  }
+}
+
+/// Writes `count` lines of 1,000 bytes. Returns the code of the error that ended the work, if any.
+std::optional<ErrorCode> code_of_writing(std::size_t count, Context& context) {
+  const std::string line(999, 'x');
+  std::ostream nowhere(nullptr);
+  try {
+    write_lines(nowhere, count, context,
+                [&](TextOutput& out, std::size_t) { out << line << '\n'; });
+  } catch (const Error& error) {
+    return error.code();
+  }
+  return std::nullopt;
+}
+
+TEST(LineWriter, ChargesTextsThatWait) {
+  constexpr std::uint64_t kMegabyte = 1'000'000;
+  // Each of two threads may hold 8 texts of 4 MB, each in a buffer of up to twice its size.
+  Context small({.max_memory_bytes = 32 * kMegabyte}, {}, {}, 2);
+  EXPECT_EQ(code_of_writing(100'000, small), ErrorCode::ResourceLimit);
+  Context large({.max_memory_bytes = 200 * kMegabyte}, {}, {}, 2);
+  EXPECT_EQ(code_of_writing(100'000, large), std::nullopt);
+  Context alone({.max_memory_bytes = kMegabyte});
+  EXPECT_EQ(code_of_writing(100'000, alone), std::nullopt);
+  // Nothing stays charged, neither after an error nor after success.
+  EXPECT_NO_THROW(small.charge_memory(32 * kMegabyte, "all"));
+  EXPECT_NO_THROW(large.charge_memory(200 * kMegabyte, "all"));
+}
+
+TEST(LineWriter, AStopEndsTheWork) {
+  std::stop_source stop;
+  stop.request_stop();
+  for (const unsigned threads : {1U, 4U}) {
+    Context context({}, stop.get_token(), {}, threads);
+    EXPECT_EQ(code_of_writing(30'000, context), ErrorCode::Cancelled);
   }
 }
 

@@ -343,5 +343,35 @@ TEST(ToMesh, CoordinatesAreRoundedTheSameWithoutExactOnes) {
   }
 }
 
+/// Whether a mesh of the complex can be made under a limit of memory.
+bool is_enough(const SpaceComplex& complex, std::uint64_t bytes, unsigned threads) {
+  Context context({.max_memory_bytes = bytes}, {}, {}, threads);
+  try {
+    (void)mesh_of_complex(complex, {}, context);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::ResourceLimit);
+    return false;
+  }
+  EXPECT_NO_THROW(context.charge_memory(bytes, "all"));  // Nothing stays charged.
+  return true;
+}
+
+// Several threads make parts of the mesh, which exist beside the mesh until they are joined.
+TEST(ToMesh, PartsOfSeveralThreadsAreCharged) {
+  const SpaceComplex complex = marked(complex_of(icosphere_mesh(5, 1, {0, 0, 0})));
+  std::uint64_t least = 1, enough = std::uint64_t{1} << 26;
+  ASSERT_TRUE(is_enough(complex, enough, 1));
+  while (enough - least > 1) {
+    const std::uint64_t middle = (least + enough) / 2;
+    (is_enough(complex, middle, 1) ? enough : least) = middle;
+  }
+  // Three corners, a begin and a facet of each triangle. At least half of them are in parts.
+  const std::uint64_t in_parts = (3 + 1 + 1) * sizeof(std::uint32_t) * 20'480 / 2;
+  for (const unsigned threads : {2U, 5U}) {
+    EXPECT_FALSE(is_enough(complex, enough + in_parts, threads)) << threads << " threads";
+    EXPECT_TRUE(is_enough(complex, enough + 8 * in_parts, threads)) << threads << " threads";
+  }
+}
+
 }  // namespace
 }  // namespace plumb::testing::to_mesh_test

@@ -25,6 +25,7 @@
 
 #include "plumb/base/internal/parallel.h"
 #include "plumb/base/internal/parallel_ranges.h"
+#include "plumb/base/internal/part_charges.h"
 #include "plumb/base/internal/union_find.h"
 #include "plumb/base/internal/work_log.h"
 #include "plumb/predicates/point3_signs.h"
@@ -391,6 +392,13 @@ void append_faces(const MeshOfComplex& part, MeshOfComplex& out) {
   out.facet.insert(out.facet.end(), part.facet.begin(), part.facet.end());
 }
 
+/// Returns the size of the arrays of a part.
+std::uint64_t bytes_of_faces(const MeshOfComplex& part) {
+  return sizeof(part.mesh.corners[0]) * part.mesh.corners.capacity() +
+         sizeof(part.mesh.face_begin[0]) * part.mesh.face_begin.capacity() +
+         sizeof(part.facet[0]) * part.facet.capacity();
+}
+
 /// What the faces of the sides are made of.
 struct FaceInput {
   const SpaceComplex& complex;
@@ -409,18 +417,27 @@ void add_all_faces(const FaceInput& in, MeshOfComplex& out, Context& context) {
   out.mesh.corners.reserve(3 * count);
   out.facet.reserve(count);
   std::vector<MeshOfComplex> parts(count_ranges(context, count, kLeastSides) - 1);
+  PartCharges charges(context, parts.size());
   run_ranges(context, count, kLeastSides,
              [&](std::size_t range, std::size_t begin, std::size_t end, Context& own) {
-               FaceWriter writer(in.complex, in.options, in.numbers, in.cones, in.nearest,
-                                 range == 0 ? out : parts[range - 1]);
+               MeshOfComplex& part = range == 0 ? out : parts[range - 1];
+               const auto charge = [&] {
+                 if (range > 0) charges.raise(range - 1, bytes_of_faces(part), "a mesh", own);
+               };
+               FaceWriter writer(in.complex, in.options, in.numbers, in.cones, in.nearest, part);
                for (std::size_t i = begin; i < end; ++i) {
-                 if (i % 4096 == 0) own.checkpoint("faces of the mesh", i, count);
+                 if (i % 4096 == 0) {
+                   own.checkpoint("faces of the mesh", i, count);
+                   charge();
+                 }
                  writer.add_faces(in.sides[i]);
                }
+               charge();
              });
-  for (MeshOfComplex& part : parts) {
-    append_faces(part, out);
-    part = {};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    append_faces(parts[i], out);
+    parts[i] = {};
+    charges.release(i);
   }
 }
 
