@@ -139,8 +139,8 @@ struct OrderedInput {
 /// Returns a scene with its points in lexicographic order, equal ones by number, and its curves by
 /// their left ends, those of equal left ends by number. A sweep of either scene meets the same
 /// curves in the same order everywhere. Requires input points only, all of them doubles. O(n log
-/// n).
-OrderedInput in_sweep_order(const SweepInput& scene);
+/// n). Throws what the context throws.
+OrderedInput in_sweep_order(const SweepInput& scene, const Context& context);
 
 namespace {
 
@@ -158,11 +158,15 @@ std::vector<std::uint32_t> left_ranks(const SweepInput& scene, const PointRanks&
   return left;
 }
 
-std::vector<SegmentId> curves_by(const std::vector<std::uint32_t>& left) {
+/// Returns the curves by the ranks of their left ends, those of equal ranks by number.
+std::vector<SegmentId> curves_by(const std::vector<std::uint32_t>& left, const Context& context) {
+  constexpr std::uint64_t kStepsPerCheck = std::uint64_t{1} << 16;
+  std::uint64_t steps = 0;
   std::vector<SegmentId> order;
   order.reserve(left.size());
   for (std::size_t i = 0; i < left.size(); ++i) order.emplace_back(i);
-  std::sort(order.begin(), order.end(), [&left](SegmentId s, SegmentId t) {
+  std::sort(order.begin(), order.end(), [&](SegmentId s, SegmentId t) {
+    if (++steps % kStepsPerCheck == 0) context.check_limits("sweep");
     const std::uint32_t l = left[s.value()];
     const std::uint32_t m = left[t.value()];
     return l != m ? l < m : s < t;
@@ -172,11 +176,13 @@ std::vector<SegmentId> curves_by(const std::vector<std::uint32_t>& left) {
 
 }  // namespace
 
-OrderedInput in_sweep_order(const SweepInput& scene) {
+OrderedInput in_sweep_order(const SweepInput& scene, const Context& context) {
   const PointTable2& points = scene.points.inputs;
-  PointRanks ranks = rank_points(points, std::vector<char>(points.size(), 1));
+  PointRanks ranks = rank_points(points, std::vector<char>(points.size(), 1), &context);
+  context.check_limits("sweep");
   OrderedInput ordered;
-  ordered.curve = curves_by(left_ranks(scene, ranks));
+  ordered.curve = curves_by(left_ranks(scene, ranks), context);
+  context.check_limits("sweep");
   ordered.point = std::move(ranks.order);
 
   std::vector<std::uint32_t>& place = ranks.rank;  // From here on the new number of each point.
@@ -249,7 +255,7 @@ void require_points(const SweepInput& scene) {
 Arrangement arrange(SweepInput scene, Context& context) {
   require_points(scene);
   const bool is_ordered = is_worth_ordering(scene);
-  OrderedInput ordered = is_ordered ? in_sweep_order(scene) : OrderedInput();
+  OrderedInput ordered = is_ordered ? in_sweep_order(scene, context) : OrderedInput();
   OriginsRule rule(scene.curves.size(), std::move(ordered.curve), context);
   Arrangement result;
   result.complex = is_ordered ? arranged_in_order(scene, std::move(ordered), rule, context)

@@ -40,6 +40,12 @@ namespace {
 constexpr std::size_t kFew = 16;  ///< So few items are added faster one by one than all at once.
 constexpr std::size_t kLeastPoints = 4000;  ///< So many points of a draft are worth a thread.
 
+/// Checks the limits at some steps i of a loop. A step takes up to a microsecond.
+void check_at(std::size_t i, const Context& context) {
+  constexpr std::size_t kStepsPerCheck = 16'384;
+  if (i % kStepsPerCheck == 0) context.check_limits("assemble");
+}
+
 /// Appends items.
 template <class T>
 void extend(std::vector<T>& all, const std::vector<T>& more) {
@@ -318,13 +324,15 @@ VertexNumbers make_vertices(const SpaceDraft& draft, SpaceComplex& out) {
 /// Makes edge e of the pair (i, j) of facing points, i < j: half-edge 2e leaves point i, whose
 /// direction gives the edge its two planes in order. Returns the half-edge of each point.
 std::vector<HalfedgeId> make_edges(const SpaceDraft& draft, const PassedPoints& passed,
-                                   const VertexNumbers& vertex_number, SpaceComplex& out) {
+                                   const VertexNumbers& vertex_number, SpaceComplex& out,
+                                   const Context& context) {
   const SphereMap& maps = draft.maps;
   std::vector<HalfedgeId> halfedge_of_point(maps.point_count());
   out.edge_planes.reserve(maps.point_count() / 2);
   out.edge_mark.reserve(maps.point_count() / 2);
   out.origin.reserve(maps.point_count());
   for (std::uint32_t i = 0; i < maps.point_count(); ++i) {
+    check_at(i, context);
     const std::uint32_t j = draft.twin[i];
     if (passed.contains(i) || j < i) continue;
     PLUMB_CHECK(j != kNone && j != i && maps.point_mark[i] == maps.point_mark[j]);
@@ -343,10 +351,12 @@ std::vector<HalfedgeId> make_edges(const SpaceDraft& draft, const PassedPoints& 
 /// Returns for each of the `count` vertices of the complex whether its sphere map is connected, for
 /// label_volumes(). A map without free points and loops is connected if and only if points - arcs +
 /// faces = 2 (Euler): with k components the sum is k + 1.
-IdVector<VertexId, std::uint8_t> find_connected(const SpaceDraft& draft, std::size_t count) {
+IdVector<VertexId, std::uint8_t> find_connected(const SpaceDraft& draft, std::size_t count,
+                                                const Context& context) {
   IdVector<VertexId, std::uint8_t> connected;
   connected.reserve(count);
   for (std::size_t v = 0; v < draft.vertex_count(); ++v) {
+    check_at(v, context);
     if (draft.is_passed[v] != 0) continue;
     const SpaceDraft::Offsets& at = draft.begin[v];
     const SpaceDraft::Offsets end = v + 1 < draft.vertex_count() ? draft.begin[v + 1] : draft.end();
@@ -453,7 +463,8 @@ struct UsesOfArcs {
 
 /// Numbers the edge uses, which are not linked yet.
 UsesOfArcs number_uses(const SpaceDraft& draft, const PassedPoints& passed,
-                       const std::vector<HalfedgeId>& halfedge_of_point, SpaceComplex& out) {
+                       const std::vector<HalfedgeId>& halfedge_of_point, SpaceComplex& out,
+                       const Context& context) {
   const SphereMap& maps = draft.maps;
   UsesOfArcs uses;
   auto& [use_of_arc, arc_of_use] = uses;
@@ -461,6 +472,7 @@ UsesOfArcs number_uses(const SpaceDraft& draft, const PassedPoints& passed,
   out.use_halfedge.reserve(maps.arc_count());
   arc_of_use.reserve(maps.arc_count());
   for (std::uint32_t a = 0; a < maps.arc_count(); ++a) {
+    check_at(a, context);
     if (maps.is_loop(a) || passed.contains(maps.origin[2 * a])) continue;
     use_of_arc[a] = UseId(out.use_count());
     out.use_halfedge.push_back(halfedge_of_point[maps.origin[2 * a]]);
@@ -479,9 +491,9 @@ void link_uses(const SpaceDraft& draft, const PassedPoints& passed,
                const std::vector<UseId>& use_of_arc, SpaceComplex& out, Context& context) {
   run_ranges(context, halfedge_of_point.size(), kLeastPoints,
              [&](std::size_t, std::size_t begin, std::size_t end, Context& own) {
-               own.check_limits("assemble");
                CornerLinker linker(draft, use_of_arc, out);
                for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+                 check_at(i - begin, own);
                  if (i > draft.twin[i] || passed.contains(i)) continue;
                  if (draft.maps.first_out[i] == kNone) continue;
                  linker.link_edge(i, SpaceComplex::edge_of(halfedge_of_point[i]));
@@ -493,16 +505,20 @@ void link_uses(const SpaceDraft& draft, const PassedPoints& passed,
 
 /// Walks the cycles and makes each, for now, a facet of its own. Returns a use of each cycle.
 std::vector<UseId> trace_cycles(const SphereMap& maps,
-                                const IdVector<UseId, std::uint32_t>& arc_of_use,
-                                SpaceComplex& out) {
+                                const IdVector<UseId, std::uint32_t>& arc_of_use, SpaceComplex& out,
+                                const Context& context) {
   std::vector<UseId> first_use;
   out.use_facet.assign(out.use_count(), FacetId());
+  std::size_t steps = 0;
   for (std::uint32_t u = 0; u < out.use_count(); ++u) {
     if (out.use_facet[u].is_valid()) continue;
     const FacetId f(first_use.size());
     first_use.push_back(UseId(u));
     out.facet_plane.push_back(maps.circle[arc_of_use[u]]);
-    for (UseId w(u); !out.use_facet[w].is_valid(); w = out.use_next[w]) out.use_facet[w] = f;
+    for (UseId w(u); !out.use_facet[w].is_valid(); w = out.use_next[w]) {
+      check_at(steps++, context);
+      out.use_facet[w] = f;
+    }
   }
   return first_use;
 }
@@ -679,7 +695,7 @@ void set_facets_of_uses(const SpaceDraft& draft, const IdVector<UseId, std::uint
 void gather_facets(const SpaceDraft& draft, const VertexNumbers& vertex_number,
                    const IdVector<UseId, std::uint32_t>& arc_of_use, SpaceComplex& out,
                    Context& context) {
-  const std::vector<UseId> first_use = trace_cycles(draft.maps, arc_of_use, out);
+  const std::vector<UseId> first_use = trace_cycles(draft.maps, arc_of_use, out, context);
   context.checkpoint("assemble", 2, 5);
   FacetNesting nesting = nest_planes(draft, vertex_number, first_use, out, context);
   const std::vector<FacetId> facet_of_cycle =
@@ -755,22 +771,22 @@ SpaceComplex assemble_vertices(SpaceDraft draft, Context& context) {
   context.checkpoint("assemble", 0, 5);
   std::vector<HalfedgeId> halfedge_of_point;
   IdVector<VertexId, std::uint8_t> connected;
-  run_jobs(context, 2, [&](std::size_t i, Context&) {
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
     if (i == 0) {
-      halfedge_of_point = make_edges(draft, passed, vertex_number, out);
+      halfedge_of_point = make_edges(draft, passed, vertex_number, out, own);
     } else {
-      connected = find_connected(draft, out.vertex_count());
+      connected = find_connected(draft, out.vertex_count(), own);
     }
   });
   release(draft.vertex_point, draft.vertex_mark, draft.maps.direction);
   context.checkpoint("assemble", 1, 5);
   phase.next("edge uses");
   UsesOfArcs uses;
-  run_jobs(context, 2, [&](std::size_t i, Context&) {
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
     if (i == 0) {
       out.list_stars(out.vertex_count());
     } else {
-      uses = number_uses(draft, passed, halfedge_of_point, out);
+      uses = number_uses(draft, passed, halfedge_of_point, out, own);
     }
   });
   link_uses(draft, passed, halfedge_of_point, uses.use_of_arc, out, context);

@@ -113,14 +113,15 @@ FilteredSign area_sign(const SpaceComplex& complex, UseId cycle) {
   return area < -error ? FilteredSign::Negative : FilteredSign::Unsure;
 }
 
-}  // namespace
-
-bool is_outer(const SpaceComplex& complex, UseId cycle) {
+/// As is_outer(). Calls count_step() at each corner if the area does not tell.
+template <class CountStep>
+bool is_outer_counted(const SpaceComplex& complex, UseId cycle, const CountStep& count_step) {
   const FilteredSign area = area_sign(complex, cycle);
   if (is_decided(area)) return area == FilteredSign::Positive;
   const Point3Table& points = complex.points();
   VertexId least = complex.use_origin(cycle);
   for (UseId u = complex.use_next[cycle]; u != cycle; u = complex.use_next[u]) {
+    count_step();
     const VertexId v = complex.use_origin(u);
     if (v != least && compare_xyz(points, complex.vertex_point[v], complex.vertex_point[least]) ==
                           Sign::Negative) {
@@ -129,10 +130,17 @@ bool is_outer(const SpaceComplex& complex, UseId cycle) {
   }
   UseId u = cycle;
   do {
+    count_step();
     if (complex.use_origin(u) == least && corner_sign(complex, u) != Sign::Positive) return false;
     u = complex.use_next[u];
   } while (u != cycle);
   return true;
+}
+
+}  // namespace
+
+bool is_outer(const SpaceComplex& complex, UseId cycle) {
+  return is_outer_counted(complex, cycle, [] {});
 }
 
 namespace {
@@ -205,7 +213,7 @@ class Nesting {
                        std::vector<std::uint32_t>(points_.size(), kNone)};
     std::vector<std::uint32_t> holes;
     for (std::uint32_t c = 0; c < cycles_.size(); ++c) {
-      if (is_outer(complex_, cycles_[c])) {
+      if (is_outer_counted(complex_, cycles_[c], [&] { count_step(); })) {
         found.of_cycle[c] = c;
       } else {
         holes.push_back(c);
@@ -220,10 +228,16 @@ class Nesting {
   }
 
  private:
+  /// Checks the limits after every few thousand corners, however these are divided into cycles.
+  void count_step() {
+    constexpr std::size_t kStepsPerCheck = 4096;
+    if (++steps_ % kStepsPerCheck == 0) context_.check_limits("cycles of a plane");
+  }
   template <class Visit>
-  void for_uses(UseId first, const Visit& visit) const {
+  void for_uses(UseId first, const Visit& visit) {
     UseId u = first;
     do {
+      count_step();
       visit(u);
       u = complex_.use_next[u];
     } while (u != first);
@@ -305,7 +319,8 @@ class Nesting {
   std::vector<IndexEdge> edges_;
   std::vector<LeftSide> left_side_;           // One entry for each edge.
   std::vector<std::uint32_t> cycle_of_edge_;  // An index of cycles_ for each edge.
-  std::vector<std::uint32_t> hole_at_;        // The hole of which each point is the least one.
+  std::size_t steps_ = 0;
+  std::vector<std::uint32_t> hole_at_;  // The hole of which each point is the least one.
 };
 
 }  // namespace
