@@ -16,6 +16,7 @@ import csv
 import json
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 
@@ -25,12 +26,11 @@ TOLERANCE = 5e-6
 def evaluate(program, model):
     """Returns the CPU seconds and the JSON of a model, or the message of an error."""
     command = [program, "solid", "csg", str(model), "--quiet"]
-    before = os.times()
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     run = subprocess.run([*command, "--format", "nef", "-o", os.devnull], capture_output=True,
                          text=True, check=False)
-    after = os.times()
-    cpu = (after.children_user - before.children_user
-           + after.children_system - before.children_system)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
     if run.returncode != 0:
         return cpu, None, run.stderr.strip()
     facts = subprocess.run([*command, "--json"], capture_output=True, text=True, check=True)
