@@ -785,11 +785,11 @@ PLUMB_API plumb_status plumb_solid_symmetric_difference(const plumb_solid* a, co
                                                         plumb_solid** out,
                                                         const plumb_context* context,
                                                         plumb_error** error);
-/** Makes the union of any number of sets. The union of zero sets is empty. */
+/** Makes the union of any number of sets. The union of no sets is empty. */
 PLUMB_API plumb_status plumb_solid_union_of(const plumb_solid* const* solids, size_t count,
                                             plumb_solid** out, const plumb_context* context,
                                             plumb_error** error);
-/** Makes the intersection of any number of sets. The intersection of zero sets is the whole
+/** Makes the intersection of any number of sets. The intersection of no sets is the whole
  * space. */
 PLUMB_API plumb_status plumb_solid_intersection_of(const plumb_solid* const* solids, size_t count,
                                                    plumb_solid** out, const plumb_context* context,
@@ -1040,11 +1040,11 @@ PLUMB_API plumb_status plumb_plane_set_symmetric_difference(const plumb_plane_se
                                                             plumb_plane_set** out,
                                                             const plumb_context* context,
                                                             plumb_error** error);
-/** Makes the union of any number of sets. The union of zero sets is empty. */
+/** Makes the union of any number of sets. The union of no sets is empty. */
 PLUMB_API plumb_status plumb_plane_set_union_of(const plumb_plane_set* const* sets, size_t count,
                                                 plumb_plane_set** out, const plumb_context* context,
                                                 plumb_error** error);
-/** Makes the intersection of any number of sets. The intersection of zero sets is the whole
+/** Makes the intersection of any number of sets. The intersection of no sets is the whole
  * plane. */
 PLUMB_API plumb_status plumb_plane_set_intersection_of(const plumb_plane_set* const* sets,
                                                        size_t count, plumb_plane_set** out,
@@ -1276,11 +1276,11 @@ PLUMB_API plumb_status plumb_sphere_set_symmetric_difference(const plumb_sphere_
                                                              plumb_sphere_set** out,
                                                              const plumb_context* context,
                                                              plumb_error** error);
-/** Makes the union of any number of sets. The union of zero sets is empty. */
+/** Makes the union of any number of sets. The union of no sets is empty. */
 PLUMB_API plumb_status plumb_sphere_set_union_of(const plumb_sphere_set* const* sets, size_t count,
                                                  plumb_sphere_set** out,
                                                  const plumb_context* context, plumb_error** error);
-/** Makes the intersection of any number of sets. The intersection of zero sets is the whole
+/** Makes the intersection of any number of sets. The intersection of no sets is the whole
  * sphere. */
 PLUMB_API plumb_status plumb_sphere_set_intersection_of(const plumb_sphere_set* const* sets,
                                                         size_t count, plumb_sphere_set** out,
@@ -1780,7 +1780,7 @@ PLUMB_API plumb_status plumb_solid_slices(const plumb_solid* solid, const plumb_
 /** Makes the closure of the projection of the solid along the z-axis. */
 PLUMB_API plumb_status plumb_solid_shadow(const plumb_solid* solid, plumb_plane_set** out,
                                           const plumb_context* context, plumb_error** error);
-/** Makes the closure of the solid, grown by a positive distance or shrunk by a negative distance.
+/** Grows the closure of the solid by a positive distance, or shrinks it by a negative distance.
  * The ball of the offset is replaced by a polyhedron: an octahedron whose faces were subdivided
  * `rounds` times (at most 7), with its corners on the sphere. */
 PLUMB_API plumb_status plumb_solid_offset(const plumb_solid* solid, double distance,
@@ -1846,16 +1846,16 @@ typedef struct plumb_offset_options {
 } plumb_offset_options;
 #define PLUMB_OFFSET_OPTIONS_INIT \
   { sizeof(plumb_offset_options), 0, 2.0, 0.0, 0 }
-/** Makes the closure of the set, grown by a positive distance or shrunk by a negative distance. */
+/** Grows the closure of the set by a positive distance, or shrinks it by a negative distance. */
 PLUMB_API plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double distance,
                                               const plumb_offset_options* options,
                                               plumb_plane_set** out, const plumb_context* context,
                                               plumb_error** error);
 /** Makes the closure of a bounded set with fewer corners. A corner and its two neighbours form a
  * triangle. A corner is removed only under three conditions. The area of its triangle is at most
- * `tolerance`. More than the fraction `kept` of the removable corners remains. No point of a border
- * moves farther than `within`. Infinity means that there is no bound. Coordinates are rounded to
- * doubles. If `moved` is not null, it receives a bound for the distance by which borders have
+ * `tolerance`. Of all removable corners, a greater fraction than `kept` is left. No point of a
+ * border moves farther than `within`. Infinity means that there is no bound. Coordinates are rounded
+ * to doubles. If `moved` is not null, it receives a bound for the distance by which borders have
  * moved. */
 PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, double tolerance,
                                                 double kept, double within, plumb_plane_set** out,
@@ -2068,8 +2068,8 @@ PLUMB_API plumb_status plumb_layer_overlay(const plumb_layer* first, const plumb
                                            const plumb_context* context, plumb_error** error);
 /** Makes the layer with fewer corners on its borders. The result is a coverage: features do not
  * overlap. A corner and its two neighbours form a triangle. A corner is removed only under two
- * conditions. The area of its triangle is at most `tolerance`, which may be infinite. More than the
- * fraction `kept` of the removable corners remains. */
+ * conditions. The area of its triangle is at most `tolerance`, which may be infinite. Of all
+ * removable corners, a greater fraction than `kept` is left. */
 PLUMB_API plumb_status plumb_layer_simplify(const plumb_layer* layer, double tolerance, double kept,
                                             plumb_layer** out, const plumb_context* context,
                                             plumb_error** error);

@@ -150,7 +150,7 @@ void def_booleans(nb::class_<Set>& c) {
       +[](Context& k, const std::vector<Set>& sets) {
         return intersection_of(std::span<const Set>(sets), k);
       },
-      "Return the intersection of any number of sets. The intersection of zero sets is the whole "
+      "Return the intersection of any number of sets. The intersection of no sets is the whole "
       "space.",
       "sets"_a);
   for (const char* name : {"__or__", "__add__"}) {

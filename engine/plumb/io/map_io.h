@@ -9,7 +9,7 @@
 //  2. read_vertices  reads exactly two numbers from each line (record_reader.h)
 //  3. read_faces     reads the vertex ids of each face from its line. A line must have at least
 //                    three ids, and all ids must be in range. Two neighbouring ids must differ. The
-//                    points of these vertices must not all be collinear. The step decides this
+//                    points of these vertices must not all be collinear, which is tested
 //                    exactly.
 //  4. end            accepts only blank lines and comments after the faces
 //

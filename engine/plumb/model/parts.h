@@ -13,7 +13,7 @@ namespace plumb {
 
 /// Returns the connected components of a set. Components are ordered by their first cells, where
 /// volumes come before facets, facets before edges, and edges before vertices. Two marked cells are
-/// connected if one of them lies in the border of the other. For example, two cubes that share a
+/// connected if one of them lies in the boundary of the other. For example, two cubes that share a
 /// vertex form one component if the vertex belongs to the set, and two components otherwise. Cost
 /// for a set of n cells: O(n) for the search, and O(n) for each component.
 [[nodiscard]] std::vector<Nef3> components(const Nef3& set, Context& context = unlimited_context());

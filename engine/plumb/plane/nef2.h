@@ -153,10 +153,10 @@ class PlaneTrapezoids;
                               const PlaneSelector& select_b, MarkFunction f,
                               Context& context = unlimited_context());
 /// Returns the union of any number of sets. The union is computed by a balanced binary tree of
-/// unions of two sets. The union of zero sets is empty.
+/// unions of two sets. The union of no sets is empty.
 [[nodiscard]] Nef2 union_of(std::span<const Nef2> sets, Context& context = unlimited_context());
 /// Returns the intersection of any number of sets, computed in the same way as union_of(). The
-/// intersection of zero sets is the whole plane.
+/// intersection of no sets is the whole plane.
 [[nodiscard]] Nef2 intersection_of(std::span<const Nef2> sets,
                                    Context& context = unlimited_context());
 /// Returns the points of a that belong to none of the other sets.

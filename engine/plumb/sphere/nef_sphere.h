@@ -156,11 +156,11 @@ class NefSphere;
                                    const NefSphere& b, const SphereSelector& select_b,
                                    MarkFunction f, Context& context = unlimited_context());
 /// Returns the union of any number of sets. The union is computed by a balanced binary tree of
-/// unions of two sets. The union of zero sets is empty.
+/// unions of two sets. The union of no sets is empty.
 [[nodiscard]] NefSphere union_of(std::span<const NefSphere> sets,
                                  Context& context = unlimited_context());
 /// Returns the intersection of any number of sets. It is computed in the same way as the union in
-/// union_of(). The intersection of zero sets is the whole sphere.
+/// union_of(). The intersection of no sets is the whole sphere.
 [[nodiscard]] NefSphere intersection_of(std::span<const NefSphere> sets,
                                         Context& context = unlimited_context());
 

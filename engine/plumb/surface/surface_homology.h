@@ -99,10 +99,11 @@ class SurfaceHomology {
              std::vector<std::int64_t>& times, Context& context) const;
 
   const SurfaceMesh& mesh_;
-  IdVector<VertexId, EdgeId> parent_;            // The edge to the parent of each vertex.
-  IdVector<EdgeId, std::uint8_t> is_in_tree_;    // For each edge: 1 in the tree, 2 in the cotree.
-  IdVector<HalfedgeId, std::uint32_t> disk_of_;  // The disk at each half-edge of the border.
-  std::vector<std::uint32_t> disk_begin_;        // Where each disk starts in the next list.
+  IdVector<VertexId, EdgeId> parent_;          // The edge to the parent of each vertex.
+  IdVector<EdgeId, std::uint8_t> is_in_tree_;  // For each edge: 1 in the tree, 2 in the cotree.
+  // For each half-edge of a border loop, the index of the disk that closes the loop.
+  IdVector<HalfedgeId, std::uint32_t> disk_of_;
+  std::vector<std::uint32_t> disk_begin_;  // Where each disk starts in the next list.
   std::vector<HalfedgeId> disk_halfedges_;
   std::vector<Step> cotree_;  // Nodes are faces, then disks. Parents come first.
   std::vector<EdgeId> generators_;

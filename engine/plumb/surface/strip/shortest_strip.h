@@ -56,8 +56,8 @@ class ShortestStripFinder {
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-  /// A part of a side. All points of this part are reached from one source by straight lines
-  /// through the same faces. The side lies on the x axis, from its origin at (0, 0); the face
+  /// A part of a side of a face. All points of this part are reached from one source by straight
+  /// lines through the same faces. The side lies on the x axis, from its origin at (0, 0); the face
   /// behind it lies above the axis, and the source lies below.
   struct Window {
     HalfedgeId into;       // The side, in the face behind it.

@@ -130,9 +130,9 @@ FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const Plan
 /// The parts of a number c0 + c1 R: Finite is c0, Infinite is c1.
 enum class Part { Finite, Infinite };
 
-/// Prepares `plane` for the computation of one part. The offset of a plane of the frame belongs to
-/// the Infinite part, and every other offset belongs to the Finite part. If the offset does not
-/// belong to `part`, the function sets it to 0.
+/// Prepares `plane` for the computation of one part of a number c0 + c1 R. The offset of a plane of
+/// the frame is a multiple of R, and belongs to Part::Infinite. Every other offset contains no R,
+/// and belongs to Part::Finite. If the offset does not belong to `part`, the function sets it to 0.
 template <class Plane>
 void take_part(const Operand& operand, Part part, Plane& plane) {
   if (operand.source.is_frame() == (part == Part::Infinite)) return;
