@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "generate/mesh_solid.h"
@@ -135,6 +136,40 @@ TEST(ToMesh, NonManifoldPlacesAreCountedAndSplit) {
   EXPECT_EQ(corner.report.non_manifold_edges, 0U);
   EXPECT_EQ(corner.report.non_manifold_vertices, 1U);
   EXPECT_FALSE(mesh_of(marked(complex_of(kCube))).report.is_soup());
+}
+
+/// Returns the octants of an octahedron whose bits are set, as one mesh of tetrahedra.
+PolygonMesh octants(std::uint32_t set) {
+  PolygonMesh mesh;
+  for (std::uint32_t octant = 0; octant < 8; ++octant) {
+    if ((set >> octant & 1) == 0) continue;
+    const auto sign = [octant](std::uint32_t axis) {
+      return (octant >> axis & 1) != 0 ? 1.0 : -1.0;
+    };
+    const PolygonMesh one =
+        tetrahedron_mesh({0, 0, 0}, {sign(0), 0, 0}, {0, sign(1), 0}, {0, 0, sign(2)});
+    mesh = joined(mesh, one);
+  }
+  return mesh;
+}
+
+// A walk around each vertex counts cones if each edge has two facets; classes of corners count them
+// when vertices are split, and at other edges.
+TEST(ToMesh, WalksAndClassesCountTheSameCones) {
+  std::size_t walks_with_cones = 0;
+  for (std::uint32_t set = 1; set < 256; ++set) {
+    Context context;
+    const Nef3 solid = Nef3::from_mesh(octants(set), {.rule = WindingRule::Positive}, context);
+    ToMeshOptions options{.faces = MeshFaces::Triangles};
+    const ToMeshReport whole = mesh_of(solid.complex(), options).report;
+    options.split_vertices = true;
+    const ToMeshReport split = mesh_of(solid.complex(), options).report;
+    EXPECT_EQ(whole.non_manifold_vertices, split.non_manifold_vertices) << set;
+    EXPECT_EQ(whole.non_manifold_edges, split.non_manifold_edges) << set;
+    if (whole.non_manifold_edges == 0) walks_with_cones += whole.non_manifold_vertices;
+  }
+  // Two opposite octants meet in a vertex only, and so do the two that the others leave out.
+  EXPECT_EQ(walks_with_cones, 8U);
 }
 
 /// Facet `inside` lies in facet `around`, in the same plane: cuts it out.

@@ -4,7 +4,8 @@
 // for each. Corners of the shown sides of facets are joined around every edge, where two sides
 // bound the same part of the solid; the classes are the cones. Where an edge has more than two
 // shown sides, the solid behind them says which two belong together: after a side with the solid
-// behind it comes the side that closes it.
+// behind it comes the side that closes it. If each edge has two shown sides, as on most solids, and
+// no vertex is to be split, a walk around each vertex tells whether it has more than one cone.
 //
 // With threads, corners are joined while points are rounded and cells counted; then consecutive
 // sides make their faces in parallel, and the faces are joined in the order of the sides.
@@ -21,7 +22,6 @@
 #include <array>
 #include <functional>
 #include <iterator>
-#include <optional>
 
 #include "plumb/base/internal/parallel.h"
 #include "plumb/base/internal/parallel_ranges.h"
@@ -57,9 +57,16 @@ void for_uses(const SpaceComplex& complex, FacetId f, const Visit& visit) {
 
 // ---------------------------------------------------------------- cones
 
+/// Returns the number of the corner of a use seen from a side.
+std::uint32_t corner_of_use(UseId u, bool side) { return 2 * u.value() + (side ? 1 : 0); }
+/// Returns the number of the corner of inner vertex i, an index of SpaceComplex::inner, seen from a
+/// side. These corners come after those of uses.
+std::uint32_t corner_of_inner(const SpaceComplex& complex, std::size_t i, bool side) {
+  return static_cast<std::uint32_t>(2 * (complex.use_count() + i) + (side ? 1 : 0));
+}
+
 /// Corners of the sides of facets, joined where sides bound the same part of the solid along an
-/// edge. The corner of use u seen from side s is 2 u + s; inner vertices of facets have corners
-/// after those.
+/// edge.
 class Cones {
  public:
   Cones(const SpaceComplex& complex, std::span<const std::array<std::uint8_t, 2>> shown)
@@ -71,12 +78,6 @@ class Cones {
 
   /// Returns the number of edges with more than two shown sides.
   std::uint32_t crowded_edges() const { return crowded_edges_; }
-  /// Returns the corner of a use seen from a side.
-  static std::uint32_t corner(UseId u, bool side) { return 2 * u.value() + (side ? 1 : 0); }
-  /// Returns the corner of inner vertex i, an index of SpaceComplex::inner, seen from a side.
-  std::uint32_t corner_of_inner(std::size_t i, bool side) const {
-    return static_cast<std::uint32_t>(2 * (complex_.use_count() + i) + (side ? 1 : 0));
-  }
   std::size_t size() const { return classes_.size(); }
   /// Returns the cone of a corner.
   std::uint32_t root(std::uint32_t c) { return classes_.root(c); }
@@ -146,8 +147,8 @@ class Cones {
     // Two sides that run the same way along the edge have their corners at the same ends.
     const bool is_same_way = complex_.use_halfedge[a.use] == complex_.use_halfedge[b.use];
     const UseId a_end = complex_.use_next[a.use], b_end = complex_.use_next[b.use];
-    join(corner(a.use, a.side), corner(is_same_way ? b.use : b_end, b.side));
-    join(corner(a_end, a.side), corner(is_same_way ? b_end : b.use, b.side));
+    join(corner_of_use(a.use, a.side), corner_of_use(is_same_way ? b.use : b_end, b.side));
+    join(corner_of_use(a_end, a.side), corner_of_use(is_same_way ? b_end : b.use, b.side));
   }
 
   const SpaceComplex& complex_;
@@ -170,14 +171,13 @@ Shown shown_sides(const SpaceComplex& complex, std::span<const FacetSide> sides)
 
 /// Calls visit(vertex, corner) for all corners of a side.
 template <class Visit>
-void for_corners(const SpaceComplex& complex, const Cones& cones, const FacetSide& s,
-                 const Visit& visit) {
+void for_corners(const SpaceComplex& complex, const FacetSide& s, const Visit& visit) {
   for_uses(complex, s.facet,
-           [&](UseId u) { visit(complex.use_origin(u), Cones::corner(u, s.is_reversed)); });
+           [&](UseId u) { visit(complex.use_origin(u), corner_of_use(u, s.is_reversed)); });
   const std::uint32_t begin = complex.inner_begin[s.facet];
   const auto inner = complex.inner_of(s.facet);
   for (std::size_t i = 0; i < inner.size(); ++i) {
-    visit(inner[i], cones.corner_of_inner(begin + i, s.is_reversed));
+    visit(inner[i], corner_of_inner(complex, begin + i, s.is_reversed));
   }
 }
 
@@ -190,7 +190,7 @@ void keep_corners_together(const SpaceComplex& complex, std::span<const FacetSid
   std::vector<NumberedCorner> corners;
   for (const FacetSide& s : sides) {
     corners.clear();
-    for_corners(complex, cones, s, [&](VertexId v, std::uint32_t corner) {
+    for_corners(complex, s, [&](VertexId v, std::uint32_t corner) {
       corners.emplace_back(v, cones.root(corner));
     });
     if (corners.size() == 3) continue;
@@ -208,8 +208,9 @@ struct MeshNumbers {
   /// The vertex of the mesh of each corner if vertices are split, else of each vertex of the
   /// complex.
   std::vector<std::uint32_t> number;
-  std::vector<VertexId> vertex;    ///< The vertex of the complex of each vertex of the mesh.
-  std::uint64_t non_manifold = 0;  ///< The number of vertices with several cones.
+  std::vector<VertexId> vertex;     ///< The vertex of the complex of each vertex of the mesh.
+  std::uint64_t non_manifold = 0;   ///< The number of vertices with several cones.
+  std::uint64_t crowded_edges = 0;  ///< The number of edges with more than two shown sides.
 };
 
 /// Makes a vertex for each cone, or for all cones of a vertex of the complex, in the order of the
@@ -221,7 +222,7 @@ MeshNumbers number_vertices(const SpaceComplex& complex, std::span<const FacetSi
   // Most vertices have one cone, kept in `first`; further ones go to a list that stays short.
   std::vector<NumberedCorner> others;
   for (const FacetSide& s : sides) {
-    for_corners(complex, cones, s, [&](VertexId v, std::uint32_t corner) {
+    for_corners(complex, s, [&](VertexId v, std::uint32_t corner) {
       const std::uint32_t cone = cones.root(corner);
       std::uint32_t& known = first[v.value()];
       if (known == kNone) known = cone;
@@ -250,6 +251,62 @@ MeshNumbers number_vertices(const SpaceComplex& complex, std::span<const FacetSi
   if (split_vertices) {  // Corners have the numbers of their cones.
     for (std::uint32_t c = 0; c < cones.size(); ++c)
       result.number[c] = result.number[cones.root(c)];
+  }
+  result.crowded_edges = cones.crowded_edges();
+  return result;
+}
+
+/// Whether each facet shows one side and has no inner vertices, and each edge has two uses.
+bool has_two_uses_at_edges(const SpaceComplex& complex, const Shown& shown) {
+  if (!complex.inner.empty()) return false;
+  for (const auto& sides : shown) {
+    if (sides[0] == sides[1]) return false;
+  }
+  for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {
+    const UseId u = complex.edge_use[EdgeId(e)];
+    if (!u.is_valid()) return false;
+    const UseId v = complex.use_radial[u];
+    if (v == u || complex.use_radial[v] != u) return false;
+  }
+  return true;
+}
+
+/// Returns the number of corners in the cone of the corner at the origin of a use. Requires
+/// has_two_uses_at_edges(). Each corner is left through the edge other than that through which it
+/// was entered.
+std::uint32_t corners_of_cone(const SpaceComplex& complex, UseId first) {
+  std::uint32_t count = 0;
+  UseId u = first;
+  bool is_leaving_ahead = true;  // Through the edge of u, not through that before it.
+  do {
+    const UseId through = is_leaving_ahead ? u : complex.use_prev[u];
+    const UseId other = complex.use_radial[through];
+    const bool is_same_way = complex.use_halfedge[through] == complex.use_halfedge[other];
+    const bool is_at_origin = is_leaving_ahead == is_same_way;
+    u = is_at_origin ? other : complex.use_next[other];
+    is_leaving_ahead = !is_at_origin;
+    ++count;
+  } while (u != first);
+  return count;
+}
+
+/// Does what number_vertices() does without splitting. Requires has_two_uses_at_edges(). A walk
+/// around a vertex tells whether it has one cone.
+MeshNumbers number_by_walks(const SpaceComplex& complex) {
+  std::vector<UseId> first(complex.vertex_count());
+  std::vector<std::uint32_t> corners(complex.vertex_count(), 0);
+  for (std::uint32_t u = 0; u < complex.use_count(); ++u) {
+    const std::uint32_t v = complex.use_origin(UseId(u)).value();
+    first[v] = UseId(u);
+    ++corners[v];
+  }
+  MeshNumbers result;
+  result.number.resize(first.size(), kNone);
+  for (std::uint32_t v = 0; v < first.size(); ++v) {
+    if (corners[v] == 0) continue;
+    result.number[v] = static_cast<std::uint32_t>(result.vertex.size());
+    result.vertex.emplace_back(v);
+    if (corners_of_cone(complex, first[v]) != corners[v]) ++result.non_manifold;
   }
   return result;
 }
@@ -308,11 +365,10 @@ void add_points(const SpaceComplex& complex, std::span<const VertexId> vertices,
 class FaceWriter {
  public:
   FaceWriter(const SpaceComplex& complex, const ToMeshOptions& options, const MeshNumbers& numbers,
-             const Cones& cones, std::span<const RoundedPoint3> nearest, MeshOfComplex& out)
+             std::span<const RoundedPoint3> nearest, MeshOfComplex& out)
       : complex_(complex),
         options_(options),
         numbers_(numbers),
-        cones_(cones),
         nearest_(nearest),
         cutter_(complex),
         out_(out) {
@@ -321,8 +377,9 @@ class FaceWriter {
 
   /// Adds the face or faces of a side.
   void add_faces(const FacetSide& s) {
+    if (add_triangle(s)) return;
     corners_.clear();
-    for_corners(complex_, cones_, s,
+    for_corners(complex_, s,
                 [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, number(v, c)); });
     // Corners come in the order of the cycle, counter-clockwise from the positive side.
     if (corners_.size() == 3 || can_be_polygon(s.facet)) {
@@ -339,6 +396,23 @@ class FaceWriter {
   }
 
  private:
+  /// Adds the face of a facet with three corners and nothing else, as most facets are. Returns false
+  /// for other facets.
+  bool add_triangle(const FacetSide& s) {
+    const auto cycles = complex_.cycles_of(s.facet);
+    const UseId a = cycles[0], b = complex_.use_next[a], c = complex_.use_next[b];
+    if (complex_.use_next[c] != a || cycles.size() > 1 || !complex_.inner_of(s.facet).empty()) {
+      return false;
+    }
+    const auto corner = [&](UseId u) {
+      return number(complex_.use_origin(u), corner_of_use(u, s.is_reversed));
+    };
+    const UseId first = s.is_reversed ? c : a, last = s.is_reversed ? a : c;
+    out_.mesh.add_face(std::array{corner(first), corner(b), corner(last)});
+    out_.facet.push_back(s.facet);
+    return true;
+  }
+
   /// Returns the vertex of the mesh at a corner.
   std::uint32_t number(VertexId v, std::uint32_t corner) const {
     return numbers_.number[options_.split_vertices ? corner : v.value()];
@@ -371,7 +445,6 @@ class FaceWriter {
   const SpaceComplex& complex_;
   const ToMeshOptions& options_;
   const MeshNumbers& numbers_;
-  const Cones& cones_;
   std::span<const RoundedPoint3> nearest_;  // For each vertex of the complex that has a number.
   FacetTriangles cutter_;
   MeshOfComplex& out_;
@@ -405,7 +478,6 @@ struct FaceInput {
   std::span<const FacetSide> sides;
   const ToMeshOptions& options;
   const MeshNumbers& numbers;
-  const Cones& cones;
   const NearestPoints& nearest;
 };
 
@@ -424,7 +496,7 @@ void add_all_faces(const FaceInput& in, MeshOfComplex& out, Context& context) {
                const auto charge = [&] {
                  if (range > 0) charges.raise(range - 1, bytes_of_faces(part), "a mesh", own);
                };
-               FaceWriter writer(in.complex, in.options, in.numbers, in.cones, in.nearest, part);
+               FaceWriter writer(in.complex, in.options, in.numbers, in.nearest, part);
                for (std::size_t i = begin; i < end; ++i) {
                  if (i % 4096 == 0) {
                    own.checkpoint("faces of the mesh", i, count);
@@ -583,16 +655,18 @@ MeshOfComplex mesh_beside(const SpaceComplex& complex, std::span<const FacetSide
   memory.add(kBytesPerUse * complex.use_count() + sizeof(RoundedPoint3) * complex.vertex_count(),
              "a mesh");
   MeshOfComplex out;
-  Shown shown;
-  std::optional<Cones> cones;
   MeshNumbers numbers;
   NearestPoints nearest;
   const auto make = [&](std::size_t i, Context& own) {
     if (i == 0) {
       const WorkPhase phase("vertices of the mesh");
-      shown = shown_sides(complex, sides);
-      cones.emplace(complex, shown);
-      numbers = number_vertices(complex, sides, options.split_vertices, *cones);
+      const Shown shown = shown_sides(complex, sides);
+      if (!options.split_vertices && has_two_uses_at_edges(complex, shown)) {
+        numbers = number_by_walks(complex);
+      } else {
+        Cones cones(complex, shown);
+        numbers = number_vertices(complex, sides, options.split_vertices, cones);
+      }
     } else if (i == 1) {
       const WorkPhase phase("rounding");
       nearest = nearest_points(complex, sides, own);
@@ -607,8 +681,8 @@ MeshOfComplex mesh_beside(const SpaceComplex& complex, std::span<const FacetSide
   }
   const WorkPhase phase("faces of the mesh");
   add_points(complex, numbers.vertex, nearest, options.keeps_exact, out);
-  add_all_faces({complex, sides, options, numbers, *cones, nearest}, out, context);
-  out.report.non_manifold_edges = cones->crowded_edges();
+  add_all_faces({complex, sides, options, numbers, nearest}, out, context);
+  out.report.non_manifold_edges = numbers.crowded_edges;
   out.report.non_manifold_vertices = numbers.non_manifold;
   return out;
 }
