@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "generate/mesh_solid.h"
@@ -146,9 +145,10 @@ PolygonMesh octants(std::uint32_t set) {
     const auto sign = [octant](std::uint32_t axis) {
       return (octant >> axis & 1) != 0 ? 1.0 : -1.0;
     };
+    const bool is_mirrored = sign(0) * sign(1) * sign(2) < 0;
     const PolygonMesh one =
-        tetrahedron_mesh({0, 0, 0}, {sign(0), 0, 0}, {0, sign(1), 0}, {0, 0, sign(2)});
-    mesh = joined(mesh, one);
+        tetrahedron_mesh({sign(0), 0, 0}, {0, sign(1), 0}, {0, 0, sign(2)}, {0, 0, 0});
+    mesh = joined(mesh, is_mirrored ? reversed(one) : one);
   }
   return mesh;
 }
