@@ -313,13 +313,21 @@ MeshNumbers number_by_walks(const SpaceComplex& complex) {
 
 using NearestPoints = IdVector<VertexId, RoundedPoint3>;
 
-/// Returns the vertices at corners of the sides, ascending: all that number_vertices() numbers.
+/// Returns the vertices at corners of the sides, ascending: at least all that number_vertices()
+/// numbers.
 std::vector<VertexId> corner_vertices(const SpaceComplex& complex,
                                       std::span<const FacetSide> sides) {
   IdVector<VertexId, std::uint8_t> is_corner(complex.vertex_count(), 0);
-  for (const FacetSide& s : sides) {
-    for_uses(complex, s.facet, [&](UseId u) { is_corner[complex.use_origin(u)] = 1; });
-    for (const VertexId v : complex.inner_of(s.facet)) is_corner[v] = 1;
+  if (sides.size() == complex.facet_count()) {  // Each facet has a side: the links need no walk.
+    for (std::uint32_t u = 0; u < complex.use_count(); ++u) {
+      is_corner[complex.use_origin(UseId(u))] = 1;
+    }
+    for (const VertexId v : complex.inner) is_corner[v] = 1;
+  } else {
+    for (const FacetSide& s : sides) {
+      for_uses(complex, s.facet, [&](UseId u) { is_corner[complex.use_origin(u)] = 1; });
+      for (const VertexId v : complex.inner_of(s.facet)) is_corner[v] = 1;
+    }
   }
   std::vector<VertexId> vertices;
   for (std::uint32_t v = 0; v < is_corner.size(); ++v) {
