@@ -294,11 +294,28 @@ SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const 
 
 // ---------------------------------------------------------------- leaves
 
-ContactLeaves::ContactLeaves(const SpaceComplex& complex, const Box3& reach)
+/// Counts corners, and checks the limits of a context after every few thousand of them.
+class ContactLeaves::CornerCount {
+ public:
+  explicit CornerCount(const Context* context) : context_(context) {}
+
+  void add() {
+    constexpr std::size_t kCornersPerCheck = 8192;
+    if (++count_ % kCornersPerCheck == 0 && context_ != nullptr)
+      context_->check_limits("box trees");
+  }
+
+ private:
+  const Context* context_;
+  std::size_t count_ = 0;
+};
+
+ContactLeaves::ContactLeaves(const SpaceComplex& complex, const Box3& reach, const Context* context)
     : complex_(complex), reach_(reach) {
+  CornerCount count(context);
   leaves_.reserve(complex.facet_count());
   boxes_.reserve(complex.facet_count());
-  for (std::size_t f = 0; f < complex.facet_count(); ++f) add_facet(FacetId(f));
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) add_facet(FacetId(f), count);
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
     if (complex.edge_use[e].is_valid()) continue;
     add({FacetId(), EdgeId(e), UseId(), 0}, box_of(complex, EdgeId(e)));
@@ -312,7 +329,7 @@ ContactLeaves::ContactLeaves(const SpaceComplex& complex, const Box3& reach)
 }
 
 // All of a facet lies within the box of its outer cycle.
-void ContactLeaves::add_facet(FacetId f) {
+void ContactLeaves::add_facet(FacetId f, CornerCount& count) {
   const std::span<const UseId> cycles = complex_.cycles_of(f);
   if (cycles.empty()) return;
   Box3 box;
@@ -321,6 +338,7 @@ void ContactLeaves::add_facet(FacetId f) {
   do {
     add_point(complex_.points(), complex_.vertex_point[complex_.use_origin(u)], box);
     ++corners;
+    count.add();
     u = complex_.use_next[u];
   } while (u != cycles.front());
   if (!box.meets(reach_)) return;
@@ -332,15 +350,15 @@ void ContactLeaves::add_facet(FacetId f) {
   // Inner vertices of the facet are no corners: they have leaves of their own, or belong to their
   // edges.
   corners = 0;
-  for (const UseId first : cycles) corners += add_corners(first);
+  for (const UseId first : cycles) corners += add_corners(first, count);
   if (corners > FacetSites::kFewCorners) large_facets_.push_back(f);
 }
 
 /// Adds leaves for the corners of one cycle, eight at a time, and returns how many corners it has,
 /// whether they belong to these leaves or not.
-std::uint32_t ContactLeaves::add_corners(UseId first) {
+std::uint32_t ContactLeaves::add_corners(UseId first, CornerCount& count) {
   LeafItems items;
-  std::uint32_t count = 0;
+  std::uint32_t corners = 0;
   UseId u = first;
   do {
     ContactLeaf leaf{FacetId(), SpaceItem(), u, 0};
@@ -349,12 +367,13 @@ std::uint32_t ContactLeaves::add_corners(UseId first) {
       u = complex_.use_next[u];
       box.add(box_of(complex_, complex_.use_origin(u)));
       ++leaf.count;
+      count.add();
     } while (u != first && leaf.count < LeafItems::kMostCorners);
-    count += leaf.count;
+    corners += leaf.count;
     items.fill(complex_, leaf);
     if (!items.vertices().empty()) add(leaf, box);  // Else all of it belongs to neighbours.
   } while (u != first);
-  return count;
+  return corners;
 }
 
 void ContactLeaves::keep_near(const OccupiedCells& others) {

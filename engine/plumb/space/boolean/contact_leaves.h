@@ -216,8 +216,9 @@ class LeafItems {
 /// The leaves of one complex with their boxes.
 class ContactLeaves {
  public:
-  /// Collects the leaves whose boxes meet the box `reach`. Keeps a reference to the complex.
-  ContactLeaves(const SpaceComplex& complex, const Box3& reach);
+  /// Collects the leaves whose boxes meet the box `reach`. Keeps a reference to the complex. If
+  /// `context` is not null, its limits are checked.
+  ContactLeaves(const SpaceComplex& complex, const Box3& reach, const Context* context = nullptr);
 
   /// Drops the leaves whose boxes occupy no cell of `others`. O(leaves).
   void keep_near(const OccupiedCells& others);
@@ -230,8 +231,10 @@ class ContactLeaves {
   const ContactLeaf& operator[](std::size_t i) const { return leaves_[i]; }
 
  private:
-  void add_facet(FacetId f);
-  std::uint32_t add_corners(UseId first);
+  class CornerCount;
+
+  void add_facet(FacetId f, CornerCount& count);
+  std::uint32_t add_corners(UseId first, CornerCount& count);
   void add(const ContactLeaf& leaf, const Box3& box);
 
   const SpaceComplex& complex_;

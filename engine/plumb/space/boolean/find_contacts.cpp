@@ -441,8 +441,10 @@ LeafTrees make_trees(const ContactLeaves& xs, const ContactLeaves& ys, Context& 
   double pairs = expected_pairs(xs.boxes(), ys.boxes());
   // A frame along the edges of both complexes is tried only if the axes would give many pairs.
   if (has_many_pairs(pairs, leaves)) {
+    context.check_limits("box trees");
     const BoxFrame frame = BoxFrame::of_edges(std::array{&xs.complex(), &ys.complex()});
     turned = {turned_boxes(xs, frame, context), turned_boxes(ys, frame, context)};
+    context.check_limits("box trees");
     const double in_frame = expected_pairs(turned[0], turned[1]);
     trees.is_turned = is_better_frame(in_frame, pairs);
     if (trees.is_turned) {
@@ -541,14 +543,20 @@ std::array<std::optional<ContactLeaves>, 2> leaves_within_reach(const SpaceCompl
   std::array<std::optional<ContactLeaves>, 2> leaves;
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     own.checkpoint("box trees", i, 2);
-    i == 0 ? leaves[0].emplace(a, box_b) : leaves[1].emplace(b, box_a);
+    i == 0 ? leaves[0].emplace(a, box_b, &own) : leaves[1].emplace(b, box_a, &own);
   });
   if (std::min(leaves[0]->boxes().size(), leaves[1]->boxes().size()) < kMany) return leaves;
   const Box3 common = common_part(box_a, box_b);
   std::array<std::optional<OccupiedCells>, 2> cells;
-  run_jobs(context, 2,
-           [&](std::size_t i, Context&) { cells[i].emplace(common, leaves[i]->boxes()); });
-  run_jobs(context, 2, [&](std::size_t i, Context&) { leaves[i]->keep_near(*cells[1 - i]); });
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.check_limits("box trees");
+    cells[i].emplace(common, leaves[i]->boxes());
+  });
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.check_limits("box trees");
+    leaves[i]->keep_near(*cells[1 - i]);
+  });
+  context.check_limits("box trees");
   return leaves;
 }
 
