@@ -2149,6 +2149,8 @@ static void test_surface(void) {
   OK(plumb_scene_write(result, "cube.off", &bytes, &error));
   CHECK(begins(bytes, "{"));
   plumb_bytes_free(bytes);
+  /* JSON cannot name a file whose path is not UTF-8. */
+  FAILS_WITH(plumb_scene_write(result, "\xff.off", &bytes, &error), PLUMB_BAD_ARGUMENT, "UTF-8");
   plumb_scene_free(result);
   plumb_region_free(region);
   plumb_scene_free(scene);

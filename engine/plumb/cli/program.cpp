@@ -481,7 +481,7 @@ ExitCode report(const std::exception& error) {
   constexpr std::string_view kWhatToDo =
       "This is a bug in plumb. Please report it with the input and the command line.";
   if (are_errors_json()) {
-    print_json_error("internal", error.what(), kWhatToDo, {});
+    print_json_error("internal", error.what(), ". " + std::string(kWhatToDo), {});
   } else {
     std::fprintf(stderr, "plumb: internal error: %s.\n%s\n", error.what(), kWhatToDo.data());
   }

@@ -12,12 +12,14 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <ostream>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "plumb/io/mesh/mesh_formats.h"
 #include "plumb/io/text/text_output.h"
+#include "plumb/predicates/error.h"
 #include "plumb/surface/cells/surface_arrangement.h"
 
 namespace plumb {
@@ -198,7 +200,14 @@ void write_cell_graph(std::ostream& stream, const SurfaceDivision& division, Cel
 }
 
 void write_scene(std::ostream& out, const SurfaceScene& scene, const std::string& model) {
-  out << SceneWriter(scene).run(model).dump() << '\n';
+  std::string text;
+  try {
+    text = SceneWriter(scene).run(model).dump();
+  } catch (const Json::type_error&) {  // The path is the only text that comes from the caller.
+    throw Error(ErrorCode::BadArgument,
+                "the path of the model is not UTF-8, so a scene in JSON cannot name it");
+  }
+  out << text << '\n';
 }
 
 }  // namespace plumb
