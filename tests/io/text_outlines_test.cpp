@@ -132,5 +132,17 @@ TEST_F(TextShapes, MakeAGroupOfPolygons) {
   EXPECT_EQ(empty.notes.size(), 1U);
 }
 
+TEST_F(TextShapes, NameWhatIsIgnored) {
+  const auto notes_of = [](const std::string& parameters) {
+    return read_csg("m.csg", "text(" + parameters + ");").notes.size();
+  };
+  const std::string font = ", font = \"" + outlines_of({.text = "a"}).family + "\"";
+  EXPECT_EQ(notes_of("text = \"a\", halign = \"right\", valign = \"top\"" + font), 0U);
+  EXPECT_EQ(notes_of("text = \"a\", halign = \"nowhere\"" + font), 1U);
+  EXPECT_EQ(notes_of("text = \"a\", valign = \"left\"" + font), 1U);
+  EXPECT_EQ(notes_of("text = \"a\", halign = 2" + font), 1U);
+  EXPECT_EQ(notes_of("text = 12" + font), 1U);
+}
+
 }  // namespace
 }  // namespace plumb::text_outlines_test

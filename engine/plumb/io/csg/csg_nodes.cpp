@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <span>
 
@@ -294,12 +295,24 @@ void CsgNodes::append_text() {
   constexpr std::uint32_t kMostChords = 1024;
   TextRequest request;
   const std::optional<CsgValue> shown = find_or_first("text");
-  if (shown && shown->kind == Kind::Text) request.text = scanner_.text_of(*shown);
+  if (shown && shown->kind == Kind::Text) {
+    request.text = scanner_.text_of(*shown);
+  } else if (shown) {
+    add_note("a text() whose text is not a string is empty");
+  }
   request.font = text("font", "");
   request.size = number("size", request.size);
   request.spacing = number("spacing", request.spacing);
   request.halign = text("halign", request.halign);
   request.valign = text("valign", request.valign);
+  const auto note_alignment = [&](std::string_view name, const std::string& value,
+                                  std::initializer_list<std::string_view> known) {
+    if (std::find(known.begin(), known.end(), value) != known.end()) return;
+    add_note("the " + std::string(name) + " " + plumb::quoted(value) +
+             " of text() is unknown, so it is ignored");
+  };
+  note_alignment("halign", request.halign, {"left", "center", "right"});
+  note_alignment("valign", request.valign, {"baseline", "bottom", "center", "top"});
   if (const std::string direction = text("direction", "ltr"); direction != "ltr") {
     scanner_.fail(ErrorCode::BadArgument, "the direction of text() is " + plumb::quoted(direction) +
                                               "; only ltr, from left to right, is supported");
@@ -402,7 +415,10 @@ double CsgNodes::number(std::string_view name, double otherwise) {
 
 std::string CsgNodes::text(std::string_view name, const std::string& otherwise) {
   const std::optional<CsgValue> value = find(name);
-  return value && value->kind == Kind::Text ? scanner_.text_of(*value) : otherwise;
+  if (!value) return otherwise;
+  if (value->kind == Kind::Text) return scanner_.text_of(*value);
+  add_note("the parameter " + plumb::quoted(name) + " of text() is not a string, so it is ignored");
+  return otherwise;
 }
 
 double CsgNodes::flag(std::string_view name) { return number(name, 0) != 0 ? 1 : 0; }
