@@ -111,6 +111,16 @@ TEST(RepairMesh, OneSideOfADoubleSidedMeshStays) {
   }
 }
 
+TEST(RepairMesh, AClosedSurfaceListedTwiceIsDroppedOnce) {
+  // Twice in the same direction; another solid beside it stays.
+  PolygonMesh mesh = joined(joined(kCube, moved(kCube, {9, 0, 0})), kCube);
+  const RepairReport report = mended(mesh, kSafe);
+  EXPECT_EQ(report.doubled.size(), 6U);
+  EXPECT_EQ(mesh.face_count(), 12U);
+  EXPECT_TRUE(report.is_closed());
+  EXPECT_TRUE(Nef3::from_mesh(mesh) == Nef3::from_mesh(joined(kCube, moved(kCube, {9, 0, 0}))));
+}
+
 TEST(RepairMesh, AFaceListedTwiceIsDroppedOnce) {
   for (const bool is_reversed : {false, true}) {
     PolygonMesh mesh = kCube;

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "plumb/base/internal/message_text.h"
 #include "plumb/predicates/error.h"
@@ -50,20 +51,24 @@ class DoubledSearch {
       return x != a.end() ? *x < *y : f < g;
     });
     std::vector<std::uint32_t> first(order.size());
-    are_opposite_ = true;
+    are_opposite_ = are_alike_ = true;
     for (std::size_t i = 0; i < order.size();) {
       std::int64_t forth = 0;
+      const std::size_t begin = i;
       const std::uint32_t head = order[i];
       for (; i < order.size() && std::ranges::equal(key(order[i]), key(head)); ++i) {
         first[order[i]] = head;
         forth += is_reversed_[order[i]] != 0 ? -1 : 1;
       }
       are_opposite_ = are_opposite_ && forth == 0;
+      are_alike_ = are_alike_ && std::cmp_equal(forth < 0 ? -forth : forth, i - begin);
     }
     return first;
   }
   /// Whether find() met each face as often in one direction as in the other.
   bool are_opposite() const { return are_opposite_; }
+  /// Whether find() met each face in one direction only.
+  bool are_alike() const { return are_alike_; }
 
  private:
   /// Lists the corners of each face from its least one, towards the lesser of its neighbours.
@@ -88,6 +93,7 @@ class DoubledSearch {
   std::vector<std::uint32_t> keys_;  // Where mesh_.corners has the corners of the same face.
   std::vector<std::uint8_t> is_reversed_;
   bool are_opposite_ = false;
+  bool are_alike_ = false;
 };
 
 // ---------------------------------------------------------------- the steps
@@ -156,8 +162,7 @@ class MeshRepair {
     const std::vector<std::uint32_t> first = search.find();
     PolygonMesh single = without_doubled(first);
     if (single.face_count() == mesh_.face_count()) return;
-    if (options_.doubled == DoubledFaces::DropIfBetter &&
-        !is_better(single, search.are_opposite())) {
+    if (options_.doubled == DoubledFaces::DropIfBetter && !is_better(single, search)) {
       return;
     }
     std::vector<std::uint32_t> origin;
@@ -182,11 +187,13 @@ class MeshRepair {
     return single;
   }
 
-  /// Whether the mesh without doubled faces has shorter borders, or closed ones if the mesh
-  /// encloses nothing for certain.
-  bool is_better(const PolygonMesh& single, bool encloses_nothing) const {
+  /// Whether the mesh without doubled faces has shorter borders, or none if the mesh encloses
+  /// nothing for certain, or if whole closed surfaces are there several times.
+  bool is_better(const PolygonMesh& single, const DoubledSearch& search) const {
     const std::size_t after = length(orientation_of(single).holes);
-    return encloses_nothing ? after == 0 : after < length(orientation_of(mesh_).holes);
+    if (search.are_opposite()) return after == 0;
+    const std::size_t before = length(orientation_of(mesh_).holes);
+    return after < before || (search.are_alike() && before == 0 && after == 0);
   }
   static std::size_t length(const std::vector<std::vector<std::uint32_t>>& chains) {
     std::size_t sum = 0;
