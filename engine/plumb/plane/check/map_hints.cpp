@@ -45,6 +45,20 @@ MapHints::MapHints(const MapFindings& findings, const Map& map) : findings_(find
     const auto& halfedges = findings.chains[c].halfedges;
     for (std::uint32_t i = 0; i < halfedges.size(); ++i) place_[halfedges[i]] = {c, i};
   }
+  for (const EdgeContact& contact : findings.contacts.described) {
+    if (contact.kind != EdgeContact::Kind::Cross) continue;
+    const std::optional<std::uint32_t> a = chain_at(contact.edge_a), b = chain_at(contact.edge_b);
+    if (a && a == b) crossing_.emplace(*a, &contact);
+  }
+}
+
+// Returns the border chain that an edge is part of.
+std::optional<std::uint32_t> MapHints::chain_at(std::uint32_t edge) const {
+  for (const std::uint32_t h : {2 * edge, 2 * edge + 1}) {
+    const auto found = place_.find(h);
+    if (found != place_.end()) return found->second.chain;
+  }
+  return {};
 }
 
 std::string MapHints::vertex_name(std::uint32_t v) const {
@@ -304,7 +318,14 @@ std::string MapHints::without_chain(std::uint32_t h) {
 std::string MapHints::beside_chain(Position at) {
   Border& beside = border(at.chain);
   if (!findings_.claims.is_known()) return "mend the crossings first";
-  if (!beside.has_overlap()) return chain_as_cycle(chain(at.chain));
+  if (!beside.has_overlap()) {
+    const auto crossing = crossing_.find(at.chain);
+    if (crossing == crossing_.end()) return chain_as_cycle(chain(at.chain));
+    const SweepSegment& a = edges().ends[crossing->second->edge_a];
+    const SweepSegment& b = edges().ends[crossing->second->edge_b];
+    return "this border crosses itself; mend the crossing of edges " + edge_name(a.from, a.to) +
+           " and " + edge_name(b.from, b.to) + " first";
+  }
   Border::Part& part = beside.parts[beside.part_of[at.place]];
   if (part.hint.empty()) {
     part.hint = lies_inside(at.chain, beside);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -77,6 +78,7 @@ class MapHints {
                                                        std::uint32_t other) const;
   std::string cut_along_common_edges(std::uint32_t a, std::uint32_t b) const;
 
+  std::optional<std::uint32_t> chain_at(std::uint32_t edge) const;
   std::string covered_by(std::uint32_t h) const;
   std::string part_of_edge(std::uint32_t h, std::uint32_t lister) const;
   std::string beside_chain(Position at);
@@ -103,6 +105,8 @@ class MapHints {
   const Map& map_;
   std::unordered_map<std::uint32_t, Position> place_;  // Of half-edges in chains.
   std::unordered_map<std::uint32_t, Border> borders_;  // Of chains.
+  std::unordered_map<std::uint32_t, const EdgeContact*>
+      crossing_;                                       // One of each chain that has one.
   std::unordered_map<std::uint32_t, bool> is_region_;  // Of cycles.
   std::unordered_map<std::uint32_t, bool> wrong_way_;  // Of cycles.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> both_use_;
