@@ -58,6 +58,12 @@ TEST(LayerHtml, has_a_close_up_of_every_region) {
   EXPECT_EQ(count_of(page, "<svg"), 1 + report.regions.size());
   EXPECT_EQ(count_of(page, "href=\"#r"), 2U) << "a link for each defect";
   EXPECT_EQ(page.find("nan"), page.npos);
+  // Words of the page are no part of its picture, which a narrow screen makes small.
+  for (const char* const word : {"<h1>a &lt;b&gt; &amp; c</h1>", ">defects</span> 4 features",
+                                 "<b>overlap</b> several features cover it"}) {
+    EXPECT_EQ(count_of(page, word), 1U) << word;
+    EXPECT_TRUE(page.find(word) < page.find("<svg") || page.find(word) > page.find("</svg>"));
+  }
   EXPECT_EQ(count_of(html_of(layer, report, 1), "<details"), 1U);
   EXPECT_NE(html_of(layer, report, 1).find("2 regions not listed"), std::string::npos);
 }

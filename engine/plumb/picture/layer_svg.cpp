@@ -41,6 +41,28 @@ constexpr const char* kLayerStyle = R"(.feature{stroke:#5b6672;stroke-width:8;fi
 .ring.gap{stroke:#6a2fa0}
 )";
 
+// Texts of the page, which has the size of the screen, and are therefore not part of the picture.
+constexpr const char* kPageStyle =
+    "body{margin:1em auto;max-width:1000px;padding:0 12px;font:16px/1.4 sans-serif;color:#1f2933}"
+    "h1{font-size:1.4em;overflow-wrap:anywhere}"
+    "#verdict{padding:2px 8px;border-radius:4px;color:#fff;font-weight:bold}"
+    "ul{padding:0;list-style:none;display:flex;flex-wrap:wrap;gap:4px 24px}"
+    "li i{display:inline-block;width:14px;height:14px;margin-right:8px}"
+    "svg{max-width:100%;height:auto}details{margin:.4em 0}"
+    "summary{cursor:pointer;overflow-wrap:anywhere}details svg{border:1px solid #9aa5b1}";
+
+/// What the colours of regions mean.
+struct LayerLegendItem {
+  const char* css;  ///< The class, and the name.
+  const char* colour;
+  const char* meaning;
+};
+constexpr LayerLegendItem kLayerLegend[] = {
+    {"overlap", "#a32020", "several features cover it"},
+    {"gap", "#6a2fa0", "a narrow region without a feature"},
+    {"hole", "#d8e9f7", "a wide one, such as a lake; no defect"},
+};
+
 std::vector<Point2> ring_of(const Layer& layer, std::size_t r) {
   std::vector<Point2> points;
   for (const std::uint32_t c : layer.ring(r)) points.push_back(layer.points.approx(c));
@@ -193,12 +215,9 @@ std::string facts(const Layer& layer, const LayerReport& report) {
          counted(report.count(LayerRegionKind::Hole), "hole");
 }
 
-void draw_page(Sheet& sheet, const BoxedLayer& features, const BoxedLayer& shapes,
-               const LayerReport& report, const LayerSvgOptions& options, bool has_links) {
-  const bool is_bad = report.has_defects();
-  sheet.write_header(options.title,
-                     {is_bad ? "defects" : "coverage", is_bad ? kBadBadge : kGoodBadge},
-                     facts(features.layer, report));
+/// Draws the map. Returns how many features were left out.
+std::size_t draw_map(Sheet& sheet, const BoxedLayer& features, const BoxedLayer& shapes,
+                     const LayerReport& report, bool has_links) {
   const Rectangle window = window_of(features);
   const double aspect =
       std::clamp(window.height() / window.width(), kLeastLayerAspect, kMostLayerAspect);
@@ -210,17 +229,49 @@ void draw_page(Sheet& sheet, const BoxedLayer& features, const BoxedLayer& shape
   draw_circles(view, shapes, report, has_links, sheet.body());
   sheet.body() << "</g>\n";
   sheet.set_y(frame.bottom + 12);
-  const auto item = [&sheet](const char* css, const char* name, const char* meaning) {
+  return left_out;
+}
+
+/// Draws the map with its title and its legend.
+void draw_sheet(Sheet& sheet, const BoxedLayer& features, const BoxedLayer& shapes,
+                const LayerReport& report, const LayerSvgOptions& options) {
+  const bool is_bad = report.has_defects();
+  sheet.write_header(options.title,
+                     {is_bad ? "defects" : "coverage", is_bad ? kBadBadge : kGoodBadge},
+                     facts(features.layer, report));
+  const std::size_t left_out = draw_map(sheet, features, shapes, report, false);
+  for (const LayerLegendItem& item : kLayerLegend) {
     sheet.write_item(
-        "<rect class=\"" + std::string(css) +
+        "<rect class=\"" + std::string(item.css) +
             "\" style=\"stroke-width:1.5\" x=\"-7\" y=\"-7\" width=\"14\" height=\"14\"/>",
-        name, meaning);
-  };
-  item("overlap", "overlap", "several features cover it");
-  item("gap", "gap", "a narrow region without a feature");
-  item("hole", "hole", "a wide one, such as a lake; no defect");
+        item.css, item.meaning);
+  }
   sheet.end_legend();
   if (left_out > 0) sheet.note(counted(left_out, "feature") + " not drawn");
+}
+
+/// Writes the map of a page with its title and its legend.
+void write_page_map(std::ostream& out, const BoxedLayer& features, const BoxedLayer& shapes,
+                    const LayerReport& report, const LayerSvgOptions& options) {
+  const bool is_bad = report.has_defects();
+  Sheet sheet({.width = kLayerWidth});
+  const std::size_t left_out = draw_map(sheet, features, shapes, report, true);
+  out << "<h1>" << xml_escaped(options.title)
+      << "</h1>\n<p><span id=\"verdict\" style=\"background:" << (is_bad ? kBadBadge : kGoodBadge)
+      << "\">" << (is_bad ? "defects" : "coverage") << "</span> " << facts(features.layer, report)
+      << "</p>\n";
+  sheet.write(out, options.title, kLayerStyle);
+  out << "<ul>\n";
+  for (const LayerLegendItem& item : kLayerLegend) {
+    out << "<li><i style=\"background:" << item.colour << "\"></i><b>" << item.css << "</b> "
+        << item.meaning << "</li>\n";
+  }
+  out << "</ul>\n";
+  if (left_out > 0) out << "<p>" << counted(left_out, "feature") << " not drawn</p>\n";
+  if (!report.regions.empty()) {
+    out << "<p>Each region below opens to a close-up, and so does each circle. Pinch to enlarge."
+           "</p>\n";
+  }
 }
 
 }  // namespace
@@ -229,7 +280,7 @@ void write_layer_svg(std::ostream& out, const Layer& layer, const LayerReport& r
                      const LayerSvgOptions& options) {
   const BoxedLayer features(layer), shapes(report.shapes);
   Sheet sheet({.width = kLayerWidth});
-  draw_page(sheet, features, shapes, report, options, false);
+  draw_sheet(sheet, features, shapes, report, options);
   const std::vector<std::size_t> order = listed(report);
   for (std::size_t k = 0; k < order.size() && k < options.max_listed; ++k) {
     const std::string text = std::to_string(k + 1) + ". " + sentence(layer, report, order[k]);
@@ -247,16 +298,12 @@ void write_layer_svg(std::ostream& out, const Layer& layer, const LayerReport& r
 void write_layer_html(std::ostream& out, const Layer& layer, const LayerReport& report,
                       const LayerSvgOptions& options) {
   const BoxedLayer features(layer), shapes(report.shapes);
-  Sheet sheet({.width = kLayerWidth});
-  draw_page(sheet, features, shapes, report, options, true);
   out << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<link rel=\"icon\" href=\"data:,\">\n<title>"
-      << xml_escaped(options.title)
-      << "</title>\n<style>body{margin:1em auto;max-width:1000px;font-family:sans-serif}"
-         "svg{max-width:100%;height:auto}details{margin:.4em 0}summary{cursor:pointer}"
-         "details svg{border:1px solid #9aa5b1}</style>\n</head>\n<body>\n";
-  sheet.write(out, options.title, kLayerStyle);
+      << xml_escaped(options.title) << "</title>\n<style>" << kPageStyle
+      << "</style>\n</head>\n<body>\n";
+  write_page_map(out, features, shapes, report, options);
   const std::vector<std::size_t> order = listed(report);
   const std::size_t shown = std::min(order.size(), options.max_close_ups);
   for (std::size_t k = 0; k < shown; ++k) {
