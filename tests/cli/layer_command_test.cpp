@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -229,6 +230,29 @@ TEST(MapOverlayOfLayers, carries_the_properties_of_both) {
   EXPECT_EQ(run({"map", "check", out}).code, 0);
 }
 
+TEST(MapOverlayOfLayers, says_that_coordinates_are_not_converted) {
+  const ScratchDirectory scratch;
+  const auto layer_of = [&](const std::string& file, const std::string& crs) {
+    const std::string path = (scratch / file).string();
+    std::ofstream(path) << R"({"type":"FeatureCollection","crs":{"type":"name","properties":{)"
+                        << R"("name":")" << crs << R"("}},"features":[{"type":"Feature",)"
+                        << R"("properties":null,"geometry":{"type":"Polygon","coordinates":)"
+                        << "[[[0,0],[1,0],[0,1],[0,0]]]}}]}";
+    return path;
+  };
+  const std::string a = layer_of("a.geojson", "urn:ogc:def:crs:EPSG::2056"),
+                    b = layer_of("b.geojson", "urn:ogc:def:crs:EPSG::4326"),
+                    out = (scratch / "out.geojson").string();
+  const RunResult different = run({"map", "overlay", a, b, "-o", out});
+  EXPECT_EQ(different.code, 0);
+  EXPECT_TRUE(contains(different.err, "coordinates are not converted")) << different.err;
+  EXPECT_EQ(Json::parse(read_file(out))["crs"]["properties"]["name"], "urn:ogc:def:crs:EPSG::2056");
+  EXPECT_EQ(run({"map", "overlay", a, a, "-o", out}).err, "");
+  EXPECT_EQ(run({"map", "check", a}).err, "");
+  const RunResult wkt = run({"map", "repair", a, "-o", (scratch / "out.wkt").string()});
+  EXPECT_TRUE(contains(wkt.err, "passed over: \"crs\"")) << wkt.err;
+}
+
 TEST(MapOverlayOfLayers, refuses_what_does_not_fit) {
   expect_refusal(run({"map", "overlay", kDistricts, "corpus/maps/us-states.map"}),
                  "corpus/maps/us-states.map:1:", "JSON");
@@ -266,6 +290,11 @@ TEST(LayersOfGdal, go_through_every_command_or_are_refused) {
   EXPECT_EQ(set.code, 0) << set.err;
   EXPECT_EQ(run({"map", "check", package, "--object", "none"}).code, 2);
   EXPECT_EQ(run({"map", "check", (scratch / "none.gpkg").string()}).code, 2);
+  const std::string shape = (scratch / "s.shp").string();
+  EXPECT_EQ(run({"map", "repair", kFields, "-o", shape}).err, "");
+  EXPECT_EQ(run({"map", "check", shape}).code, 0);
+  expect_refusal(run({"map", "repair", kFields, "-o", "-", "--format", "shp"}),
+                 "plumb: ", "several files");
 }
 
 }  // namespace

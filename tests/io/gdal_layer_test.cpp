@@ -1,11 +1,14 @@
 // Layers through GDAL and back. Skipped if plumb is built without it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "plumb/io/layer_io.h"
 #include "plumb/predicates/error.h"
@@ -154,6 +157,52 @@ TEST_F(GdalLayers, RefusesWhatIsNoFileOfTheFormat) {
   expect_refused("no/such/file.gpkg", ErrorCode::CannotOpen);
 }
 
+void write_bytes(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+TEST_F(GdalLayers, ShapefilesKeepCoordinatesAndTheSystemAndNameTheirLosses) {
+  const LayerFile before = read_layer(
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":)"
+      R"({"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)"
+      R"({"type":"Feature","id":"a","properties":{"a name that is long":")" +
+      std::string(300, 'x') +
+      R"(","small":1e-20,"n":9007199254740993,"e":"\u00e9"},)"
+      R"("geometry":{"type":"Polygon","coordinates":[[[0.1,0.2],[1,0.30000000000000004],)"
+      R"([1e10,7.1],[0.1,0.2]]]}},{"type":"Feature","id":"b","properties":{},"geometry":null}]})");
+  const Shapefile files = layer_shapefile(before.layer, before.crs);
+  std::string notes;
+  for (const std::string& note : files.notes) notes += note + '\n';
+  EXPECT_NE(notes.find("a name that is long"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("truncated"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("rounds: 1"), std::string::npos) << notes;
+  const GdalFile shp("gdal_layer_test_6.shp"), shx("gdal_layer_test_6.shx"),
+      dbf("gdal_layer_test_6.dbf"), prj("gdal_layer_test_6.prj"), cpg("gdal_layer_test_6.cpg");
+  write_bytes(shp.path(), files.shp);
+  write_bytes(shx.path(), files.shx);
+  write_bytes(dbf.path(), files.dbf);
+  write_bytes(prj.path(), files.prj);
+  write_bytes(cpg.path(), files.cpg);
+  const LayerFile after = read_layer_file(shp.path());
+  EXPECT_EQ(after.crs, before.crs);
+  ASSERT_EQ(after.layer.feature_count(), 2U);
+  EXPECT_EQ(after.layer.polygon_count(), 1U);
+  const Json properties = Json::parse(after.layer.properties(0));
+  EXPECT_EQ(properties["id"], "a");
+  EXPECT_EQ(properties["n"], 9007199254740993);
+  EXPECT_EQ(properties["e"], "\u00e9");
+  std::vector<std::pair<double, double>> was, is;
+  for (const std::uint32_t c : before.layer.ring(0)) {
+    was.emplace_back(before.layer.points.approx(c).x, before.layer.points.approx(c).y);
+  }
+  for (const std::uint32_t c : after.layer.ring(0)) {
+    is.emplace_back(after.layer.points.approx(c).x, after.layer.points.approx(c).y);
+  }
+  std::sort(was.begin(), was.end());
+  std::sort(is.begin(), is.end());
+  EXPECT_EQ(was, is);
+}
+
 TEST_F(GdalLayers, MemoryIsLimited) {
   const GdalFile file("gdal_layer_test_5.gpkg");
   file.write(package_of(read_layer(kText)));
@@ -168,6 +217,7 @@ TEST(LayersWithoutGdal, AreRefusedWithTheWay) {
   std::ostringstream out;
   EXPECT_THROW(write_layer_gpkg(out, Layer(), ""), Error);
   EXPECT_THROW(write_layer_fgb(out, Layer(), ""), Error);
+  EXPECT_THROW(static_cast<void>(layer_shapefile(Layer(), "")), Error);
   EXPECT_EQ(out.str(), "");
   expect_refused("x.gpkg", ErrorCode::UnknownFormat);
 }

@@ -115,7 +115,7 @@ TEST(LayerReader, leaves_out_rings_without_three_positions) {
   EXPECT_EQ(file.layer.feature_count(), 1U);
   EXPECT_EQ(file.layer.polygon_count(), 0U);
   ASSERT_EQ(file.notes.size(), 1U);
-  EXPECT_NE(file.notes[0].find("3 rings"), std::string::npos) << file.notes[0];
+  EXPECT_NE(file.notes[0].find("(3)"), std::string::npos) << file.notes[0];
 }
 
 const std::string kTopology =
@@ -188,8 +188,107 @@ TEST(LayerWriter, writes_a_feature_a_line_in_wkt) {
             "POLYGON ((0 0,4 0,4 4,0 4,0 0))\nPOLYGON EMPTY\n"
             "MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((5 5,6 5,5 6.5,5 5)))\n");
   const Layer again = read(out.str());
-  EXPECT_EQ(again.feature_count(), 3U) << "a feature for each polygon that is not empty";
+  EXPECT_EQ(again.feature_count(), 2U) << "a feature for each geometry that is not empty";
   EXPECT_EQ(again.polygon_count(), 3U);
+}
+
+TEST(LayerReader, takes_a_multipolygon_of_wkt_and_wkb_for_one_feature) {
+  const std::string square = "((0 0,4 0,4 4,0 4,0 0))", other = "((5 0,9 0,9 4,5 0))";
+  const std::string both = square + ',' + other;
+  EXPECT_EQ(read("MULTIPOLYGON(" + both + ")").feature_count(), 1U);
+  EXPECT_EQ(read("MULTISURFACE(" + both + ")").feature_count(), 1U);
+  EXPECT_EQ(read("TIN(((0 0,4 0,4 4,0 0)),((0 0,4 4,0 4,0 0)))").feature_count(), 2U);
+  const Layer mixed = read("POLYGON" + square + "\nMULTIPOLYGON(" + both + ")\nPOLYGON" + other +
+                           "GEOMETRYCOLLECTION(POLYGON" + square + ",MULTIPOLYGON(" + both + "))");
+  EXPECT_EQ(mixed.feature_begin, (std::vector<std::uint32_t>{0, 1, 3, 4, 5, 7}));
+  // A ring that is a point has no polygon in the layer.
+  const Layer thin = read("MULTIPOLYGON(((1 1,1 1,1 1,1 1))," + both + ")POLYGON" + square);
+  EXPECT_EQ(thin.feature_begin.size(), 3U);
+  // The multipolygon of two triangles, of one ring each.
+  std::string hex =
+      "0106000000"
+      "02000000";
+  for (int i = 0; i < 2; ++i) {
+    hex +=
+        "0103000000"
+        "01000000"
+        "04000000" +
+        std::string(32, '0') + std::string(12, '0') + "F03F" + std::string(32, '0') +
+        std::string(12, '0') + "F03F" + std::string(32, '0');
+  }
+  const Layer triangles = read(hex);
+  EXPECT_EQ(triangles.feature_count(), 1U);
+  EXPECT_EQ(triangles.polygon_count(), 2U);
+  EXPECT_EQ(read(hex + '\n' + hex).feature_count(), 2U);
+}
+
+std::string notes_of(const std::string& text) {
+  std::string notes;
+  for (const std::string& note : read_layer(text).notes) notes += note + '\n';
+  return notes;
+}
+
+TEST(LayerReader, reads_properties_that_are_no_numbers_as_null) {
+  const std::string text = collection(
+      feature(
+          R"("id":NaN,"properties":{"NaN":NaN,"a":[-Infinity,1, Infinity],"b":"NaN \"Infinity"},)",
+          kSquare) +
+      ',' + feature(R"("properties":{"x":-0.5},)", kSquare));
+  const Layer layer = read(text);
+  EXPECT_EQ(layer.id(0), "null");
+  EXPECT_EQ(layer.properties(0), R"({"NaN":null,"a":[null,1, null],"b":"NaN \"Infinity"})");
+  EXPECT_EQ(layer.properties(1), R"({"x":-0.5})");
+  EXPECT_EQ(notes_of(text), "read as null: properties that are NaN or infinite (4)\n");
+  for (const char* const bad : {"NaN", "Infinity", "-Infinity"}) {
+    try {
+      read("\n{\"type\":\"Polygon\",\"coordinates\":[[[0,\n" + std::string(bad) + "]]]}");
+      ADD_FAILURE() << bad;
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()), "some.file:3:1: a coordinate that is not finite");
+    }
+  }
+  EXPECT_THROW(read(collection(feature(R"("properties":{"x":1NaN},)", kSquare))), Error);
+  EXPECT_THROW(read(collection(feature(R"("properties":{"x":NaN1},)", kSquare))), Error);
+  EXPECT_THROW(read("NaN"), Error);
+}
+
+TEST(LayerReader, names_what_it_passes_over) {
+  EXPECT_EQ(notes_of(R"({"type":"Polygon","coordinates":[[[0,0,7],[1,0,7],[0,1,7],[0,0,7]]]})"),
+            "passed over: numbers of positions after x and y\n");
+  EXPECT_EQ(notes_of(R"({"type":"Topology","arcs":[[[0,0,1],[4,0],[4,4],[0,0]]],"objects":{"a":)"
+                     R"({"type":"Polygon","arcs":[[0]]}}})"),
+            "passed over: numbers of positions after x and y\n");
+  EXPECT_EQ(notes_of(R"({"type":"FeatureCollection","time":1,"bbox":[0,0,4,4],"features":[)" +
+                     feature(R"("place":null,)", kSquare) + "]}"),
+            "passed over: members 'place', 'time'\n");
+}
+
+TEST(LayerReader, keeps_the_name_of_the_coordinate_reference_system) {
+  const std::string crs =
+      R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}})";
+  const LayerFile file = read_layer(R"({"type":"FeatureCollection",)" + crs + R"(,"features":[)" +
+                                    feature("", kSquare) + "]}");
+  EXPECT_EQ(file.crs, "urn:ogc:def:crs:EPSG::2056");
+  EXPECT_TRUE(file.notes.empty());
+  std::ostringstream out, report;
+  write_layer_geojson(out, file.layer, file.crs);
+  EXPECT_EQ(read_layer(out.str()).crs, file.crs);
+  write_layer_report_geojson(report, file.layer, check_layer(file.layer), file.crs);
+  EXPECT_EQ(Json::parse(report.str())["crs"], Json::parse('{' + crs + '}')["crs"]);
+  EXPECT_EQ(notes_of(R"({"type":"FeatureCollection","features":[],"crs":{"type":"link"}})"),
+            "passed over: a \"crs\" without a name\n");
+}
+
+TEST(LayerReader, prefers_an_object_with_polygons) {
+  const LayerFile file =
+      read_layer(R"({"type":"Topology","arcs":[[[0,0],[4,0],[4,4],[0,0]]],"objects":{)"
+                 R"("places":{"type":"GeometryCollection","geometries":[)"
+                 R"({"type":"Point","coordinates":[1,1]}]},)"
+                 R"("areas":{"type":"GeometryCollection","geometries":[{"type":null},)"
+                 R"({"type":"Polygon","arcs":[[0]]}]}}})");
+  EXPECT_EQ(file.layer.feature_count(), 2U);
+  ASSERT_EQ(file.notes.size(), 1U);
+  EXPECT_NE(file.notes[0].find("objects 'places'"), std::string::npos) << file.notes[0];
 }
 
 TEST(LayerReader, closes_rings_of_arcs_with_a_note) {
@@ -198,7 +297,8 @@ TEST(LayerReader, closes_rings_of_arcs_with_a_note) {
       R"("arcs":[[0]]}}})");
   EXPECT_EQ(file.layer.ring(0).size(), 4U);
   ASSERT_EQ(file.notes.size(), 1U);
-  EXPECT_NE(file.notes[0].find("closed by an edge: 1"), std::string::npos);
+  EXPECT_NE(file.notes[0].find("closed by an edge"), std::string::npos);
+  EXPECT_NE(file.notes[0].find("(1)"), std::string::npos);
 }
 
 TEST(LayerReader, names_the_command_that_converts_other_formats) {

@@ -19,6 +19,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <set>
+#include <span>
 #include <utility>
 
 #include "plumb/base/internal/round_to_nearest.h"
@@ -41,25 +43,35 @@ namespace {
 // A point, a corner, and the growth of both lists.
 constexpr std::uint64_t kBytesPerLayerPosition = 60;
 
+constexpr std::array<std::string_view, 5> kCollectionMembers{"type", "features", "crs", "bbox",
+                                                             "name"};
+constexpr std::array<std::string_view, 6> kFeatureMembers{"type",     "id",   "properties",
+                                                          "geometry", "bbox", "crs"};
+
 /// A layer that is being read, and what its notes will count.
 struct LayerDraft {
   LayerFile file;
-  std::size_t dropped = 0;    // Points and lines.
-  std::size_t collapsed = 0;  // Rings with fewer than three positions.
-  std::size_t unclosed = 0;   // Rings of arcs that end elsewhere than they start.
-  std::size_t steps = 0;      // Points and corners, for checkpoints.
-  bool has_crs = false;
+  std::size_t dropped = 0;        // Points and lines.
+  std::size_t collapsed = 0;      // Rings with fewer than three positions.
+  std::size_t unclosed = 0;       // Rings of arcs that end elsewhere than they start.
+  std::size_t nulls = 0;          // Properties that are no numbers, such as NaN, and become null.
+  bool has_heights = false;       // Whether positions have numbers after x and y.
+  std::set<std::string> members;  // Names of members of features and collections that are unknown.
+  std::size_t steps = 0;          // Points and corners, for checkpoints.
+  bool has_unnamed_crs = false;
 };
 
 class LayerReader {
  public:
   using Id = JsonValues::Id;
 
-  /// Reads the value `part` of the text of a file, and appends its features to `draft`.
-  LayerReader(std::string_view text, std::string_view part, const LayerReadOptions& options,
-              LayerDraft& draft, Context& context)
+  /// Reads the value `part` of the text of a file, and appends its features to `draft`. At the
+  /// places `masked`, which ascend, the text has numbers for words that JSON does not have.
+  LayerReader(std::string_view text, std::string_view part, std::span<const std::size_t> masked,
+              const LayerReadOptions& options, LayerDraft& draft, Context& context)
       : text_(text),
         part_(static_cast<std::size_t>(part.data() - text.data())),
+        masked_(masked),
         options_(options),
         context_(context),
         draft_(draft),
@@ -79,6 +91,7 @@ class LayerReader {
       }
       read_topology();
     } else if (type == "FeatureCollection") {
+      name_unknown_members(JsonValues::kDocument, kCollectionMembers);
       for (const Id feature : list(JsonValues::kDocument, "features")) read_feature(feature);
     } else if (type == "Feature") {
       read_feature(JsonValues::kDocument);
@@ -101,8 +114,12 @@ class LayerReader {
   std::string type_of(Id object);
   JsonValues::Items list(Id object, std::string_view member);
   JsonValues::Items items(Id value, const char* what);
-  std::string_view member_source(Id object, std::string_view member) const;
+  std::string member_source(Id object, std::string_view member);
   double number(Id value);
+  std::size_t place(std::string_view source) const {
+    return static_cast<std::size_t>(source.data() - text_.data());
+  }
+  void name_unknown_members(Id object, std::span<const std::string_view> known);
 
   void read_crs(Id crs);
   void read_feature(Id feature);
@@ -116,10 +133,12 @@ class LayerReader {
   void read_transform();
   void read_arcs();
   Id chosen_object();
+  bool has_polygons(Id object) const;
   void add_arcs(Id ring);
 
   std::string_view text_;
   std::size_t part_;  // The first byte of the value.
+  std::span<const std::size_t> masked_;
   const LayerReadOptions& options_;
   Context& context_;
   LayerDraft& draft_;
@@ -154,14 +173,46 @@ JsonValues::Items LayerReader::list(Id object, std::string_view member) {
   return json_.items(*found);
 }
 
-std::string_view LayerReader::member_source(Id object, std::string_view member) const {
+/// Returns the text of a member, with null for words that JSON does not have.
+std::string LayerReader::member_source(Id object, std::string_view member) {
+  constexpr std::string_view kNumber = "-.0123456789";
   const std::optional<Id> found = json_.find(object, member);
-  return found ? json_.source(*found) : std::string_view();
+  if (!found) return {};
+  const std::string_view source = json_.source(*found);
+  const std::size_t begin = place(source), end = begin + source.size();
+  std::string text;
+  std::size_t done = begin;
+  for (auto at = std::lower_bound(masked_.begin(), masked_.end(), begin);
+       at != masked_.end() && *at < end; ++at) {
+    text.append(text_.substr(done, *at - done)).append("null");
+    done = std::min(text_.find_first_not_of(kNumber, *at), end);
+    ++draft_.nulls;
+  }
+  return text.append(text_.substr(done, end - done));
+}
+
+void LayerReader::name_unknown_members(Id object, std::span<const std::string_view> known) {
+  constexpr std::size_t kMostNamed = 20;
+  bool is_name = true;
+  // Names and members take turns.
+  for (const Id value : json_.items(object)) {
+    if (is_name && draft_.members.size() < kMostNamed) {
+      const std::string_view quoted = json_.source(value);
+      const std::string_view name = quoted.substr(1, quoted.size() - 2);
+      if (std::find(known.begin(), known.end(), name) == known.end()) {
+        draft_.members.insert(json_.text(value));
+      }
+    }
+    is_name = !is_name;
+  }
 }
 
 double LayerReader::number(Id value) {
   if (!json_.is_number(value)) fail(ErrorCode::Syntax, "expected a number", value);
   const std::string_view token = json_.source(value);
+  if (std::binary_search(masked_.begin(), masked_.end(), place(token))) {
+    fail(ErrorCode::NumberOutOfRange, "a coordinate that is not finite", value);
+  }
   double result = 0;
   const char* const last = token.data() + token.size();
   const auto [end, code] = double_from_chars(token.data(), last, result);
@@ -184,15 +235,19 @@ std::uint32_t LayerReader::add_point(Point2 p) {
 /// Reads the name of a coordinate reference system: {"type": "name", "properties": {"name": TEXT}}.
 void LayerReader::read_crs(Id crs) {
   if (!json_.is_object(crs)) return;  // null
-  draft_.has_crs = true;
   const std::optional<Id> properties = json_.find(crs, "properties");
-  if (!properties || !json_.is_object(*properties)) return;
-  const std::optional<Id> name = json_.find(*properties, "name");
-  if (name && json_.is_text(*name)) file_.crs = json_.text(*name);
+  std::optional<Id> name;
+  if (properties && json_.is_object(*properties)) name = json_.find(*properties, "name");
+  if (name && json_.is_text(*name)) {
+    file_.crs = json_.text(*name);
+  } else {
+    draft_.has_unnamed_crs = true;
+  }
 }
 
 void LayerReader::read_feature(Id feature) {
   if (type_of(feature) != "Feature") fail(ErrorCode::Syntax, "expected a Feature", feature);
+  name_unknown_members(feature, kFeatureMembers);
   const std::optional<Id> geometry = json_.find(feature, "geometry");
   if (geometry && json_.is_object(*geometry)) add_geometry(*geometry);
   file_.layer.end_feature(member_source(feature, "id"), member_source(feature, "properties"));
@@ -246,7 +301,10 @@ void LayerReader::add_positions(Id ring) {
     double xy[2] = {0, 0};
     std::size_t count = 0;
     for (const Id value : numbers) {
-      if (count == 2) break;
+      if (count == 2) {
+        draft_.has_heights = true;
+        break;
+      }
       xy[count++] = number(value);
     }
     if (count < 2) fail(ErrorCode::BadShape, "a position needs two numbers, x and y", position);
@@ -329,7 +387,10 @@ void LayerReader::read_arcs() {
       double xy[2] = {0, 0};
       std::size_t count = 0;
       for (const Id value : items(position, "a position")) {
-        if (count == 2) break;
+        if (count == 2) {
+          draft_.has_heights = true;
+          break;
+        }
         xy[count++] = number(value);
       }
       if (count < 2) fail(ErrorCode::BadShape, "a position needs two numbers, x and y", position);
@@ -347,26 +408,52 @@ void LayerReader::read_arcs() {
   }
 }
 
-/// Returns the object of that name, or the first one.
+/// Whether an object of TopoJSON has a polygon.
+bool LayerReader::has_polygons(Id object) const {
+  std::vector<Id> open{object};
+  while (!open.empty()) {
+    const Id at = open.back();
+    open.pop_back();
+    if (!json_.is_object(at)) continue;
+    const std::optional<Id> type = json_.find(at, "type");
+    if (!type || !json_.is_text(*type)) continue;
+    const std::string name = json_.text(*type);
+    if (name == "Polygon" || name == "MultiPolygon") return true;
+    const std::optional<Id> parts = json_.find(at, "geometries");
+    if (!parts || !json_.is_list(*parts)) continue;
+    for (const Id part : json_.items(*parts)) open.push_back(part);
+  }
+  return false;
+}
+
+/// Returns the object of that name; without a name, the first one that has polygons, or the first
+/// one.
 LayerReader::Id LayerReader::chosen_object() {
   const std::optional<Id> objects = json_.find(JsonValues::kDocument, "objects");
   if (!objects || !json_.is_object(*objects)) {
     fail(ErrorCode::Syntax, "expected an object \"objects\"", JsonValues::kDocument);
   }
-  std::optional<Id> chosen;
-  std::string others;
+  std::vector<std::pair<std::string, Id>> all;
   bool is_name = true;
-  std::string name;
   // Names and members take turns.
   for (const Id value : json_.items(*objects)) {
     if (is_name) {
-      name = json_.text(value);
-    } else if (!chosen && (options_.object.empty() || name == options_.object)) {
-      chosen = value;
+      all.emplace_back(json_.text(value), value);
     } else {
-      others += (others.empty() ? "" : ", ") + plumb::quoted(name);
+      all.back().second = value;
     }
     is_name = !is_name;
+  }
+  const auto is_wanted = [&](const auto& object) {
+    return options_.object.empty() ? has_polygons(object.second) : object.first == options_.object;
+  };
+  auto found = std::find_if(all.begin(), all.end(), is_wanted);
+  if (found == all.end() && options_.object.empty()) found = all.begin();
+  std::optional<Id> chosen;
+  if (found != all.end()) chosen = found->second;
+  std::string others;
+  for (const auto& [name, value] : all) {
+    if (value != chosen) others += (others.empty() ? "" : ", ") + plumb::quoted(name);
   }
   if (!chosen) {
     throw Error(ErrorCode::BadArgument,
@@ -413,19 +500,67 @@ LayerFile noted(LayerDraft draft) {
     notes.push_back("passed over: points and lines (" + std::to_string(draft.dropped) + ')');
   }
   if (draft.collapsed > 0) {
-    notes.push_back("passed over: " + std::to_string(draft.collapsed) +
-                    " rings with fewer than three different positions");
+    notes.push_back("passed over: rings with fewer than three different positions (" +
+                    std::to_string(draft.collapsed) + ')');
   }
   if (draft.unclosed > 0) {
-    notes.push_back("closed by an edge: " + std::to_string(draft.unclosed) +
-                    " rings that end elsewhere than they start");
+    notes.push_back("closed by an edge: rings that end elsewhere than they start (" +
+                    std::to_string(draft.unclosed) + ')');
   }
-  if (draft.has_crs) {
-    const std::string name = draft.file.crs.empty() ? "" : ' ' + plumb::quoted(draft.file.crs);
-    const char* const kept = has_gdal() && !name.empty() ? " (.gpkg and .fgb keep it)" : "";
-    notes.push_back("passed over: \"crs\"" + name + kept);
+  if (draft.has_heights) notes.push_back("passed over: numbers of positions after x and y");
+  if (draft.nulls > 0) {
+    notes.push_back("read as null: properties that are NaN or infinite (" +
+                    std::to_string(draft.nulls) + ')');
   }
+  if (!draft.members.empty()) {
+    std::string names;
+    for (const std::string& name : draft.members) {
+      names += (names.empty() ? "" : ", ") + plumb::quoted(name);
+    }
+    notes.push_back("passed over: members " + names);
+  }
+  if (draft.has_unnamed_crs) notes.push_back("passed over: a \"crs\" without a name");
   return std::move(draft.file);
+}
+
+/// Returns the places of the words NaN, Infinity and -Infinity outside of quotes, which many
+/// programs write into JSON.
+std::vector<std::size_t> words_of_no_number(std::string_view text, Context& context) {
+  constexpr std::size_t kStep = 1U << 20U;
+  constexpr std::string_view kBefore = ":,[ \t\r\n", kBehind = ",]} \t\r\n";
+  std::vector<std::size_t> places;
+  // Names of these words in quotes are rare, so most texts end here.
+  if (text.find("NaN") == text.npos && text.find("Infinity") == text.npos) return places;
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i % kStep == 0) context.checkpoint("read", i, text.size());
+    if (text[i] == '"') is_quoted = !is_quoted;
+    if (is_quoted) {
+      if (text[i] == '\\') ++i;
+      continue;
+    }
+    const std::string_view rest = text.substr(i);
+    const std::size_t size = rest.starts_with("NaN") ? 3 : rest.starts_with("Infinity") ? 8 : 0;
+    if (size == 0) continue;
+    const std::size_t first = i > 0 && text[i - 1] == '-' ? i - 1 : i;
+    const bool is_word = first > 0 && kBefore.find(text[first - 1]) != kBefore.npos &&
+                         size < rest.size() && kBehind.find(rest[size]) != kBehind.npos;
+    if (is_word) places.push_back(first);
+    i += size - 1;
+  }
+  return places;
+}
+
+/// Returns the text with a number in place of each of these words, of the same length.
+std::string with_numbers(std::string_view text, std::span<const std::size_t> places) {
+  std::string copy(text);
+  for (std::size_t at : places) {
+    if (copy[at] == '-') ++at;
+    const std::size_t size = copy[at] == 'N' ? 3 : 8;
+    copy.replace(at, size, std::string(size, '0'));
+    copy[at + 1] = '.';
+  }
+  return copy;
 }
 
 constexpr std::string_view kBetweenValues = " \t\r\n\x1e";  // With record separators (RFC 8142).
@@ -464,11 +599,19 @@ LayerFile read_json_layer(std::string_view text, const LayerReadOptions& options
                           Context& context) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   LayerDraft draft;
+  const std::vector<std::size_t> masked = words_of_no_number(text, context);
+  std::string copy;
+  MemoryCharge memory(context);
+  if (!masked.empty()) {
+    memory.add(text.size() + masked.size() * sizeof masked[0], "the text of the layer");
+    copy = with_numbers(text, masked);
+    text = copy;
+  }
   std::string_view rest = text;
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   do {
     const std::string_view value = take_value(rest);
-    LayerReader(text, value, options, draft, context).read();
+    LayerReader(text, value, masked, options, draft, context).read();
   } while (!rest.empty());
   return noted(std::move(draft));
 }
@@ -488,6 +631,7 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
   }
   Layer& layer = result.layer;
   layer.points = std::move(shapes.points);
+  std::size_t next = 0;  // Of the polygons that belong to the feature of the polygon before them.
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     if (p % 1024 == 0) context.checkpoint("read", p, shapes.polygon_count());
     for (std::size_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
@@ -497,6 +641,8 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
       layer.end_ring();
     }
     if (layer.ring_count() > layer.polygon_begin.back()) layer.end_polygon();
+    while (next < file.continued.size() && file.continued[next] <= p) ++next;
+    if (next < file.continued.size() && file.continued[next] == p + 1) continue;
     layer.end_feature("", "");
   }
   return result;
@@ -525,8 +671,9 @@ bool is_read_by_gdal(const std::string& path) { return has_gdal() && is_gdal_for
 void require_layer_format(const std::string& path) {
   if (is_read_by_gdal(path)) return;
   const std::string extension = std::filesystem::path(path).extension().string();
-  constexpr std::array kNames{".shp", ".gpkg", ".fgb",     ".gdb", ".kml", ".kmz",
-                              ".gml", ".dxf",  ".parquet", ".mif", ".tab"};
+  constexpr std::array kNames{".shp", ".gpkg",    ".fgb",        ".gdb",     ".kml",   ".kmz",
+                              ".gml", ".dxf",     ".parquet",    ".mif",     ".tab",   ".mvt",
+                              ".gmt", ".pmtiles", ".geoparquet", ".feather", ".arrow", ".jml"};
   if (std::find(kNames.begin(), kNames.end(), extension) == kNames.end()) return;
   throw Error(ErrorCode::UnknownFormat,
               extension +
@@ -748,9 +895,29 @@ std::string feature_title(const Layer& layer, std::uint32_t feature) {
   return inner.empty() ? title : title + " (" + inner + ')';
 }
 
+namespace {
+
+/// Writes the beginning of a collection, up to its features.
+void begin_features(TextOutput& out, const std::string& crs) {
+  out << R"({"type":"FeatureCollection",)";
+  if (!crs.empty()) {
+    const nlohmann::ordered_json named = {{"type", "name"}, {"properties", {{"name", crs}}}};
+    out << R"("crs":)"
+        << named.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << ',';
+  }
+  out << R"("features":[)" << '\n';
+}
+
+}  // namespace
+
 void write_layer_geojson(std::ostream& stream, const Layer& layer, Context& context) {
+  write_layer_geojson(stream, layer, {}, context);
+}
+
+void write_layer_geojson(std::ostream& stream, const Layer& layer, const std::string& crs,
+                         Context& context) {
   TextOutput out(stream, context);
-  out << R"({"type":"FeatureCollection","features":[)" << '\n';
+  begin_features(out, crs);
   for (std::size_t f = 0; f < layer.feature_count(); ++f) {
     out << (f == 0 ? "" : ",\n") << R"({"type":"Feature",)";
     if (!layer.id(f).empty()) out << R"("id":)" << layer.id(f) << ',';
@@ -773,10 +940,19 @@ void write_layer_fgb(std::ostream& out, const Layer& layer, const std::string& c
   write_gdal_layer(out, layer, crs, "FlatGeobuf", context);
 }
 
+Shapefile layer_shapefile(const Layer& layer, const std::string& crs, Context& context) {
+  return gdal_shapefile(layer, crs, context);
+}
+
 void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,
                                 Context& context) {
+  write_layer_report_geojson(stream, layer, report, {}, context);
+}
+
+void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,
+                                const std::string& crs, Context& context) {
   TextOutput out(stream, context);
-  out << R"({"type":"FeatureCollection","features":[)" << '\n';
+  begin_features(out, crs);
   for (std::size_t i = 0; i < report.regions.size(); ++i) {
     out << (i == 0 ? "" : ",\n") << R"({"type":"Feature","properties":)"
         << region_json(layer, report, report.regions[i]).dump() << R"(,"geometry":)";

@@ -37,7 +37,7 @@ namespace plumb {
 struct LayerReadOptions {
   std::string name = "input";  ///< The name of the file in messages.
   /// In a TopoJSON file: the name of the object to be read. In a file that GDAL reads: the name of
-  /// the layer. If the name is empty, the first object or layer is read.
+  /// the layer. If the name is empty, the first object or layer that has polygons is read.
   std::string object;
 };
 
@@ -56,7 +56,8 @@ struct LayerFile {
 
 /// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. The features of the layer
 /// are:
-///   - in WKT and WKB: each polygon, without id and properties
+///   - in WKT and WKB: each polygon and each MULTIPOLYGON, without id and properties; members of
+///     collections and faces of a TIN are features of their own
 ///   - in GeoJSON: each feature of a FeatureCollection, or the whole text if it is a feature or a
 ///     geometry. A sequence of texts gives one layer
 ///   - in TopoJSON: each geometry of the object
@@ -108,6 +109,12 @@ LayerFile read_layer_file(const std::string& path, LayerReadOptions options = {}
 void write_layer_geojson(std::ostream& out, const Layer& layer,
                          Context& context = unlimited_context());
 
+/// The same with the name of the coordinate reference system in a member "crs", as GeoJSON had it
+/// before RFC 7946 and as GDAL reads it. `crs` is LayerFile::crs; if it is empty, there is no such
+/// member.
+void write_layer_geojson(std::ostream& out, const Layer& layer, const std::string& crs,
+                         Context& context = unlimited_context());
+
 /// Writes a layer as TopoJSON. The file has one object, with the name "layer". Borders are written
 /// as arcs. A border that several features share is written only once. Coordinates are the nearest
 /// doubles, and are not quantised. Exceptions of `out` reach the caller.
@@ -131,6 +138,23 @@ void write_layer_gpkg(std::ostream& out, const Layer& layer, const std::string& 
 void write_layer_fgb(std::ostream& out, const Layer& layer, const std::string& crs,
                      Context& context = unlimited_context());
 
+/// The files of a shapefile, whose names differ in the extension only.
+struct Shapefile {
+  std::string shp;  ///< The polygons.
+  std::string shx;  ///< Where the features begin in `shp`.
+  std::string dbf;  ///< The properties.
+  std::string prj;  ///< The coordinate reference system, or nothing.
+  std::string cpg;  ///< The encoding of the texts, which is UTF-8.
+  /// What the format cannot hold: names of more than 10 bytes are shortened, texts of more than
+  /// 254 bytes are cut, and numbers have at most 15 digits behind the point.
+  std::vector<std::string> notes;
+};
+
+/// Returns a layer as a shapefile, through GDAL. Ids become a column "id". `crs` is LayerFile::crs.
+/// Throws Error{BadArgument} if plumb is built without GDAL, and Error{CannotWrite}.
+Shapefile layer_shapefile(const Layer& layer, const std::string& crs,
+                          Context& context = unlimited_context());
+
 /// Returns the property "name", "NAME" or "Name" of a feature, if it is a text.
 std::optional<std::string> feature_name(const Layer& layer, std::uint32_t feature);
 
@@ -145,6 +169,10 @@ std::string feature_title(const Layer& layer, std::uint32_t feature);
 /// (LayerReport::features) and its owner. `layer` is the layer that was checked or repaired.
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 Context& context = unlimited_context());
+
+/// The same with a member "crs", as write_layer_geojson() writes it.
+void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
+                                const std::string& crs, Context& context = unlimited_context());
 
 /// Writes a report for people: one line for each region, and a summary.
 void write_layer_report_text(std::ostream& out, const Layer& layer, const LayerReport& report);

@@ -86,6 +86,9 @@ struct PlaneShapes {
 /// Shapes read from a WKT, GeoJSON, WKB or DXF file.
 struct PlaneFile {
   PlaneShapes shapes;  ///< The shapes as the file lists them.
+  /// In WKT and WKB: the polygons, in ascending order, that belong to the same MULTIPOLYGON as the
+  /// polygon before them.
+  std::vector<std::uint32_t> continued;
   /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
   /// that are not in `shapes`.
   std::vector<std::string> notes;

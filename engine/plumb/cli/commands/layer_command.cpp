@@ -92,7 +92,7 @@ class MapRepair : public CommandBody {
         session, [this]() -> const Layer& { return repaired_.layer; }, crs_);
     if (!changes_.empty()) {
       session.outputs().add(changes_, [this, &session](std::ostream& stream) {
-        write_layer_report_geojson(stream, layer_, repaired_.report, session.context());
+        write_layer_report_geojson(stream, layer_, repaired_.report, crs_, session.context());
       });
     }
     if (common.json) {

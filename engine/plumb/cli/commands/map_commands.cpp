@@ -44,6 +44,7 @@ struct Checked {
   std::string title;
   MapReport map;
   Layer layer;
+  std::string crs;  // The coordinate reference system of the layer.
   std::optional<LayerReport> layer_report;
 };
 
@@ -81,7 +82,7 @@ void write_html(std::ostream& out, const Checked& checked) {
 }
 void write_geojson(std::ostream& out, const Checked& checked) {
   if (checked.layer_report) {
-    write_layer_report_geojson(out, checked.layer, *checked.layer_report);
+    write_layer_report_geojson(out, checked.layer, *checked.layer_report, checked.crs);
   } else {
     write_map_report_geojson(out, checked.map);
   }
@@ -185,6 +186,7 @@ ExitCode MapCheck::check_layer_file(Session& session, std::string_view text) {
   require_polygons(file, file_);
   for (const std::string& line : file.notes) note(session, line);
   checked_.layer = std::move(file.layer);
+  checked_.crs = std::move(file.crs);
   session.begin("check");
   layer_options_.open_gaps = !is_enclosed_only_;
   checked_.layer_report = check_layer(checked_.layer, layer_options_, session.context());

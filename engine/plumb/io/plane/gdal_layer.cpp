@@ -30,6 +30,8 @@
 #include <atomic>
 #include <bit>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -92,6 +94,12 @@ void write_gdal_layer(std::ostream& /*out*/, const Layer& /*layer*/, const std::
                   "GeoJSON, which ogr2ogr converts");
 }
 
+Shapefile gdal_shapefile(const Layer& layer, const std::string& crs, Context& context) {
+  std::ostream nowhere(nullptr);
+  write_gdal_layer(nowhere, layer, crs, "A shapefile", context);
+  return {};
+}
+
 #else
 
 bool has_gdal() { return true; }
@@ -113,7 +121,7 @@ void register_drivers() {
   });
 }
 
-/// Collects the first error of GDAL while it lives, so that GDAL prints nothing.
+/// Collects the first error and the warnings of GDAL while it lives, so that GDAL prints nothing.
 class GdalMessages {
  public:
   GdalMessages() { CPLPushErrorHandlerEx(&GdalMessages::take, this); }
@@ -122,6 +130,7 @@ class GdalMessages {
   GdalMessages& operator=(const GdalMessages&) = delete;
 
   bool has_failed() const { return has_failed_; }
+  const std::set<std::string>& warnings() const { return warnings_; }
   /// Throws what GDAL has said.
   [[noreturn]] void fail(ErrorCode code, const std::string& what, const std::string& file) const {
     throw Error(code, what + (text_.empty() ? "" : ": " + plumb::quoted(text_)), {file});
@@ -130,6 +139,7 @@ class GdalMessages {
  private:
   static void CPL_STDCALL take(CPLErr kind, CPLErrorNum /*number*/, const char* text) {
     auto* const self = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
+    if (kind == CE_Warning) self->warnings_.insert(plumb::quoted(text));
     if (kind < CE_Failure || self->has_failed_) return;
     self->has_failed_ = true;
     self->text_ = text;
@@ -137,6 +147,7 @@ class GdalMessages {
 
   bool has_failed_ = false;
   std::string text_;
+  std::set<std::string> warnings_;  // As messages quote them.
 };
 
 struct CloseDataset {
@@ -175,18 +186,32 @@ Dataset opened(const std::string& path, const GdalMessages& messages) {
   return set;
 }
 
+/// Whether the type of a layer says that it has points or lines only, or no geometries.
+bool lacks_polygons(OGRLayerH layer) {
+  const OGRwkbGeometryType type = wkbFlatten(OGR_L_GetGeomType(layer));
+  return type == wkbNone || type == wkbPoint || type == wkbMultiPoint || type == wkbLineString ||
+         type == wkbMultiLineString || type == wkbCircularString || type == wkbCompoundCurve ||
+         type == wkbMultiCurve;
+}
+
+/// Returns the layer of that name; without a name, the first one that may have polygons, or the
+/// first one.
 OGRLayerH chosen_layer(const Dataset& set, const std::string& path, const std::string& object,
                        std::vector<std::string>& notes) {
-  OGRLayerH chosen = nullptr;
-  std::string others;
+  std::vector<OGRLayerH> layers;
   for (int i = 0; i < GDALDatasetGetLayerCount(set.get()); ++i) {
-    OGRLayerH const layer = GDALDatasetGetLayer(set.get(), i);
-    const std::string name = OGR_L_GetName(layer);
-    if (chosen == nullptr && (object.empty() || name == object)) {
-      chosen = layer;
-    } else {
-      others += (others.empty() ? "" : ", ") + plumb::quoted(name);
-    }
+    layers.push_back(GDALDatasetGetLayer(set.get(), i));
+  }
+  const auto is_wanted = [&](OGRLayerH layer) {
+    return object.empty() ? !lacks_polygons(layer) : OGR_L_GetName(layer) == object;
+  };
+  auto found = std::find_if(layers.begin(), layers.end(), is_wanted);
+  if (found == layers.end() && object.empty()) found = layers.begin();
+  OGRLayerH const chosen = found == layers.end() ? nullptr : *found;
+  std::string others;
+  for (OGRLayerH const layer : layers) {
+    if (layer == chosen) continue;
+    others += (others.empty() ? "" : ", ") + plumb::quoted(OGR_L_GetName(layer));
   }
   if (chosen == nullptr) {
     const std::string what =
@@ -522,20 +547,26 @@ Crs crs_named(const std::string& name) {
 /// A file in memory with a name that no other one has. Removed when this object dies.
 class MemoryFile {
  public:
-  explicit MemoryFile(const std::string& extension) {
+  explicit MemoryFile(const std::string& extension) : MemoryFile(new_stem(), extension) {}
+  MemoryFile(const std::string& stem, const std::string& extension) : name_(stem + extension) {}
+  /// Returns a path without an extension that no other file has.
+  static std::string new_stem() {
     static std::atomic<std::uint64_t> count{0};
-    name_ = "/vsimem/plumb/" + std::to_string(count++) + extension;
+    return "/vsimem/plumb/" + std::to_string(count++);
   }
   ~MemoryFile() { VSIUnlink(name_.c_str()); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
   const std::string& name() const { return name_; }
-  void copy_to(std::ostream& out) const {
+  /// Returns the bytes; none if GDAL has not written the file.
+  std::string_view bytes() const {
     vsi_l_offset size = 0;
     const GByte* const bytes = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
-    if (bytes != nullptr) {
-      out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
-    }
+    if (bytes == nullptr) return {};
+    return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size)};
+  }
+  void copy_to(std::ostream& out) const {
+    out.write(bytes().data(), static_cast<std::streamsize>(bytes().size()));
   }
 
  private:
@@ -586,6 +617,52 @@ class FeatureWriter {
   OGRLayerH to_;
 };
 
+/// Writes all features of a layer, and closes the file.
+void write_features(Dataset set, const Layer& layer, const std::string& crs,
+                    const FieldTable& table, const std::array<const char*, 2>& options,
+                    const GdalMessages& messages, const char* driver, Context& context) {
+  const auto require = [&](bool is_done) {
+    if (!is_done) messages.fail(ErrorCode::CannotWrite, "GDAL cannot write the layer", driver);
+  };
+  require(set != nullptr);
+  OGRLayerH const to = GDALDatasetCreateLayer(set.get(), "layer", crs_named(crs).get(),
+                                              wkbMultiPolygon, options.data());
+  require(to != nullptr);
+  add_fields(to, table);
+  const bool has_transactions = OGR_L_TestCapability(to, OLCTransactions) != 0;
+  if (has_transactions) require(OGR_L_StartTransaction(to) == OGRERR_NONE);
+  const FeatureWriter writer(layer, table, to);
+  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
+    if (f % 64 == 0) context.checkpoint("write", f, layer.feature_count());
+    require(writer.write(f));
+  }
+  if (has_transactions) require(OGR_L_CommitTransaction(to) == OGRERR_NONE);
+  set.reset();
+  require(!messages.has_failed());
+}
+
+/// Returns how many numbers the table of a shapefile does not hold: it has 15 digits behind the
+/// point, and 24 characters in all.
+std::size_t count_rounded_numbers(const Layer& layer, const FieldTable& table, Context& context) {
+  constexpr int kCharacters = 24, kDigits = 15;
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
+    if (f % 256 == 0) context.checkpoint("fields", f, layer.feature_count());
+    const Json properties = parsed(layer.properties(f));
+    if (!properties.is_object()) continue;
+    for (const auto& [name, value] : properties.items()) {
+      const FieldKind kind = table.fields[table.place.at(name)].second;
+      if (kind != FieldKind::Real || !value.is_number()) continue;
+      const double number = value.get<double>();
+      std::array<char, 512> text{};
+      const int size =
+          std::snprintf(text.data(), text.size(), "%*.*f", kCharacters, kDigits, number);
+      if (size != kCharacters || std::strtod(text.data(), nullptr) != number) ++count;
+    }
+  }
+  return count;
+}
+
 /// Throws Error{BadArgument} if a feature has no polygons. GDAL leaves such features out of
 /// FlatGeobuf without a word.
 void require_polygons(const Layer& layer) {
@@ -608,28 +685,37 @@ void write_gdal_layer(std::ostream& out, const Layer& layer, const std::string& 
   if (!is_package) require_polygons(layer);
   const FieldTable table = fields_of(layer, is_package, context);
   const MemoryFile file(is_package ? ".gpkg" : ".fgb");
-  const auto require = [&](bool is_done) {
-    if (!is_done) messages.fail(ErrorCode::CannotWrite, "GDAL cannot write the layer", driver);
-  };
   Dataset set(
       GDALCreate(GDALGetDriverByName(driver), file.name().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  require(set != nullptr);
   // The spatial index of FlatGeobuf would sort features.
-  const std::array<const char*, 2> options{is_package ? nullptr : "SPATIAL_INDEX=NO", nullptr};
-  OGRLayerH const to = GDALDatasetCreateLayer(set.get(), "layer", crs_named(crs).get(),
-                                              wkbMultiPolygon, options.data());
-  require(to != nullptr);
-  add_fields(to, table);
-  if (is_package) require(OGR_L_StartTransaction(to) == OGRERR_NONE);
-  const FeatureWriter writer(layer, table, to);
-  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
-    if (f % 64 == 0) context.checkpoint("write", f, layer.feature_count());
-    require(writer.write(f));
-  }
-  if (is_package) require(OGR_L_CommitTransaction(to) == OGRERR_NONE);
-  set.reset();
-  require(!messages.has_failed());
+  write_features(std::move(set), layer, crs, table,
+                 {is_package ? nullptr : "SPATIAL_INDEX=NO", nullptr}, messages, driver, context);
   file.copy_to(out);
+}
+
+Shapefile gdal_shapefile(const Layer& layer, const std::string& crs, Context& context) {
+  constexpr const char* kDriver = "ESRI Shapefile";
+  register_drivers();
+  const GdalMessages messages;
+  const FixedTime time;
+  const FieldTable table = fields_of(layer, false, context);
+  const std::string stem = MemoryFile::new_stem();
+  const MemoryFile shp(stem, ".shp"), shx(stem, ".shx"), dbf(stem, ".dbf"), prj(stem, ".prj"),
+      cpg(stem, ".cpg");
+  CPLSetThreadLocalConfigOption("DBF_DATE_LAST_UPDATE", "1980-01-01");
+  Dataset set(
+      GDALCreate(GDALGetDriverByName(kDriver), shp.name().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  const std::array<const char*, 2> options{"ENCODING=UTF-8", nullptr};
+  write_features(std::move(set), layer, crs, table, options, messages, kDriver, context);
+  Shapefile result{
+      std::string(shp.bytes()), std::string(shx.bytes()),
+      std::string(dbf.bytes()), std::string(prj.bytes()),
+      std::string(cpg.bytes()), {messages.warnings().begin(), messages.warnings().end()}};
+  if (const std::size_t rounded = count_rounded_numbers(layer, table, context); rounded > 0) {
+    result.notes.push_back("numbers that the table of a shapefile rounds: " +
+                           std::to_string(rounded));
+  }
+  return result;
 }
 
 #endif

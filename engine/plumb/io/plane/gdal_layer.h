@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/io/layer_io.h"
 #include "plumb/plane/layer.h"
 
 namespace plumb {
@@ -26,9 +27,9 @@ bool is_gdal_format(const std::string& path);
 bool has_gdal();
 
 /// Returns the features of a layer of the file as a GeoJSON text, with the coordinate reference
-/// system as "crs". `object` is the name of the layer; if it is empty, the first one is read.
-/// Appends what was not read to `notes`. The memory of the text stays charged to `context`.
-/// Requires is_gdal_format(path) and has_gdal().
+/// system as "crs". `object` is the name of the layer; if it is empty, the first one that may have
+/// polygons is read. Appends what was not read to `notes`. The memory of the text stays charged to
+/// `context`. Requires is_gdal_format(path) and has_gdal().
 std::string read_gdal_layer(const std::string& path, const std::string& object,
                             std::vector<std::string>& notes, Context& context);
 
@@ -38,5 +39,8 @@ std::string read_gdal_layer(const std::string& path, const std::string& object,
 /// Error{BadArgument} if plumb is not built with GDAL.
 void write_gdal_layer(std::ostream& out, const Layer& layer, const std::string& crs,
                       const char* driver, Context& context);
+
+/// Returns a layer as the files of a shapefile. Throws as write_gdal_layer() does.
+Shapefile gdal_shapefile(const Layer& layer, const std::string& crs, Context& context);
 
 }  // namespace plumb

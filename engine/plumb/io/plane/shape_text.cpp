@@ -44,7 +44,7 @@ PlaneFile ShapeCollector::take() {
     note.append(note.empty() ? "passed over: " : ", ").append(what);
   }
   if (!note.empty()) notes_.insert(notes_.begin(), std::move(note));
-  return {std::move(shapes_), std::move(notes_)};
+  return {std::move(shapes_), std::move(continued_), std::move(notes_)};
 }
 
 void ShapeWriter::write() {

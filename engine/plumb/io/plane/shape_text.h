@@ -1,6 +1,7 @@
 // What the readers of WKT, GeoJSON and WKB, and the writers, have in common.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -65,6 +66,15 @@ class ShapeCollector {
   void add_points(std::uint32_t first, std::uint32_t last);
   /// Ends a polygon; does nothing without a ring.
   void end_polygon();
+  std::size_t polygon_count() const { return shapes_.polygon_count(); }
+  /// States that the polygons from `first` on are those of one MULTIPOLYGON.
+  template <class Input>
+  void join_polygons(const Input& in, std::size_t first) {
+    charge(in, (polygon_count() - std::min(first, polygon_count())) * kCornerBytes);
+    for (std::size_t p = first + 1; p < polygon_count(); ++p) {
+      continued_.push_back(static_cast<std::uint32_t>(p));
+    }
+  }
 
   /// Names something of the file that shapes cannot hold: one note lists each of them once.
   void pass_over(std::string_view what);
@@ -99,6 +109,7 @@ class ShapeCollector {
   std::size_t total_bytes_;
   std::uint64_t charged_positions_ = 0;
   PlaneShapes shapes_;
+  std::vector<std::uint32_t> continued_;
   std::vector<std::string> passed_over_;
   std::vector<std::string> notes_;
 };

@@ -213,11 +213,13 @@ void WkbReader::read_members() {
     is_flat_ = true;
     height_.reset();
   }
+  const std::size_t first = shapes_.polygon_count();
   ++nested_;
   for (std::uint32_t left = read_count(kHeadBytes); left > 0; --left) {
     read_geometry(members_of(code));
   }
   --nested_;
+  if (code == kMultiPolygon || code == kMultiSurface) shapes_.join_polygons(in_, first);
   if (is_surface) is_flat_ = false;
 }
 

@@ -151,6 +151,7 @@ class WktReader {
   void read_polygons();
   void read_curves();
   void read_surfaces();
+  void read_faces();
   void read_patches();
   void read_collection();
   void read_member(Body body, std::string_view expected);
@@ -462,7 +463,9 @@ void WktReader::read_lines() {
 }
 
 void WktReader::read_polygons() {
+  const std::size_t first = shapes_.polygon_count();
   read_list([this] { read_polygon(); });
+  shapes_.join_polygons(cursor_, first);
 }
 
 /// Reads a member of a collection whose members have their names only if they are not of the
@@ -486,6 +489,12 @@ void WktReader::read_curves() {
 }
 
 void WktReader::read_surfaces() {
+  const std::size_t first = shapes_.polygon_count();
+  read_faces();
+  shapes_.join_polygons(cursor_, first);
+}
+
+void WktReader::read_faces() {
   read_list([this] { read_member(&WktReader::read_polygon, "a POLYGON or '('"); });
 }
 
@@ -493,7 +502,7 @@ void WktReader::read_surfaces() {
 void WktReader::read_patches() {
   is_flat_ = true;
   has_height_ = false;
-  read_surfaces();
+  read_faces();
   is_flat_ = false;
 }
 
