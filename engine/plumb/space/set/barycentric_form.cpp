@@ -102,11 +102,11 @@ BarycentricForm::BarycentricForm(FlatView view, const std::array<IntegerRow, 3>&
     : view_(view) {
   const std::array<Row, 3> c{seen(view, corners[0]), seen(view, corners[1]),
                              seen(view, corners[2])};
-  for (std::size_t i = 0; i < 3; ++i) form_[i] = cross(c[(i + 1) % 3], c[(i + 2) % 3]);
+  for (std::size_t i = 0; i < 2; ++i) form_[i] = cross(c[i + 1], c[(i + 2) % 3]);
   area_ = dot(c[0], form_[0]);
   const bool is_negative = area_.sign() < 0;
   if (is_negative) area_.negate();
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 2; ++i) {
     for (Integer& factor : form_[i]) {
       factor *= c[i][2];
       if (is_negative) factor.negate();
@@ -117,8 +117,12 @@ BarycentricForm::BarycentricForm(FlatView view, const std::array<IntegerRow, 3>&
 BarycentricWeights BarycentricForm::at(const IntegerRow& point) const {
   const Row x = seen(view_, point);
   BarycentricWeights weights;
-  for (std::size_t i = 0; i < 3; ++i) weights.numerator[i] = dot(form_[i], x);
   weights.denominator = x[2] * area_;
+  weights.numerator[2] = weights.denominator;
+  for (std::size_t i = 0; i < 2; ++i) {
+    weights.numerator[i] = dot(form_[i], x);
+    weights.numerator[2] -= weights.numerator[i];
+  }
   return weights;
 }
 

@@ -30,8 +30,8 @@ struct BarycentricWeights {
 ///
 /// Let c0, c1, c2 be the corners and x the point in homogeneous coordinates (X w, Y w, w) in the
 /// view. The weight of c0 is det(x, c1, c2) w(c0) / (w(x) det(c0, c1, c2)), and so on. All numbers
-/// are integers, and nothing is reduced to lowest terms. So a point costs about ten products of
-/// integers.
+/// are integers, and nothing is reduced to lowest terms. The third weight is 1 minus the others. So
+/// a point costs seven products of integers.
 class BarycentricForm {
  public:
   /// Requires corners that do not lie on a line in the view, as homogeneous() returns them.
@@ -45,7 +45,7 @@ class BarycentricForm {
   using Row = std::array<Integer, 3>;
 
   FlatView view_;
-  std::array<Row, 3> form_;  ///< The weight of corner i is form_[i].x / (w(x) area_).
+  std::array<Row, 2> form_;  ///< The weight of corner i is form_[i].x / (w(x) area_).
   Integer area_;
 };
 

@@ -27,6 +27,7 @@ std::vector<std::uint8_t> mixed_vertices(const CutBoundary& cut, const SourceTri
     for (const VertexId v : cut.face(f)) {
       std::uint32_t& known = piece_at[v.value()];
       if (known == kNone) known = cut.piece[f];
+      if (is_mixed[v.value()] != 0) continue;
       if (!have_same_constants(cut, triangles, known, cut.piece[f])) is_mixed[v.value()] = 1;
     }
   }

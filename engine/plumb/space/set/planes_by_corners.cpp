@@ -32,44 +32,46 @@ PlanesByCorners::PlanesByCorners(const PlaneTable& planes) : planes_(planes) {
   }
 }
 
-const PlaneSource* PlanesByCorners::candidate(const std::array<Corner, 3>& corners) const {
+PlaneId PlanesByCorners::candidate(std::uint32_t hash) const {
   constexpr std::uint32_t kAbsent = ~std::uint32_t{0};
-  const std::uint32_t id = index_.find(hash_of_all(corners), [](std::uint32_t) { return true; });
-  return id != kAbsent ? &planes_.source(PlaneId(id)) : nullptr;
+  const std::uint32_t id = index_.find(hash, [](std::uint32_t) { return true; });
+  if (id == kAbsent) return {};
+  __builtin_prefetch(&planes_.source(PlaneId(id)));
+  return PlaneId(id);
 }
 
-void PlanesByCorners::prefetch_plane(const std::array<Corner, 3>& corners) const {
-  const PlaneSource* const plane = candidate(corners);
-  if (plane != nullptr) __builtin_prefetch(plane);
+void PlanesByCorners::prefetch_points(PlaneId plane) const {
+  for (const std::uint32_t p : planes_.source(plane).code) {
+    __builtin_prefetch(&planes_.point(InputPointId(p)));
+  }
 }
 
-void PlanesByCorners::prefetch_points(const std::array<Corner, 3>& corners) const {
-  const PlaneSource* const plane = candidate(corners);
-  if (plane == nullptr) return;
-  for (const std::uint32_t p : plane->code) __builtin_prefetch(&planes_.point(InputPointId(p)));
-}
-
-PlanesByCorners::Found PlanesByCorners::find(const std::array<Corner, 3>& corners) const {
-  Found found;
-  const auto is_same = [&](std::uint32_t id) {
-    const std::array<std::uint32_t, 3>& code = planes_.source(PlaneId(id)).code;
-    const auto has = [&](std::size_t i, std::size_t corner) {
-      return planes_.points()[code[i]] == *corners[corner].at;
-    };
-    for (std::size_t first = 0; first < 3; ++first) {
-      if (!has(0, first)) continue;
-      const std::size_t next = (first + 1) % 3, last = (first + 2) % 3;
-      const bool is_turned = has(1, last) && has(2, next);
-      if (!is_turned && !(has(1, next) && has(2, last))) continue;
-      found.plane = OrientedPlane(PlaneId(id), is_turned);
-      found.points[first] = InputPointId(code[0]);
-      found.points[is_turned ? last : next] = InputPointId(code[1]);
-      found.points[is_turned ? next : last] = InputPointId(code[2]);
-      return true;
-    }
-    return false;
+bool PlanesByCorners::is_defined_by(PlaneId plane, const std::array<Corner, 3>& corners,
+                                    Found& found) const {
+  const std::array<std::uint32_t, 3>& code = planes_.source(plane).code;
+  const auto has = [&](std::size_t i, std::size_t corner) {
+    return planes_.points()[code[i]] == *corners[corner].at;
   };
-  index_.find(hash_of_all(corners), is_same);
+  for (std::size_t first = 0; first < 3; ++first) {
+    if (!has(0, first)) continue;
+    const std::size_t next = (first + 1) % 3, last = (first + 2) % 3;
+    const bool is_turned = has(1, last) && has(2, next);
+    if (!is_turned && !(has(1, next) && has(2, last))) continue;
+    found.plane = OrientedPlane(plane, is_turned);
+    found.points[first] = InputPointId(code[0]);
+    found.points[is_turned ? last : next] = InputPointId(code[1]);
+    found.points[is_turned ? next : last] = InputPointId(code[2]);
+    return true;
+  }
+  return false;
+}
+
+PlanesByCorners::Found PlanesByCorners::find(const std::array<Corner, 3>& corners,
+                                             PlaneId first) const {
+  Found found;
+  if (!first.is_valid() || is_defined_by(first, corners, found)) return found;
+  index_.find(hash_of_all(corners),
+              [&](std::uint32_t id) { return is_defined_by(PlaneId(id), corners, found); });
   return found;
 }
 

@@ -25,33 +25,34 @@ class PlanesByCorners {
 
   /// Returns the hash of the coordinates of a point.
   static std::uint32_t hash_of(const Point3& p);
+  /// Returns the hash of a triangle from those of its corners in any order.
+  static std::uint32_t hash_of_all(const std::array<Corner, 3>& corners) {
+    return hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash});
+  }
   /// A plane, and the input points of the table at the corners by which it was found.
   struct Found {
     OrientedPlane plane;
     std::array<InputPointId, 3> points;
   };
 
-  /// Prefetches the entry that find() reads first for these corners, then the definition of the
-  /// plane there, then the points of this definition. The three are called one after the other,
-  /// each for many triangles, because the index and the tables are larger than the caches.
-  void prefetch_entry(const std::array<Corner, 3>& corners) const {
-    index_.prefetch(hash_of_all(corners));
-  }
-  void prefetch_plane(const std::array<Corner, 3>& corners) const;
-  void prefetch_points(const std::array<Corner, 3>& corners) const;
+  /// Prefetches the entry of the index that candidate() reads first.
+  void prefetch(std::uint32_t hash) const { index_.prefetch(hash); }
+  /// Returns the first plane whose corners have this hash, or a plane that is not valid, and
+  /// prefetches its definition.
+  PlaneId candidate(std::uint32_t hash) const;
+  /// Prefetches the points that define a plane.
+  void prefetch_points(PlaneId plane) const;
   /// Returns the plane that these three points define in the table. Seen from its positive side,
   /// the corners appear counter-clockwise. The plane is not valid if the table has no plane of
-  /// this definition; it may have the plane with another definition. Expected cost: O(1).
-  Found find(const std::array<Corner, 3>& corners) const;
+  /// this definition; it may have the plane with another definition. `first` is the candidate(),
+  /// which is looked at first. The functions before this one are called for many triangles before
+  /// it, because the index and the tables are larger than the caches. Expected cost: O(1).
+  Found find(const std::array<Corner, 3>& corners, PlaneId first) const;
 
  private:
-  /// Returns the hash of a triangle from those of its corners in any order.
   static std::uint32_t hash_of_all(const std::array<std::uint32_t, 3>& corners);
-  static std::uint32_t hash_of_all(const std::array<Corner, 3>& corners) {
-    return hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash});
-  }
-  /// Returns the definition of the first plane whose hash is that of the corners, or nullptr.
-  const PlaneSource* candidate(const std::array<Corner, 3>& corners) const;
+  /// Whether the plane is defined by these corners. If it is, fills `found`.
+  bool is_defined_by(PlaneId plane, const std::array<Corner, 3>& corners, Found& found) const;
 
   const PlaneTable& planes_;
   IdIndex index_;

@@ -192,10 +192,12 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
   // The index is larger than the caches, so a block of triangles is prepared before it is looked up.
   constexpr std::size_t kBlock = 32;
   std::array<std::array<PlanesByCorners::Corner, 3>, kBlock> corners{};
-  std::array<bool, kBlock> has_all{};
+  std::array<std::uint32_t, kBlock> hash_of{};
+  std::array<PlaneId, kBlock> candidate;
   std::vector<std::uint32_t> unknown;
   for (std::size_t begin = first; begin < triangles_.size(); begin += kBlock) {
     const std::size_t count = std::min(kBlock, triangles_.size() - begin);
+    std::array<bool, kBlock> has_all{};
     for (std::size_t k = 0; k < count; ++k) {
       has_all[k] = true;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -203,16 +205,19 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
         has_all[k] = has_all[k] && has_doubles[p] != 0;
         if (has_all[k]) corners[k][i] = {doubles(source, p), hash[p]};
       }
-      if (has_all[k]) known.prefetch_entry(corners[k]);
+      if (!has_all[k]) continue;
+      hash_of[k] = PlanesByCorners::hash_of_all(corners[k]);
+      known.prefetch(hash_of[k]);
     }
     for (std::size_t k = 0; k < count; ++k) {
-      if (has_all[k]) known.prefetch_plane(corners[k]);
+      candidate[k] = has_all[k] ? known.candidate(hash_of[k]) : PlaneId();
     }
     for (std::size_t k = 0; k < count; ++k) {
-      if (has_all[k]) known.prefetch_points(corners[k]);
+      if (candidate[k].is_valid()) known.prefetch_points(candidate[k]);
     }
     for (std::size_t k = 0; k < count; ++k) {
-      const auto found = has_all[k] ? known.find(corners[k]) : PlanesByCorners::Found();
+      const auto found =
+          candidate[k].is_valid() ? known.find(corners[k], candidate[k]) : PlanesByCorners::Found();
       if (found.plane.is_valid()) {
         set_plane(triangles_[begin + k], found.plane);
         triangles_[begin + k].input = found.points;
