@@ -1,8 +1,10 @@
 // The price of attributes: the union of two spheres of 20,480 triangles as a valid mesh, without
-// and with texture coordinates and normals. `job` also makes the sets from their meshes.
+// and with texture coordinates and normals. `job` also makes the sets from their meshes, and
+// `job_texture` has texture coordinates only.
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <utility>
 
 #include "generate/meshes.h"
 #include "plumb/space/mesh_with_attributes.h"
@@ -29,6 +31,18 @@ const std::shared_ptr<const MeshSource>& sphere(int i) {
   return kSpheres[i];
 }
 
+/// Returns a sphere with texture coordinates only.
+const std::shared_ptr<const MeshSource>& textured(int i) {
+  const auto without_normals = [](int k) {
+    MeshSource source = *sphere(k);
+    source.attributes.channels.pop_back();
+    return std::make_shared<const MeshSource>(std::move(source));
+  };
+  static const std::shared_ptr<const MeshSource> kSpheres[] = {without_normals(0),
+                                                               without_normals(1)};
+  return kSpheres[i];
+}
+
 ValidMesh mesh_of(const Nef3& set) { return valid_mesh(set, {.faces = MeshFaces::Triangles}); }
 
 void union_plain(benchmark::State& state) {
@@ -50,6 +64,14 @@ void job_plain(benchmark::State& state) {
   }
 }
 BENCHMARK(job_plain)->Unit(benchmark::kMillisecond);
+
+void job_texture(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        mesh_with_attributes(from_source(textured(0)) + from_source(textured(1))));
+  }
+}
+BENCHMARK(job_texture)->Unit(benchmark::kMillisecond);
 
 void job_attributes(benchmark::State& state) {
   for (auto _ : state) {

@@ -196,6 +196,9 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
   std::array<PlaneId, kBlock> candidate;
   std::vector<std::uint32_t> unknown;
   for (std::size_t begin = first; begin < triangles_.size(); begin += kBlock) {
+    if ((begin - first) % kStepsOfCheckpoint == 0) {
+      context.checkpoint("planes of sources", begin - first, triangles_.size() - first);
+    }
     const std::size_t count = std::min(kBlock, triangles_.size() - begin);
     std::array<bool, kBlock> has_all{};
     for (std::size_t k = 0; k < count; ++k) {
