@@ -146,12 +146,17 @@ constexpr SphereDirection kRight{kPlaneY, kPlaneZ};  // The direction of x.
 
 /// Returns the least vertex of each connected piece. Edges and facets connect vertices. Pieces are
 /// in the order of their first vertices.
-std::vector<VertexId> find_least_vertices(const SpaceComplex& complex) {
+std::vector<VertexId> find_least_vertices(const SpaceComplex& complex, const Context& context) {
+  constexpr std::size_t kStepsPerCheck = 16'384;
+  const auto check_at = [&](std::size_t i) {
+    if (i % kStepsPerCheck == 0) context.check_limits("volumes");
+  };
   UnionFind pieces(complex.vertex_count());
   for (std::uint32_t h = 0; h < complex.origin.size(); h += 2) {
     pieces.unite(complex.origin[h].value(), complex.origin[h + 1].value());
   }
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+    check_at(f);
     const auto cycles = complex.cycles_of(FacetId(f));
     const std::uint32_t first = complex.use_origin(cycles[0]).value();
     for (const UseId u : cycles.subspan(1)) pieces.unite(first, complex.use_origin(u).value());
@@ -160,6 +165,7 @@ std::vector<VertexId> find_least_vertices(const SpaceComplex& complex) {
   std::vector<VertexId> least;
   std::vector<std::uint32_t> number(complex.vertex_count(), kNone);
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
+    check_at(v);
     std::uint32_t& piece = number[pieces.root(v)];
     if (piece == kNone) {
       piece = static_cast<std::uint32_t>(least.size());
@@ -249,11 +255,12 @@ VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
   if (complex.vertex_count() == 0) return {{}, {}, {}, 1};
   std::optional<ShellNodes> shells;
   std::vector<VertexId> least;
-  run_jobs(context, 2, [&](std::size_t i, Context&) {
+  run_jobs(context, 2, [&](std::size_t i, Context& own) {
+    own.check_limits("volumes");
     if (i == 0) {
       shells.emplace(complex, connected);
     } else {
-      least = find_least_vertices(complex);
+      least = find_least_vertices(complex, own);
     }
   });
   const std::uint32_t outermost = nest_pieces(complex, least, *shells, context);
