@@ -29,17 +29,29 @@
 
 namespace plumb {
 
-ShellNodes::ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected)
+namespace {
+
+/// Checks the limits of a context, unless it is null, at some steps i of a loop.
+void check_at(std::size_t i, const Context* context) {
+  constexpr std::size_t kStepsPerCheck = 16'384;
+  if (i % kStepsPerCheck == 0 && context != nullptr) context->check_limits("volumes");
+}
+
+}  // namespace
+
+ShellNodes::ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected,
+                       const Context* context)
     : complex_(complex),
       classes_(2 * complex.facet_count() + complex.vertex_count()),
       free_node_(complex.edge_count(), kNone) {
-  unite_around_edges();
-  unite_at_irregular_vertices(connected);
+  unite_around_edges(context);
+  unite_at_irregular_vertices(connected, context);
 }
 
 /// Unites the side after each use with the side before the next one.
-void ShellNodes::unite_around_edges() {
+void ShellNodes::unite_around_edges(const Context* context) {
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
+    check_at(u, context);
     classes_.unite(node_after(UseId(u)), node_before(complex_.use_radial[u]));
   }
 }
@@ -80,16 +92,18 @@ bool has_one_ring(const SpaceComplex& complex, VertexId v) {
 
 /// Returns the vertices whose sphere map is not connected, has a loop or points without arcs. For
 /// vertices that have no single ring, one union over all corners decides.
-std::vector<VertexId> ShellNodes::irregular_vertices(
-    std::span<const std::uint8_t> connected) const {
+std::vector<VertexId> ShellNodes::irregular_vertices(std::span<const std::uint8_t> connected,
+                                                     const Context* context) const {
   std::vector<VertexId> doubtful, irregular;
   for (std::uint32_t v = 0; v < complex_.vertex_count(); ++v) {
+    check_at(v, context);
     if (!connected.empty() && connected[v] != 0) continue;
     if (!has_one_ring(complex_, VertexId(v))) doubtful.push_back(VertexId(v));
   }
   if (doubtful.empty()) return irregular;
   UnionFind link(complex_.origin.size());  // Half-edges of one vertex, joined by corners.
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
+    check_at(u, context);
     const HalfedgeId back = SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u]]);
     link.unite(complex_.use_halfedge[u].value(), back.value());
   }
@@ -117,10 +131,13 @@ void ShellNodes::face_nodes(const LocalMap& local, SpaceItem item,
 }
 
 /// Unites the nodes in every face of the map of an irregular vertex, free edges included.
-void ShellNodes::unite_at_irregular_vertices(std::span<const std::uint8_t> connected) {
+void ShellNodes::unite_at_irregular_vertices(std::span<const std::uint8_t> connected,
+                                             const Context* context) {
   LocalMap local;
   std::vector<std::uint32_t> node;
-  for (const VertexId v : irregular_vertices(connected)) {
+  for (const VertexId v : irregular_vertices(connected, context)) {
+    // The map of a vertex takes longer than other steps.
+    if (context != nullptr) context->check_limits("volumes");
     local_map(complex_, v, local);
     face_nodes(local, v, node);
     for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {
@@ -147,16 +164,12 @@ constexpr SphereDirection kRight{kPlaneY, kPlaneZ};  // The direction of x.
 /// Returns the least vertex of each connected piece. Edges and facets connect vertices. Pieces are
 /// in the order of their first vertices.
 std::vector<VertexId> find_least_vertices(const SpaceComplex& complex, const Context& context) {
-  constexpr std::size_t kStepsPerCheck = 16'384;
-  const auto check_at = [&](std::size_t i) {
-    if (i % kStepsPerCheck == 0) context.check_limits("volumes");
-  };
   UnionFind pieces(complex.vertex_count());
   for (std::uint32_t h = 0; h < complex.origin.size(); h += 2) {
     pieces.unite(complex.origin[h].value(), complex.origin[h + 1].value());
   }
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
-    check_at(f);
+    check_at(f, &context);
     const auto cycles = complex.cycles_of(FacetId(f));
     const std::uint32_t first = complex.use_origin(cycles[0]).value();
     for (const UseId u : cycles.subspan(1)) pieces.unite(first, complex.use_origin(u).value());
@@ -165,7 +178,7 @@ std::vector<VertexId> find_least_vertices(const SpaceComplex& complex, const Con
   std::vector<VertexId> least;
   std::vector<std::uint32_t> number(complex.vertex_count(), kNone);
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
-    check_at(v);
+    check_at(v, &context);
     std::uint32_t& piece = number[pieces.root(v)];
     if (piece == kNone) {
       piece = static_cast<std::uint32_t>(least.size());
@@ -258,7 +271,7 @@ VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     own.check_limits("volumes");
     if (i == 0) {
-      shells.emplace(complex, connected);
+      shells.emplace(complex, connected, &own);
     } else {
       least = find_least_vertices(complex, own);
     }

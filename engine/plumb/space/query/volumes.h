@@ -25,8 +25,10 @@ namespace plumb {
 class ShellNodes {
  public:
   /// Unites all nodes. Volumes of the complex are not read. `connected` is as for label_volumes().
-  /// O(n alpha(n)), and a sphere map for each vertex whose map is not connected.
-  explicit ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected = {});
+  /// If `context` is not null, its limits are checked. O(n alpha(n)), and a sphere map for each
+  /// vertex whose map is not connected.
+  explicit ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t> connected = {},
+                      const Context* context = nullptr);
 
   /// Returns the number of nodes.
   std::size_t size() const { return classes_.size(); }
@@ -58,9 +60,10 @@ class ShellNodes {
   void face_nodes(const LocalMap& local, SpaceItem item, std::vector<std::uint32_t>& node) const;
 
  private:
-  void unite_around_edges();
-  std::vector<VertexId> irregular_vertices(std::span<const std::uint8_t> connected) const;
-  void unite_at_irregular_vertices(std::span<const std::uint8_t> connected);
+  void unite_around_edges(const Context* context);
+  std::vector<VertexId> irregular_vertices(std::span<const std::uint8_t> connected,
+                                           const Context* context) const;
+  void unite_at_irregular_vertices(std::span<const std::uint8_t> connected, const Context* context);
 
   const SpaceComplex& complex_;
   UnionFind classes_;
