@@ -121,7 +121,7 @@ void register_drivers() {
   });
 }
 
-/// Collects the first error and the warnings of GDAL while it lives, so that GDAL prints nothing.
+/// Collects the first error of GDAL while it lives, so that GDAL prints nothing.
 class GdalMessages {
  public:
   GdalMessages() { CPLPushErrorHandlerEx(&GdalMessages::take, this); }
@@ -130,7 +130,6 @@ class GdalMessages {
   GdalMessages& operator=(const GdalMessages&) = delete;
 
   bool has_failed() const { return has_failed_; }
-  const std::set<std::string>& warnings() const { return warnings_; }
   /// Throws what GDAL has said.
   [[noreturn]] void fail(ErrorCode code, const std::string& what, const std::string& file) const {
     throw Error(code, what + (text_.empty() ? "" : ": " + plumb::quoted(text_)), {file});
@@ -139,7 +138,6 @@ class GdalMessages {
  private:
   static void CPL_STDCALL take(CPLErr kind, CPLErrorNum /*number*/, const char* text) {
     auto* const self = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
-    if (kind == CE_Warning) self->warnings_.insert(plumb::quoted(text));
     if (kind < CE_Failure || self->has_failed_) return;
     self->has_failed_ = true;
     self->text_ = text;
@@ -147,7 +145,6 @@ class GdalMessages {
 
   bool has_failed_ = false;
   std::string text_;
-  std::set<std::string> warnings_;  // As messages quote them.
 };
 
 struct CloseDataset {
@@ -220,7 +217,8 @@ OGRLayerH chosen_layer(const Dataset& set, const std::string& path, const std::s
     throw Error(ErrorCode::BadArgument, what, {path});
   }
   if (object.empty() && !others.empty()) {
-    notes.push_back("passed over: layers " + others + " (--object NAME reads another one)");
+    notes.push_back("passed over: layers " + others +
+                    " (--object NAME of plumb map reads another one)");
   }
   return chosen;
 }
@@ -465,6 +463,11 @@ void add_fields(OGRLayerH layer, const FieldTable& table) {
   }
 }
 
+/// Returns the text of a value in a field of texts.
+std::string text_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : dumped(value);
+}
+
 void set_field(OGRFeatureH feature, int i, FieldKind kind, const Json& value) {
   if (value.is_null()) {
     OGR_F_SetFieldNull(feature, i);
@@ -475,8 +478,7 @@ void set_field(OGRFeatureH feature, int i, FieldKind kind, const Json& value) {
   } else if (kind == FieldKind::Real) {
     OGR_F_SetFieldDouble(feature, i, value.get<double>());
   } else {
-    const std::string text = value.is_string() ? value.get<std::string>() : dumped(value);
-    OGR_F_SetFieldString(feature, i, text.c_str());
+    OGR_F_SetFieldString(feature, i, text_of(value).c_str());
   }
 }
 
@@ -641,26 +643,52 @@ void write_features(Dataset set, const Layer& layer, const std::string& crs,
   require(!messages.has_failed());
 }
 
-/// Returns how many numbers the table of a shapefile does not hold: it has 15 digits behind the
-/// point, and 24 characters in all.
-std::size_t count_rounded_numbers(const Layer& layer, const FieldTable& table, Context& context) {
-  constexpr int kCharacters = 24, kDigits = 15;
-  std::size_t count = 0;
-  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
-    if (f % 256 == 0) context.checkpoint("fields", f, layer.feature_count());
-    const Json properties = parsed(layer.properties(f));
-    if (!properties.is_object()) continue;
-    for (const auto& [name, value] : properties.items()) {
-      const FieldKind kind = table.fields[table.place.at(name)].second;
-      if (kind != FieldKind::Real || !value.is_number()) continue;
-      const double number = value.get<double>();
+/// What the table of a shapefile cannot hold: it has names of 10 bytes, texts of 254 bytes, and
+/// numbers of 24 characters with 15 digits behind the point.
+struct TableLosses {
+  std::size_t names = 0, texts = 0, numbers = 0;
+
+  void add(FieldKind kind, const Json& value) {
+    constexpr std::size_t kMostText = 254;
+    constexpr int kCharacters = 24, kDigits = 15;
+    if (kind == FieldKind::Text && !value.is_null()) {
+      if (text_of(value).size() > kMostText) ++texts;
+    } else if (kind == FieldKind::Real && value.is_number()) {
+      const auto number = value.get<double>();
       std::array<char, 512> text{};
       const int size =
           std::snprintf(text.data(), text.size(), "%*.*f", kCharacters, kDigits, number);
-      if (size != kCharacters || std::strtod(text.data(), nullptr) != number) ++count;
+      if (size != kCharacters || std::strtod(text.data(), nullptr) != number) ++numbers;
     }
   }
-  return count;
+
+  std::vector<std::string> notes() const {
+    std::vector<std::string> result;
+    const auto note = [&](std::size_t count, const char* what) {
+      if (count > 0) result.push_back(what + (" (" + std::to_string(count) + ')'));
+    };
+    note(names, "shortened: names of properties of more than 10 bytes");
+    note(texts, "cut: texts of more than 254 bytes");
+    note(numbers, "rounded: numbers that need more than 15 digits behind the point");
+    return result;
+  }
+};
+
+TableLosses losses_of(const Layer& layer, const FieldTable& table, Context& context) {
+  constexpr std::size_t kMostName = 10;
+  TableLosses losses;
+  for (const auto& [name, kind] : table.fields) losses.names += name.size() > kMostName ? 1 : 0;
+  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
+    if (f % 256 == 0) context.checkpoint("fields", f, layer.feature_count());
+    const Json properties = parsed(layer.properties(f));
+    if (table.has_id_field)
+      losses.add(table.fields[table.place.at("id")].second, parsed(layer.id(f)));
+    if (!properties.is_object()) continue;
+    for (const auto& [name, value] : properties.items()) {
+      losses.add(table.fields[table.place.at(name)].second, value);
+    }
+  }
+  return losses;
 }
 
 /// Throws Error{BadArgument} if a feature has no polygons. GDAL leaves such features out of
@@ -707,15 +735,9 @@ Shapefile gdal_shapefile(const Layer& layer, const std::string& crs, Context& co
       GDALCreate(GDALGetDriverByName(kDriver), shp.name().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   const std::array<const char*, 2> options{"ENCODING=UTF-8", nullptr};
   write_features(std::move(set), layer, crs, table, options, messages, kDriver, context);
-  Shapefile result{
-      std::string(shp.bytes()), std::string(shx.bytes()),
-      std::string(dbf.bytes()), std::string(prj.bytes()),
-      std::string(cpg.bytes()), {messages.warnings().begin(), messages.warnings().end()}};
-  if (const std::size_t rounded = count_rounded_numbers(layer, table, context); rounded > 0) {
-    result.notes.push_back("numbers that the table of a shapefile rounds: " +
-                           std::to_string(rounded));
-  }
-  return result;
+  return {std::string(shp.bytes()), std::string(shx.bytes()),
+          std::string(dbf.bytes()), std::string(prj.bytes()),
+          std::string(cpg.bytes()), losses_of(layer, table, context).notes()};
 }
 
 #endif
