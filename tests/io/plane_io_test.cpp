@@ -385,9 +385,19 @@ TEST(ReadPlaneSet, says_that_a_file_with_content_is_the_empty_set) {
   EXPECT_EQ(notes_of(R"({"type":"FeatureCollection","features":[]})"), nothing);
   EXPECT_EQ(notes_of(R"({"type":"Feature","geometry":null})"), nothing);
   EXPECT_EQ(notes_of("POLYGON ((0 0, 1 0, 0 1, 0 0, 1 0, 0 1, 0 0))"),
-            (std::vector<std::string>{
-                "the rings of the polygon overlap; the even-odd rule decided what they enclose",
-                "the rings of the file enclose nothing by the rule \"odd\", so the set is empty"}));
+            std::vector<std::string>{
+                "the rings of the polygon overlap; the even-odd rule decided what they enclose"});
+  // What is more than an empty geometry is told by a warning.
+  const auto warnings_of = [](const std::string& text) {
+    Context context;
+    return read_plane_set(text, guess_plane_format(text), {}, context).warnings;
+  };
+  EXPECT_TRUE(warnings_of("POLYGON EMPTY").empty());
+  EXPECT_EQ(warnings_of("POLYGON ((0 0, 1 0, 0 1, 0 0, 1 0, 0 1, 0 0))"),
+            std::vector<std::string>{
+                "the rings of the file enclose nothing by the rule \"odd\", so the set is empty"});
+  EXPECT_EQ(warnings_of(R"({"type":"Feature","geometry":null,"place":{"type":"Point"}})"), nothing);
+  EXPECT_EQ(warnings_of("<svg><text>A</text></svg>"), nothing);
   EXPECT_TRUE(notes_of("POINT (1 2)").empty());
   EXPECT_TRUE(notes_of("plumb-nef2 1\n0 0 0 0 0\n").empty());
 }

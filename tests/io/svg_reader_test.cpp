@@ -237,11 +237,35 @@ TEST(svg_reader, what_means_nothing) {
       "\"x.dtd\">"
       "<!-- <rect> --><svg><title>&amp; more</title><style><![CDATA[ <rect/> ]]></style>"
       "<defs><rect width='1' height='1'/></defs><use href='#x'/><text>A<tspan>b</tspan></text>"
-      "<switch><rect width='1' height='1'/></switch><rect display='none' width='1' height='1'/>"
+      "<rect display='none' width='1' height='1'/>"
       "<other:rect width='1' height='1'/><rect a='&x;' width='1' height='1'/></svg>\n<!---->\n");
   EXPECT_EQ(drawing.shape_count(), 1U);
-  EXPECT_EQ(drawing.notes, (std::vector<std::string>{"left out: switch", "left out: text",
+  EXPECT_EQ(drawing.notes, (std::vector<std::string>{"left out: text",
                                                      "left out: use of what is not in the file"}));
+}
+
+/// A switch draws its first element without conditions, as Illustrator writes them.
+TEST(svg_reader, a_switch_draws_one_element) {
+  const auto points_in = [](const std::string& parts) {
+    const SvgDrawing drawing =
+        read("<svg viewBox='0 0 9 9'><switch>" + parts + "</switch><circle r='1'/></svg>");
+    return std::pair(drawing.shape_count(), drawing.notes);
+  };
+  const std::string rect = "<rect width='1' height='1'/>";
+  const std::string foreign = "<foreignObject requiredExtensions='&ns_ai;'><x/></foreignObject>";
+  const std::vector<std::string> none;
+  EXPECT_EQ(points_in(rect), std::pair(std::size_t{2}, none));
+  EXPECT_EQ(points_in(rect + rect + rect), std::pair(std::size_t{2}, none));
+  EXPECT_EQ(points_in(foreign + "<g>" + rect + rect + "</g>" + rect),
+            std::pair(std::size_t{3}, none));
+  EXPECT_EQ(points_in("<title>t</title>" + rect), std::pair(std::size_t{2}, none));
+  EXPECT_EQ(points_in("<switch>" + foreign + rect + "</switch>" + rect),
+            std::pair(std::size_t{2}, none));
+  EXPECT_EQ(points_in("<rect systemLanguage='de'/>" + rect),
+            std::pair(std::size_t{2},
+                      std::vector<std::string>{"left out: parts of a switch for a language"}));
+  EXPECT_EQ(points_in("<foreignObject/>" + rect),
+            std::pair(std::size_t{1}, std::vector<std::string>{"left out: foreignObject"}));
 }
 
 /// A use draws what it names as if that stood there, in a group with the transform of the use.

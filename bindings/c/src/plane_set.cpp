@@ -65,6 +65,7 @@ PlaneFormat format_of(const std::string& path) {
 
 Nef2 set_of_read(PlaneRead read, plumb_notes& notes) {
   add_notes(notes, read.notes);
+  add_warnings(notes, read.warnings);
   return std::move(read.set);
 }
 

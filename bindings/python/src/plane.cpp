@@ -171,6 +171,7 @@ void def_plane_files(nb::class_<Nef2>& c) {
             run(CallLimits{threads, timeout, memory_limit, std::move(progress)},
                 [&](Context& k) { return read_plane_set_file(path.string(), chosen, options, k); });
         note(read.notes);
+        warn(read.warnings);
         return std::move(read.set);
       },
       "path"_a, "format"_a = nb::none(), "exact_decimals"_a = false, nb::kw_only(),

@@ -205,6 +205,7 @@ class ModelReader {
     if (format) {
       PlaneRead shape = is_drawing ? read_drawing(file, import) : read_shape(file);
       tell(file, shape.notes, read_.notes);
+      tell(file, shape.warnings, read_.warnings);
       tree.shapes.push_back(shape.set.regularization(context_));
       return {CsgKind::Shape, static_cast<std::uint32_t>(tree.shapes.size() - 1)};
     }

@@ -383,20 +383,22 @@ std::string_view rule_name(RingRule rule) {
   }
 }
 
-/// Adds a note if a file is the empty set.
+/// Says that a file is the empty set. That is no surprise if all its geometries are empty.
 void note_emptiness(bool has_shapes, RingRule rule, PlaneRead& read) {
   if (!has_shapes) {
-    read.notes.emplace_back("the file has no point, line or polygon, so the set is empty");
+    const bool has_other_contents = !read.notes.empty();
+    (has_other_contents ? read.warnings : read.notes)
+        .emplace_back("the file has no point, line or polygon, so the set is empty");
   } else if (read.set.is_empty()) {
-    read.notes.emplace_back("the rings of the file enclose nothing by the rule \"" +
-                            std::string(rule_name(rule)) + "\", so the set is empty");
+    read.warnings.emplace_back("the rings of the file enclose nothing by the rule \"" +
+                               std::string(rule_name(rule)) + "\", so the set is empty");
   }
 }
 
 /// Makes a set of shapes. A file that has content and describes the empty set says so.
 PlaneRead set_of(PlaneFile file, RingRule rule, Context& context) {
   const SetOfPolygons parts = parts_of(file.shapes, rule, context);
-  PlaneRead read{united(parts.sets, context), std::move(file.notes)};
+  PlaneRead read{united(parts.sets, context), std::move(file.notes), {}};
   if (parts.ambiguous != 0) {
     const std::size_t polygons = file.shapes.polygon_count();
     const std::string which = polygons == 1 ? "the polygon"
@@ -474,8 +476,10 @@ std::string_view kind_of(PlaneFormat format) {
       return "DXF";
     case PlaneFormat::Svg:
       return "SVG";
-    default:
+    case PlaneFormat::Wkb:
       return "WKT WKB";
+    default:
+      return "WKT";
   }
 }
 

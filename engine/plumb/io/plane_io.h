@@ -139,9 +139,12 @@ PlaneFormat plane_format_of(const std::string& path, std::string_view text);
 struct PlaneRead {
   Nef2 set;  ///< The set that the file describes.
   /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
-  /// that are not in `set`. Another note reports an empty `set`, unless the file is a .nef2 file of
-  /// the empty set.
+  /// that are not in `set`. Another note reports an empty `set` if all geometries of the file are
+  /// empty, unless the file is a .nef2 file of the empty set.
   std::vector<std::string> notes;
+  /// Warnings for a human reader. Each warning is one sentence. A warning reports an empty `set` if
+  /// the file has other contents. A program should show warnings even if it does not show notes.
+  std::vector<std::string> warnings = {};
 };
 
 /// Returns the set that `text` describes in the given format. Throws the errors of the reader of

@@ -35,7 +35,14 @@ namespace {
 constexpr double kThousandth = 1e-3;
 
 /// Elements that would be drawn but are left out.
-constexpr std::array<std::string_view, 4> kLeftOut{"text", "image", "foreignObject", "switch"};
+constexpr std::array<std::string_view, 3> kLeftOut{"text", "image", "foreignObject"};
+
+/// What an open element is to the elements in it.
+enum class SvgChoice : std::uint8_t {
+  All,   ///< All of them are drawn.
+  One,   ///< A switch: the first one without conditions is drawn.
+  Made,  ///< A switch of which one was drawn.
+};
 
 constexpr std::size_t kMostUsesNested = 64;
 /// Uses of uses can place an element any number of times. All that they place is at most this many
@@ -76,6 +83,7 @@ class SvgReader {
   void start_element();
   void end_element();
   bool is_used_root() const;
+  bool is_chosen();
   void start_use();
   void end_use();
   void find_ids();
@@ -121,6 +129,7 @@ class SvgReader {
   std::vector<SvgTransform> transforms_;
   std::vector<std::uint8_t> even_odd_;  // Fill rules of the open elements.
   std::vector<std::uint8_t> hidden_;    // Whether the open elements are invisible.
+  std::vector<SvgChoice> choices_;      // Of the open elements.
   // Width and height of what percentages are parts of, for the open elements; 0 if unknown.
   std::vector<Point2> sizes_;
   Point2 inner_size_{0, 0};                          // That of the element that is being entered.
@@ -181,6 +190,7 @@ void SvgReader::end_element() {
   transforms_.pop_back();
   even_odd_.pop_back();
   hidden_.pop_back();
+  choices_.pop_back();
   sizes_.pop_back();
 }
 
@@ -216,6 +226,7 @@ void SvgReader::start_root() {
   set_frame(x, y, width, height);
   even_odd_.push_back(is_even_odd(false) ? 1 : 0);
   hidden_.push_back(is_hidden(false) ? 1 : 0);
+  choices_.push_back(SvgChoice::All);
 }
 
 /// Sets the root's transform and, if none is given, the tolerance.
@@ -408,15 +419,31 @@ SvgTransform SvgReader::viewport(Point2 corner, double width, double height) {
           corner.y + down * (height - high * scale.y) - y * scale.y};
 }
 
+/// Whether the element that started last is drawn, if it is one of a switch. Of these, the first
+/// one without conditions is drawn: no extension is known here, and no language is preferred.
+bool SvgReader::is_chosen() {
+  SvgChoice& choice = choices_.back();
+  if (choice == SvgChoice::All) return true;
+  if (choice == SvgChoice::Made || scanner().attribute("requiredExtensions")) return false;
+  if (scanner().attribute("systemLanguage")) {
+    left_out_.insert("parts of a switch for a language");
+    return false;
+  }
+  choice = SvgChoice::Made;
+  return true;
+}
+
 /// Enters a group, reads a shape, or skips an element with all it contains.
 void SvgReader::start_element() {
   const std::string_view name = plain_name(scanner().element());
   if (name == "style") return read_style_sheet();
   const auto kind = std::ranges::find(kKinds, name, &Kind::name);
   const bool is_group = name == "g" || name == "a" || name == "svg" || name == "use" ||
-                        (name == "symbol" && is_used_root());
+                        name == "switch" || (name == "symbol" && is_used_root());
+  const bool is_left_out = std::ranges::count(kLeftOut, name) > 0;
+  if ((is_group || is_left_out || kind != kKinds.end()) && !is_chosen()) return skip_element();
   if ((kind == kKinds.end() && !is_group) || property("display") == "none") {
-    if (std::ranges::count(kLeftOut, name) > 0) left_out_.insert(name);
+    if (is_left_out) left_out_.insert(name);
     return skip_element();
   }
   SvgTransform transform = transforms_.back();
@@ -433,6 +460,7 @@ void SvgReader::start_element() {
   even_odd_.push_back(fills_by_evenodd ? 1 : 0);
   const bool hides = is_hidden(hidden_.back() != 0);
   hidden_.push_back(hides ? 1 : 0);
+  choices_.push_back(name == "switch" ? SvgChoice::One : SvgChoice::All);
   sizes_.push_back(inner_size_);
   if (name == "use") return start_use();
   if (is_group || hides) return;

@@ -100,6 +100,7 @@ PlaneOperand PlaneInput::load(const std::string& file, const CommonOptions& opti
     PlaneRead plain = read_plane_set_file(file, {}, read, context);
     operand.set = std::move(plain.set);
     operand.notes = std::move(plain.notes);
+    operand.warnings = std::move(plain.warnings);
     return operand;
   }
   if (options.exact_decimals) {
@@ -116,6 +117,7 @@ PlaneOperand PlaneInput::load(const std::string& file, const CommonOptions& opti
   PlaneRead plain = read_plane_set(text, format, read, context);
   operand.set = std::move(plain.set);
   operand.notes = std::move(plain.notes);
+  operand.warnings = std::move(plain.warnings);
   operand.notes.insert(operand.notes.begin(), input.notes.begin(), input.notes.end());
   if (format != PlaneFormat::GeoJson) return operand;
   operand.features = read_layer(text, {read.name, {}}, context).layer;

@@ -54,6 +54,7 @@ inline constexpr std::array kPlaneFormats{
 struct PlaneOperand {
   Nef2 set;
   std::vector<std::string> notes;
+  std::vector<std::string> warnings;
   Layer features;
   bool are_kept = false;  ///< Whether --keep ids was given.
 };

@@ -177,7 +177,7 @@ Nef2 read_plane(const std::string& file, const std::string& bytes, Session& sess
   const PlaneFormat format = plane_format_of(file, bytes);
   const ReadOptions options{input_name(file), session.options().exact_decimals};
   PlaneRead read = read_plane_set(bytes, format, options, session.context());
-  for (const std::string& note : read.notes) session.note(options.name + ": " + note);
+  print_notes(file, read, session);
   return std::move(read.set);
 }
 
