@@ -5,7 +5,10 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "plumb/io/text/lenient_json.h"
 #include "plumb/predicates/error.h"
 #include "plumb/testing/dice.h"
 
@@ -155,6 +158,78 @@ TEST(JsonValues, ChargesWhatItTakes) {
   --limits.max_memory_bytes;
   Context little(limits);
   EXPECT_THROW(JsonValues(text, "file", fail_at, little), Error);
+}
+
+TEST(LenientJson, replaces_what_is_not_json) {
+  const auto read = [](const std::string& text) {
+    Context context;
+    const LenientJson json(text, "some.file", fail_at, context);
+    return std::string(json.values().source(JsonValues::kDocument));
+  };
+  for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
+           {"[1, NaN]", "[1, null]"},
+           {"[-inf,1.#QNAN,+Infinity,None]", "[null,null,null,null]"},
+           {"[True,False,true]", "[true,false,true]"},
+           {"[\"NaN\"]", "[\"NaN\"]"},
+           {"[\"a\tb\"]", "[\"a\\u0009b\"]"},
+           {"[\"caf\xE9\"]", "[\"caf\xEF\xBF\xBD\"]"},
+           {"[\"caf\xC3\xA9\", nan]", "[\"caf\xC3\xA9\", null]"},
+           {"[\"C:\\maps\\new\"]", "[\"C:\\\\maps\\new\"]"},
+           {"[\"\\ud800\", \"\\ud83d\\ude00\"]", "[\"\xEF\xBF\xBD\", \"\\ud83d\\ude00\"]"},
+           {"[\"\xED\xA0\x80\"]", "[\"\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\"]"}}) {
+    EXPECT_EQ(read(text), expected);
+  }
+  // What is not JSON for another reason keeps its error, and places are those of the text.
+  Context context;
+  for (const std::string text : {"[NaN 1]", "{NaN:1}", "[\"\xE9\"", "[1,]", "// [1]"}) {
+    std::string strict, lenient;
+    try {
+      const JsonValues values(text, "some.file", fail_at, context);
+    } catch (const Error& error) {
+      strict = error.message();
+    }
+    try {
+      const LenientJson values(text, "some.file", fail_at, context);
+    } catch (const Error& error) {
+      lenient = error.message();
+    }
+    EXPECT_FALSE(strict.empty()) << text;
+    EXPECT_EQ(lenient, strict) << text;
+  }
+  const std::string text = "[NaN, \"\xE9\", 7, inf, 8]";
+  const LenientJson json(text, "some.file", fail_at, context);
+  std::string found;
+  for (const JsonValues::Id value : json.values().items(JsonValues::kDocument)) {
+    found += text[json.byte(value)];
+  }
+  EXPECT_EQ(found, "N\"7i8");
+  EXPECT_EQ(json.replaced().note(),
+            "not JSON, replaced: words such as NaN by null (2), characters of texts (1)");
+}
+
+// A text with random bytes is read or refused, and what is read is JSON.
+TEST(LenientJson, makes_json_of_random_texts) {
+  Dice dice(71);
+  std::size_t read = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = random_json(dice, 3).dump();
+    for (auto changes = dice.between(1, 3); changes > 0; --changes) {
+      const auto at = static_cast<std::size_t>(dice.between(0, static_cast<int>(text.size()) - 1));
+      text[at] = static_cast<char>(dice.between(0, 255));
+    }
+    Context context;
+    try {
+      const LenientJson json(text, "some.file", fail_at, context);
+      const std::string source(json.values().source(JsonValues::kDocument));
+      EXPECT_TRUE(Json::accept(source)) << text;
+      EXPECT_LT(json.byte(JsonValues::kDocument), text.size());
+      ++read;
+    } catch (const Error& error) {
+      EXPECT_TRUE(error.code() == ErrorCode::Syntax || error.code() == ErrorCode::NumberOutOfRange)
+          << text;
+    }
+  }
+  EXPECT_GT(read, 300U);
 }
 
 }  // namespace

@@ -238,13 +238,13 @@ TEST(LayerReader, reads_properties_that_are_no_numbers_as_null) {
   EXPECT_EQ(layer.id(0), "null");
   EXPECT_EQ(layer.properties(0), R"({"NaN":null,"a":[null,1, null],"b":"NaN \"Infinity"})");
   EXPECT_EQ(layer.properties(1), R"({"x":-0.5})");
-  EXPECT_EQ(notes_of(text), "read as null: properties that are NaN or infinite (4)\n");
+  EXPECT_EQ(notes_of(text), "not JSON, replaced: words such as NaN by null (4)\n");
   for (const char* const bad : {"NaN", "Infinity", "-Infinity"}) {
     try {
       read("\n{\"type\":\"Polygon\",\"coordinates\":[[[0,\n" + std::string(bad) + "]]]}");
       ADD_FAILURE() << bad;
     } catch (const Error& error) {
-      EXPECT_EQ(std::string(error.what()), "some.file:3:1: a coordinate that is not finite");
+      EXPECT_EQ(std::string(error.what()), "some.file:3:1: a coordinate that is null or not finite");
     }
   }
   EXPECT_THROW(read(collection(feature(R"("properties":{"x":1NaN},)", kSquare))), Error);

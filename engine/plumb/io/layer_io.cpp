@@ -33,6 +33,7 @@
 #include "plumb/io/text/foreign_files.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/json_reader.h"
+#include "plumb/io/text/lenient_json.h"
 #include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
@@ -54,7 +55,7 @@ struct LayerDraft {
   std::size_t dropped = 0;        // Points and lines.
   std::size_t collapsed = 0;      // Rings with fewer than three positions.
   std::size_t unclosed = 0;       // Rings of arcs that end elsewhere than they start.
-  std::size_t nulls = 0;          // Properties that are no numbers, such as NaN, and become null.
+  JsonReplaced replaced;          // What is not JSON.
   bool has_heights = false;       // Whether positions have numbers after x and y.
   std::set<std::string> members;  // Names of members of features and collections that are unknown.
   std::size_t steps = 0;          // Points and corners, for checkpoints.
@@ -65,23 +66,24 @@ class LayerReader {
  public:
   using Id = JsonValues::Id;
 
-  /// Reads the value `part` of the text of a file, and appends its features to `draft`. At the
-  /// places `masked`, which ascend, the text has numbers for words that JSON does not have.
-  LayerReader(std::string_view text, std::string_view part, std::span<const std::size_t> masked,
-              const LayerReadOptions& options, LayerDraft& draft, Context& context)
+  /// Reads the value `part` of the text of a file, and appends its features to `draft`.
+  LayerReader(std::string_view text, std::string_view part, const LayerReadOptions& options,
+              LayerDraft& draft, Context& context)
       : text_(text),
         part_(static_cast<std::size_t>(part.data() - text.data())),
-        masked_(masked),
         options_(options),
         context_(context),
         draft_(draft),
         file_(draft.file),
-        json_(
+        lenient_(
             part, options.name,
             [this](std::size_t byte, ErrorCode code, const std::string& what) {
               fail_at(byte, code, what);
             },
-            context) {}
+            context),
+        json_(lenient_.values()) {
+    draft.replaced.add(lenient_.replaced());
+  }
 
   void read() {
     const std::string type = type_of(JsonValues::kDocument);
@@ -109,16 +111,13 @@ class LayerReader {
     cursor.fail(code, what);
   }
   [[noreturn]] void fail(ErrorCode code, const std::string& what, Id at) {
-    fail_at(json_.byte(at), code, what);
+    fail_at(lenient_.byte(at), code, what);
   }
   std::string type_of(Id object);
   JsonValues::Items list(Id object, std::string_view member);
   JsonValues::Items items(Id value, const char* what);
-  std::string member_source(Id object, std::string_view member);
+  std::string_view member_source(Id object, std::string_view member) const;
   double number(Id value);
-  std::size_t place(std::string_view source) const {
-    return static_cast<std::size_t>(source.data() - text_.data());
-  }
   void name_unknown_members(Id object, std::span<const std::string_view> known);
 
   void read_crs(Id crs);
@@ -138,12 +137,12 @@ class LayerReader {
 
   std::string_view text_;
   std::size_t part_;  // The first byte of the value.
-  std::span<const std::size_t> masked_;
   const LayerReadOptions& options_;
   Context& context_;
   LayerDraft& draft_;
   LayerFile& file_;  // The file of the draft.
-  JsonValues json_;
+  LenientJson lenient_;
+  const JsonValues& json_;  // Of lenient_.
   bool is_topology_ = false;
   bool is_quantised_ = false;
   Point2 scale_{1, 1}, translate_{0, 0};
@@ -173,22 +172,9 @@ JsonValues::Items LayerReader::list(Id object, std::string_view member) {
   return json_.items(*found);
 }
 
-/// Returns the text of a member, with null for words that JSON does not have.
-std::string LayerReader::member_source(Id object, std::string_view member) {
-  constexpr std::string_view kNumber = "-.0123456789";
+std::string_view LayerReader::member_source(Id object, std::string_view member) const {
   const std::optional<Id> found = json_.find(object, member);
-  if (!found) return {};
-  const std::string_view source = json_.source(*found);
-  const std::size_t begin = place(source), end = begin + source.size();
-  std::string text;
-  std::size_t done = begin;
-  for (auto at = std::lower_bound(masked_.begin(), masked_.end(), begin);
-       at != masked_.end() && *at < end; ++at) {
-    text.append(text_.substr(done, *at - done)).append("null");
-    done = std::min(text_.find_first_not_of(kNumber, *at), end);
-    ++draft_.nulls;
-  }
-  return text.append(text_.substr(done, end - done));
+  return found ? json_.source(*found) : std::string_view();
 }
 
 void LayerReader::name_unknown_members(Id object, std::span<const std::string_view> known) {
@@ -208,11 +194,9 @@ void LayerReader::name_unknown_members(Id object, std::span<const std::string_vi
 }
 
 double LayerReader::number(Id value) {
-  if (!json_.is_number(value)) fail(ErrorCode::Syntax, "expected a number", value);
   const std::string_view token = json_.source(value);
-  if (std::binary_search(masked_.begin(), masked_.end(), place(token))) {
-    fail(ErrorCode::NumberOutOfRange, "a coordinate that is not finite", value);
-  }
+  if (token == "null") fail(ErrorCode::Syntax, "a coordinate that is null or not finite", value);
+  if (!json_.is_number(value)) fail(ErrorCode::Syntax, "expected a number", value);
   double result = 0;
   const char* const last = token.data() + token.size();
   const auto [end, code] = double_from_chars(token.data(), last, result);
@@ -508,10 +492,7 @@ LayerFile noted(LayerDraft draft) {
                     std::to_string(draft.unclosed) + ')');
   }
   if (draft.has_heights) notes.push_back("passed over: numbers of positions after x and y");
-  if (draft.nulls > 0) {
-    notes.push_back("read as null: properties that are NaN or infinite (" +
-                    std::to_string(draft.nulls) + ')');
-  }
+  if (!draft.replaced.is_none()) notes.push_back(draft.replaced.note());
   if (!draft.members.empty()) {
     std::string names;
     for (const std::string& name : draft.members) {
@@ -521,46 +502,6 @@ LayerFile noted(LayerDraft draft) {
   }
   if (draft.has_unnamed_crs) notes.push_back("passed over: a \"crs\" without a name");
   return std::move(draft.file);
-}
-
-/// Returns the places of the words NaN, Infinity and -Infinity outside of quotes, which many
-/// programs write into JSON.
-std::vector<std::size_t> words_of_no_number(std::string_view text, Context& context) {
-  constexpr std::size_t kStep = 1U << 20U;
-  constexpr std::string_view kBefore = ":,[ \t\r\n", kBehind = ",]} \t\r\n";
-  std::vector<std::size_t> places;
-  // Names of these words in quotes are rare, so most texts end here.
-  if (text.find("NaN") == text.npos && text.find("Infinity") == text.npos) return places;
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (i % kStep == 0) context.checkpoint("read", i, text.size());
-    if (text[i] == '"') is_quoted = !is_quoted;
-    if (is_quoted) {
-      if (text[i] == '\\') ++i;
-      continue;
-    }
-    const std::string_view rest = text.substr(i);
-    const std::size_t size = rest.starts_with("NaN") ? 3 : rest.starts_with("Infinity") ? 8 : 0;
-    if (size == 0) continue;
-    const std::size_t first = i > 0 && text[i - 1] == '-' ? i - 1 : i;
-    const bool is_word = first > 0 && kBefore.find(text[first - 1]) != kBefore.npos &&
-                         size < rest.size() && kBehind.find(rest[size]) != kBehind.npos;
-    if (is_word) places.push_back(first);
-    i += size - 1;
-  }
-  return places;
-}
-
-/// Returns the text with a number in place of each of these words, of the same length.
-std::string with_numbers(std::string_view text, std::span<const std::size_t> places) {
-  std::string copy(text);
-  for (std::size_t at : places) {
-    if (copy[at] == '-') ++at;
-    const std::size_t size = copy[at] == 'N' ? 3 : 8;
-    copy.replace(at, size, std::string(size, '0'));
-    copy[at + 1] = '.';
-  }
-  return copy;
 }
 
 constexpr std::string_view kBetweenValues = " \t\r\n\x1e";  // With record separators (RFC 8142).
@@ -599,19 +540,11 @@ LayerFile read_json_layer(std::string_view text, const LayerReadOptions& options
                           Context& context) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   LayerDraft draft;
-  const std::vector<std::size_t> masked = words_of_no_number(text, context);
-  std::string copy;
-  MemoryCharge memory(context);
-  if (!masked.empty()) {
-    memory.add(text.size() + masked.size() * sizeof masked[0], "the text of the layer");
-    copy = with_numbers(text, masked);
-    text = copy;
-  }
   std::string_view rest = text;
   if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   do {
     const std::string_view value = take_value(rest);
-    LayerReader(text, value, masked, options, draft, context).read();
+    LayerReader(text, value, options, draft, context).read();
   } while (!rest.empty());
   return noted(std::move(draft));
 }

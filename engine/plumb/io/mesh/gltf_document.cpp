@@ -20,12 +20,13 @@ GltfDocument::GltfDocument(std::string_view bytes, const GltfLoader& loader,
       loader_(loader),
       context_(context),
       charge_(context),
-      json_(
+      lenient_(
           container_.json, options.name,
           [this](std::size_t byte, ErrorCode code, const std::string& what) {
             container_.fail(byte, code, what);
           },
           context),
+      json_(lenient_.values()),
       bytes_read_(bytes.size()) {
   if (!json_.is_object(kDocument)) container_.fail(0, ErrorCode::Syntax, "expected an object");
   require_version();

@@ -18,6 +18,7 @@
 #include "plumb/io/mesh/gltf_parts.h"
 #include "plumb/io/read_options.h"
 #include "plumb/io/text/json_reader.h"
+#include "plumb/io/text/lenient_json.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -37,6 +38,8 @@ class GltfDocument {
   GltfDocument& operator=(const GltfDocument&) = delete;
 
   const JsonValues& json() const { return json_; }
+  /// Returns what is not JSON in the document.
+  JsonReplaced replaced() const { return lenient_.replaced(); }
 
   [[noreturn]] void fail(ErrorCode code, const std::string& where, const std::string& what) const {
     throw Error(code, where + ": " + what, {container_.name});
@@ -108,7 +111,8 @@ class GltfDocument {
   const GltfLoader& loader_;
   Context& context_;
   MemoryCharge charge_;  // Of lists of entries.
-  JsonValues json_;
+  LenientJson lenient_;
+  const JsonValues& json_;  // Of lenient_.
   std::size_t bytes_read_;
   std::map<std::string_view, std::vector<Id>> entries_;  // Per list that was used.
   std::map<std::size_t, std::string> loaded_;            // Buffers that are no chunk.
