@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stop_token>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "gltf_documents.h"
@@ -247,11 +248,41 @@ TEST(GltfReader, says_what_it_passes_over) {
   testing::place(d.buffer, 48, twice);
   const MeshFile file = read(glb(d));
   EXPECT_EQ(file.mesh.face_count(), 3U);
-  EXPECT_EQ(file.notes, (std::vector<std::string>{"passed over: skins, morph targets",
+  EXPECT_EQ(file.notes, (std::vector<std::string>{"passed over: morph targets",
                                                   "1 triangle with two equal corners left out"}));
+  EXPECT_EQ(file.warnings,
+            std::vector<std::string>{"geometry that was not read: skins, which move vertices"});
   d = tetrahedron_document();
   d.json["scenes"].push_back(Json::object());
   EXPECT_EQ(read(glb(d)).notes, std::vector<std::string>{"passed over: other scenes"});
+}
+
+// Targets move vertices if a weight of the mesh is not 0. Those of the node count instead.
+TEST(GltfReader, warns_of_morph_targets_with_weights) {
+  const std::vector<std::string> warned{
+      "geometry that was not read: morph targets, which move vertices"};
+  for (const auto& [mesh, node, is_moved] :
+       std::vector<std::tuple<const char*, const char*, bool>>{{"null", "null", false},
+                                                               {"[0]", "null", false},
+                                                               {"[0, 0.5]", "null", true},
+                                                               {"[1]", "[0]", false},
+                                                               {"[0]", "[1]", true}}) {
+    Document d = tetrahedron_document();
+    d.json["meshes"][0]["primitives"][0]["targets"] = Json::array();
+    if (Json::parse(mesh).is_array()) d.json["meshes"][0]["weights"] = Json::parse(mesh);
+    if (Json::parse(node).is_array()) d.json["nodes"][0]["weights"] = Json::parse(node);
+    const MeshFile file = read(glb(d));
+    EXPECT_EQ(file.warnings, is_moved ? warned : std::vector<std::string>{}) << mesh << node;
+  }
+}
+
+TEST(GltfReader, names_nodes_outside_of_the_scene) {
+  Document d = tetrahedron_document();
+  d.json["nodes"].push_back({{"translation", {1, 2, 3}}});
+  EXPECT_TRUE(read(glb(d)).notes.empty());
+  d.json["nodes"].push_back({{"mesh", 0}});
+  EXPECT_EQ(read(glb(d)).notes,
+            std::vector<std::string>{"passed over: nodes that are not in the scene"});
 }
 
 // A file without triangles says why.
@@ -368,11 +399,12 @@ TEST(GltfReader, names_extensions_that_may_change_the_shape) {
   d.json["extensionsUsed"] = {"KHR_xmp_json_ld", "MSFT_lod",          "ACME_melts_models",
                               "MSFT_lod",        "ACME_melts_models", "KHR_materials_unlit",
                               "ACME\x1b[2Jx"};
+  EXPECT_EQ(read(glb(d)).warnings,
+            std::vector<std::string>{"extensions that change the shape, passed over: MSFT_lod "
+                                     "(only the finest level of detail)"});
   EXPECT_EQ(read(glb(d)).notes,
-            (std::vector<std::string>{
-                "extensions that change the shape, passed over: MSFT_lod (only the finest level of "
-                "detail)",
-                "extensions that are not known, passed over: 'ACME_melts_models', 'ACME...'"}));
+            std::vector<std::string>{
+                "extensions that are not known, passed over: 'ACME_melts_models', 'ACME...'"});
   for (int i = 0; i < 1000; ++i) d.json["extensionsUsed"].push_back("X" + std::to_string(i));
   EXPECT_LT(read(glb(d)).notes.back().size(), 200U);
   d.json["extensionsUsed"] = Json::array();
@@ -497,7 +529,7 @@ TEST(GltfReader, refuses_hostile_texts_with_their_place) {
       {{"empty", "", 1, 1, "no content"},
        {"a list", "[]", 1, 1, "expected an object"},
        {"cut off", "{\n\"nodes\": [", 2, 11, "not JSON"},
-       {"no text", "{\n\"\xff\": 1}", 2, 2, "not JSON"},
+       {"no text", "{\n\xff: 1}", 2, 1, "not JSON"},
        {"number", "{\"x\": 1e999}", 1, 11, "too large"},
        {"zero byte", testing::bytes_with_nul("{}\n \0{", 6), 2, 2, "not JSON"}},
       [](const std::string& text) { read(text); });

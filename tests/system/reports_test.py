@@ -117,6 +117,53 @@ ROWS = [
     # Polygons of curves that are all straight.
     *[Row("32-wkt-straight-curves", "plane info " + name, 0, "area 6\n") for name in ("straight.wkt", "surface.wkt")],
     *[Row("32-wkt-straight-curves", "plane info " + name, 2, "curves are not read") for name in ("arc.wkt", "compound.wkt")],
+    # Words and characters that JSON does not have, where nothing depends on them.
+    *[Row("33-not-json-in-texts", command, 0, ("0 overlaps", "not JSON, replaced"))
+      for command in ("map check words.geojson", "map check bytes.geojson", "map check nan.topojson")],
+    Row("33-not-json-in-texts", "map dissolve words.geojson -o OUT.geojson", 0, "such as NaN by null"),
+    Row("33-not-json-in-texts", "map check OUT.geojson", 0, "1 feature", "not JSON"),
+    Row("33-not-json-in-texts", "plane info words.geojson", 0, "area 6\n"),
+    *info("33-not-json-in-texts", "extras.gltf"),
+    # Comments and names of several lines in text STL; triangles of nothing but NaN.
+    *info("34-stl-comments-and-nan", "comment.stl", "header.stl", "nosolid.stl", "nanface.stl", "nantext.stl"),
+    Row("34-stl-comments-and-nan", "solid info tail.stl", 2, "tail.stl:31:1: expected solid, found 'some'"),
+    Row("34-stl-comments-and-nan", "solid info nanface.stl -q", 0, "triangles without a finite coordinate"),
+    Row("34-stl-comments-and-nan", "solid info nancorner.stl", 2, "nancorner.stl:33:14: expected a number, found 'nan'"),
+    # What moves vertices in glTF and is not followed is told, also with -q.
+    *info("35-gltf-shape-elsewhere", "dot.gltf", "outside.gltf"),
+    Row("35-gltf-shape-elsewhere", "solid info morph.gltf -q", 0, "geometry that was not read: morph targets, which move vertices"),
+    Row("35-gltf-shape-elsewhere", "solid info skin.gltf -q", 0, "geometry that was not read: skins, which move vertices"),
+    Row("35-gltf-shape-elsewhere", "solid info rtc.gltf -q", 0, "CESIUM_RTC (the model is not moved to its place)"),
+    Row("35-gltf-shape-elsewhere", "solid info outside.gltf", 0, "nodes that are not in the scene"),
+    # PLY with integers of 64 bits, and with faces in an element that is not read.
+    *info("36-ply-integers-and-fans", "int64.ply", "binary.ply"),
+    Row("36-ply-integers-and-fans", "solid info fans.ply -q", 0, "geometry that was not read: elements 'trifans'"),
+    # Notations that are not read: what is wrong, and what to do.
+    *[Row("37-notations-that-are-not-read", command, 2, says) for command, says in (
+        ("solid info comma.obj", "comma.obj:2:3: expected a number, found '1,0'; decimals have a point"),
+        ("solid info zero.obj", "OBJ counts from 1"),
+        ("solid info fortran.stl", "exponents begin with e"),
+        ("plane info hex.wkt", "this is WKB; give the file the extension .wkb"),
+        ("plane info box.wkt", "a box is no geometry of WKT; write it as a POLYGON"),
+        ("plane info osm.json", "this is OpenStreetMap data as JSON"),
+        ("plane info gml.gml", "this is a GML file"))],
+    Row("37-notations-that-are-not-read", "plane info mysql.wkt", 0, "area 6\n"),
+    # A closed shell that is listed twice.
+    Row("38-shell-listed-twice", "solid repair twice.off -o OUT.off", 0, ("4 faces, closed", "dropped: 4, 5, 6, 7")),
+    Row("38-shell-listed-twice", "solid info OUT.off", 0, SIXTH, "merged"),
+    # Illustrator puts its drawing into a switch.
+    Row("39-svg-switch-of-illustrator", "plane info illustrator.svg", 0, "area 6\n", "left out"),
+    # A set that is empty although the file has contents: told, also with -q.
+    *[Row("40-empty-for-a-reason", "plane info " + name + " -q", 0, "warning: the file has no point, line or polygon")
+      for name in ("place.geojson", "solid.dxf")],
+    Row("40-empty-for-a-reason", "plane info twice.wkt -q", 0, "warning: the rings of the file enclose nothing"),
+    Row("40-empty-for-a-reason", "plane info empty.wkt -q", 0, "area 0\n", "warning"),
+    # A binary file that nothing tells to be STL is not read as STL.
+    Row("41-binary-of-unknown-kind", "solid info sphere.ctm", 2, "this is an OpenCTM file"),
+    Row("41-binary-of-unknown-kind", "solid info buffer.bin", 2, "a binary file of a kind that is not known"),
+    # A border that crosses itself is no gap.
+    Row("42-map-border-crosses-itself", "map check bowtie.map", 1, "mend the crossing of edges 1-2 and 3-4 first",
+        "in the coverage"),
 ]
 
 

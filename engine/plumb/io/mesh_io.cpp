@@ -154,12 +154,26 @@ MeshFile read_placed_mesh(const std::string& path, std::string_view bytes, MeshF
   });
 }
 
+/// Refuses a binary file that nothing tells to be STL: neither its name, nor its length.
+[[noreturn]] void refuse_unknown(std::string_view bytes, const std::string& name) {
+  constexpr std::string_view kNoReader = "-";
+  const auto kind = foreign_kind(bytes, kNoReader, FileReaders::Solids);
+  throw Error(ErrorCode::UnknownFormat,
+              kind.value_or("a binary file of a kind that is not known; if it is STL, give it the "
+                            "extension .stl"),
+              {.file = name});
+}
+
 }  // namespace
 
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes, const ReadOptions& options,
                       Context& context) {
   const WorkPhase phase("mesh from text");
-  const MeshFormat format = mesh_format_of(path).value_or(guess_mesh_format(bytes));
+  const std::optional<MeshFormat> named = mesh_format_of(path);
+  const MeshFormat format = named.value_or(guess_mesh_format(bytes));
+  const bool is_any_binary =
+      format == MeshFormat::Stl && !is_binary_stl(bytes) && !is_text_stl(bytes);
+  if (!named && path != "-" && is_any_binary) refuse_unknown(bytes, options.name);
   return read_placed_mesh(path, bytes, format, options, context);
 }
 

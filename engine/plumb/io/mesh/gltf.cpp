@@ -48,7 +48,7 @@ class GltfReader {
   }
 
   MeshFile read() {
-    std::vector<std::string> notes = check_extensions(in_, context_);
+    auto [notes, warnings] = check_extensions(in_, context_);
     above_.push_back(kGltfIdentity);
     find_roots();
     end_children(0);
@@ -66,7 +66,9 @@ class GltfReader {
       notes.push_back("accessors without a bufferView, whose elements are zeros: " +
                       std::to_string(zeros));
     }
-    return finished(std::move(notes));
+    if (!in_.replaced().is_none()) notes.push_back(in_.replaced().note());
+    note_nodes_outside();
+    return finished(notes, warnings);
   }
 
  private:
@@ -81,12 +83,14 @@ class GltfReader {
     bool is_last;
   };
 
-  /// Returns the mesh with these notes. A file without triangles is refused, with the notes for a
-  /// reason.
-  MeshFile finished(std::vector<std::string> notes) {
+  /// Returns the mesh with these notes and warnings. A file without triangles is refused, with them
+  /// for a reason.
+  MeshFile finished(const std::vector<std::string>& notes,
+                    const std::vector<std::string>& warnings) {
     const bool is_empty = triangles_.triangle_count() == 0;
     MeshFile file = triangles_.take();
     file.notes.insert(file.notes.end(), notes.begin(), notes.end());
+    file.warnings.insert(file.warnings.end(), warnings.begin(), warnings.end());
     if (!is_empty) {
       if (keeps_attributes_) add_materials(file.attributes);
       if (has_own_images_) {
@@ -95,7 +99,9 @@ class GltfReader {
       return file;
     }
     std::string why;
-    for (const std::string& note : file.notes) why += "; " + note;
+    for (const auto* sentences : {&file.notes, &file.warnings}) {
+      for (const std::string& sentence : *sentences) why += "; " + sentence;
+    }
     in_.fail(ErrorCode::CountMismatch, "meshes", "no triangles are placed" + why);
   }
 
@@ -178,13 +184,47 @@ class GltfReader {
     above_.push_back(here);
     open_all(in_.list(node, "children", where), where);
     end_children(first);
-    if (in_.has(node, "skin")) triangles_.pass_over("skins");
     if (!in_.has(node, "mesh")) return;
+    if (const auto skin = in_.json().find(node, "skin"); skin && in_.json().count(*skin))
+      triangles_.leave_out("skins, which move vertices");
+    if (has_weights(node)) note_targets(true);
     const std::size_t mesh = in_.count(node, "mesh", {}, where);
+    if (has_weights(in_.item("meshes", mesh)) && !in_.has(node, "weights")) note_targets(true);
     const auto copies = in_.extension(node, "EXT_mesh_gpu_instancing");
     if (copies) return place_copies(mesh, instances_of(*copies, where), here, where);
     for (const GltfPrimitive& p : primitives_of(mesh)) {
       triangles_.add(p, here, place_of(mesh, p.number));
+    }
+  }
+
+  /// Whether an object has weights of morph targets other than 0: then vertices are elsewhere.
+  bool has_weights(Id object) const {
+    const auto weights = in_.json().find(object, "weights");
+    if (!weights || !in_.json().is_list(*weights)) return false;
+    const JsonValues::Items all = in_.json().items(*weights);
+    return std::any_of(all.begin(), all.end(), [&](Id weight) {
+      watch();
+      return in_.json().is_number(weight) && in_.json().number(weight) != 0;
+    });
+  }
+
+  void note_targets(bool move_vertices) {
+    if (move_vertices) {
+      triangles_.leave_out("morph targets, which move vertices");
+    } else {
+      triangles_.pass_over("morph targets");
+    }
+  }
+
+  /// Notes meshes of nodes that the scene does not place. With several scenes, or with hidden
+  /// nodes, other notes name them.
+  void note_nodes_outside() {
+    if (in_.entries("scenes").size() != 1 || !hidden_.empty()) return;
+    for (std::size_t n = 0; n < is_placed_.size(); ++n) {
+      watch();
+      if (is_placed_[n] == 0 && in_.has(in_.item("nodes", n), "mesh")) {
+        return triangles_.pass_over("nodes that are not in the scene");
+      }
     }
   }
 
@@ -311,7 +351,7 @@ class GltfReader {
   std::optional<GltfPrimitive> primitive_of(Id primitive, std::size_t number,
                                             const std::string& where) {
     const std::size_t mode = in_.count(primitive, "mode", GltfMode::kTriangles, where);
-    if (in_.has(primitive, "targets")) triangles_.pass_over("morph targets");
+    if (in_.has(primitive, "targets")) note_targets(false);
     if (mode != GltfMode::kTriangles && mode != GltfMode::kStrip && mode != GltfMode::kFan) {
       if (mode > GltfMode::kFan) in_.fail(ErrorCode::Syntax, where, "no such mode");
       triangles_.pass_over("lines and points");

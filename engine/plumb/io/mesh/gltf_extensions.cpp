@@ -55,6 +55,7 @@ constexpr std::array kFamilies{
     Family{"EXT_texture_", GltfEffect::None},
     Family{"FB_geometry_metadata", GltfEffect::None},
     Family{"FB_materials_", GltfEffect::None},
+    Family{"FB_ngon_encoding", GltfEffect::None},
     Family{"GODOT_single_root", GltfEffect::None},
     Family{"GRIFFEL_bim_data", GltfEffect::None},
     Family{"KHR_animation_", GltfEffect::None},
@@ -110,7 +111,7 @@ void add_once(std::vector<std::string>& list, std::string text) {
 
 GltfEffect effect_of_extension(std::string_view name) { return family_of(name).effect; }
 
-std::vector<std::string> check_extensions(const GltfDocument& document, Context& context) {
+GltfExtensions check_extensions(const GltfDocument& document, Context& context) {
   for_each_extension(document, "extensionsRequired", context, [&](const std::string& name) {
     if (is_followed(effect_of_extension(name))) return;
     document.fail(ErrorCode::UnknownFormat, "extensionsRequired",
@@ -128,12 +129,14 @@ std::vector<std::string> check_extensions(const GltfDocument& document, Context&
       add_once(unknown, plumb::quoted(name));
     }
   });
-  std::vector<std::string> notes;
-  if (!known.empty())
-    notes.push_back("extensions that change the shape, passed over: " + listed(known));
-  if (!unknown.empty())
-    notes.push_back("extensions that are not known, passed over: " + listed(unknown));
-  return notes;
+  GltfExtensions found;
+  if (!known.empty()) {
+    found.warnings.push_back("extensions that change the shape, passed over: " + listed(known));
+  }
+  if (!unknown.empty()) {
+    found.notes.push_back("extensions that are not known, passed over: " + listed(unknown));
+  }
+  return found;
 }
 
 }  // namespace plumb

@@ -22,8 +22,14 @@ enum class GltfEffect : std::uint8_t {
 /// Returns the effect of an extension.
 GltfEffect effect_of_extension(std::string_view name);
 
+/// What a reader says of the extensions that a document uses and that it does not read.
+struct GltfExtensions {
+  std::vector<std::string> notes;     ///< Those that it does not know.
+  std::vector<std::string> warnings;  ///< Those that change the shape.
+};
+
 /// Throws Error{UnknownFormat} if the document requires an extension that may change the shape and
-/// is not read. Returns notes that name those that the document only uses.
-std::vector<std::string> check_extensions(const GltfDocument& document, Context& context);
+/// is not read. Returns sentences that name those that the document only uses.
+GltfExtensions check_extensions(const GltfDocument& document, Context& context);
 
 }  // namespace plumb

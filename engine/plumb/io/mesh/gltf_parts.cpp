@@ -161,7 +161,8 @@ std::string decoded_uri(std::string_view uri) {
 
 std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context& context) {
   if (uri.starts_with("data:")) return from_data_uri(uri, context);
-  const std::string file = decoded_uri(uri);
+  std::string file = decoded_uri(uri);
+  while (file.starts_with("./")) file.erase(0, 2);
   if (!is_file_name(file)) {
     throw Error(ErrorCode::CannotOpen,
                 plumb::quoted(file) + ": only files of the same folder are read");

@@ -254,6 +254,7 @@ class GltfTriangles {
   /// Keeps the material of each triangle, and the channels of its corners.
   void keep_materials() { keeps_materials_ = true; }
   void pass_over(std::string_view what) { mesh_.pass_over(what); }
+  void leave_out(std::string_view geometry) { mesh_.leave_out(geometry); }
   /// Returns how many triangles were added.
   std::size_t triangle_count() const { return mesh_.face_count(); }
   /// Adds a primitive. Requires at least 3 corners, and a number of corners that suits the mode.

@@ -365,7 +365,8 @@ std::uint32_t ObjReader::find_vertex(std::string_view number) {
     cursor_.fail(ErrorCode::BadIndex,
                  "face " + std::to_string(mesh_.face_count() + 1) + " names vertex " +
                      quoted(number) + "; " + std::to_string(count) +
-                     (count == 1 ? " vertex has" : " vertices have") + " been given before it",
+                     (count == 1 ? " vertex has" : " vertices have") + " been given before it" +
+                     (value == 0 && code == std::errc() ? "; OBJ counts from 1" : ""),
                  number.data());
   }
   return static_cast<std::uint32_t>(vertex);

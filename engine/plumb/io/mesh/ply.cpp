@@ -87,7 +87,7 @@ class PlyGeometry {
   void end_strip();
 
   /// Returns the mesh with its notes.
-  MeshFile take(const std::string& passed_over, std::uint64_t stray_bytes);
+  MeshFile take(const PlyHeader& header, std::uint64_t stray_bytes);
 
  private:
   void prepare_missing();
@@ -150,10 +150,13 @@ void PlyGeometry::end_strip() {
   strip_length_ = 0;
 }
 
-MeshFile PlyGeometry::take(const std::string& passed_over, std::uint64_t stray_bytes) {
+MeshFile PlyGeometry::take(const PlyHeader& header, std::uint64_t stray_bytes) {
   MeshFile file = mesh_.take();
   attributes_.give(file);
-  if (!passed_over.empty()) file.notes.push_back("passed over: " + passed_over);
+  if (!header.passed_over.empty()) file.notes.push_back("passed over: " + header.passed_over);
+  if (!header.left_out.empty()) {
+    file.warnings.push_back("geometry that was not read: " + header.left_out);
+  }
   if (missing_ > 0) {
     file.notes.push_back("vertices that are not finite, used by no face with area: " +
                          std::to_string(missing_));
@@ -169,6 +172,7 @@ MeshFile PlyGeometry::take(const std::string& passed_over, std::uint64_t stray_b
 bool ends_strip(double value, PlyType type, std::uint32_t vertices) {
   const double all_bits = type == PlyType::UInt8    ? 0xff
                           : type == PlyType::UInt16 ? 0xffff
+                          : type == PlyType::UInt64 ? 0x1p64
                                                     : 0xffff'ffff;
   return value == -1 || (value == all_bits && value >= vertices);
 }
@@ -519,7 +523,7 @@ std::uint64_t PlyBinaryReader::take_length(const PlyProperty& property) {
   return count;
 }
 
-/// Returns the next value; every type is exact in a double.
+/// Returns the next value, which a double holds exactly; integers of 64 bits may be rounded.
 double PlyBinaryReader::take(PlyType type) {
   switch (type) {
     case PlyType::Int8:
@@ -536,13 +540,23 @@ double PlyBinaryReader::take(PlyType type) {
       return in_.take<std::uint32_t>();
     case PlyType::Float32:
       return static_cast<double>(in_.take<float>());
+    case PlyType::Int64:
+      return static_cast<double>(in_.take<std::int64_t>());
+    case PlyType::UInt64:
+      return static_cast<double>(in_.take<std::uint64_t>());
     default:
       return in_.take<double>();
   }
 }
 
 double PlyBinaryReader::take_coordinate(PlyType type) {
+  constexpr double kMostExact = 0x1p53;
   const double value = take(type);
+  const bool is_long = type == PlyType::Int64 || type == PlyType::UInt64;
+  if (is_long && std::fabs(value) > kMostExact) {
+    in_.fail(ErrorCode::NumberOutOfRange, "a coordinate of more than 53 bits",
+             in_.position() - size_of(type));
+  }
   if (!std::isfinite(value)) missing_ = in_.position() - size_of(type);
   return value;
 }
@@ -619,7 +633,7 @@ class PlyReader {
   MeshFile read_elements(Reader& reader, const Input& input, PlyGeometry& geometry) {
     return with_place(input, [&] {
       for (const PlyElement& element : header_.elements) reader.read(element);
-      return geometry.take(header_.passed_over, reader.pass_over_rest());
+      return geometry.take(header_, reader.pass_over_rest());
     });
   }
 

@@ -29,12 +29,12 @@ template <class Value>
 using Names = std::vector<std::pair<std::string_view, Value>>;
 
 const Names<PlyType> kTypes{
-    {"char", PlyType::Int8},      {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
-    {"uint8", PlyType::UInt8},    {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-    {"ushort", PlyType::UInt16},  {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
-    {"int32", PlyType::Int32},    {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
-    {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
-    {"float64", PlyType::Float64}};
+    {"char", PlyType::Int8},       {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
+    {"uint8", PlyType::UInt8},     {"short", PlyType::Int16},     {"int16", PlyType::Int16},
+    {"ushort", PlyType::UInt16},   {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},     {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
+    {"float", PlyType::Float32},   {"float32", PlyType::Float32}, {"double", PlyType::Float64},
+    {"float64", PlyType::Float64}, {"int64", PlyType::Int64},     {"uint64", PlyType::UInt64}};
 
 const Names<PlyFormat> kFormats{{"ascii", PlyFormat::Text},
                                 {"binary_little_endian", PlyFormat::LittleEndian},
@@ -45,6 +45,10 @@ constexpr std::array<std::string_view, 14> kCornerNames{
     "vertex_indices", "vertex_index",  "vertex_indexes", "vertex_indicies", "vertex_ids",
     "vertex_list",    "vertexindices", "vertices",       "verts",           "indices",
     "indexes",        "index",         "point_indices",  "point_index"};
+
+bool is_corner_name(std::string_view name) {
+  return std::find(kCornerNames.begin(), kCornerNames.end(), name) != kCornerNames.end();
+}
 
 /// Names of what is passed over, each once. Only the first few are kept: a file can have many.
 class NameList {
@@ -83,6 +87,7 @@ class HeaderReader {
     }
     require_mesh();
     require_bytes();
+    faces_elsewhere_.append_to(header_.left_out, "elements", " with lists of vertices");
     others_.append_to(header_.passed_over, "elements", "");
     of_vertices_.append_to(header_.passed_over, "properties", " of vertices");
     of_faces_.append_to(header_.passed_over, "properties", " of faces");
@@ -98,7 +103,7 @@ class HeaderReader {
   void read_format();
   void read_element();
   void read_property();
-  void pass_over(std::string_view property);
+  void pass_over(std::string_view property, bool is_list);
   bool is_attribute(const PlyProperty& property) const;
   Role role_of(std::string_view name, bool is_list) const;
   void require_new(Role role, std::string_view name) const;
@@ -120,7 +125,7 @@ class HeaderReader {
   PlyHeader header_;
   bool has_format_ = false;
   std::string_view element_;  // The name of the last element.
-  NameList others_, of_vertices_, of_faces_, lines_;
+  NameList others_, faces_elsewhere_, of_vertices_, of_faces_, lines_;
 };
 
 void HeaderReader::read_magic() {
@@ -229,7 +234,9 @@ void HeaderReader::read_property() {
   property.name = name;
   property.is_kept = is_attribute(property);
   kept_ += property.is_kept && !property.length ? 1 : 0;
-  if (property.role == Role::None && !property.is_kept) pass_over(name);
+  if (property.role == Role::None && !property.is_kept) {
+    pass_over(name, property.length.has_value());
+  }
   header_.elements.back().properties.push_back(property);
 }
 
@@ -247,12 +254,15 @@ bool HeaderReader::is_attribute(const PlyProperty& property) const {
   return kept_ < kMostNumbersOfCorner;
 }
 
-/// Notes a property of the last element that no mesh holds, or the element if it is unknown.
-void HeaderReader::pass_over(std::string_view property) {
+/// Notes a property of the last element that no mesh holds, or the element if it is unknown. An
+/// element with lists of vertices has faces in a form that is not read, such as fans.
+void HeaderReader::pass_over(std::string_view property, bool is_list) {
   const PlyElement& element = header_.elements.back();
   if (element.count == 0) return;
   if (element.kind == Kind::Other) {
-    others_.add(element_);
+    // A range_grid says where vertices lie in a scan; its faces are those of the element face.
+    const bool has_corners = is_list && is_corner_name(property) && element_ != "range_grid";
+    (has_corners ? faces_elsewhere_ : others_).add(element_);
   } else {
     (element.kind == Kind::Vertex ? of_vertices_ : of_faces_).add(property);
   }
@@ -264,9 +274,7 @@ Role HeaderReader::role_of(std::string_view name, bool is_list) const {
     return name == "x" ? Role::X : name == "y" ? Role::Y : name == "z" ? Role::Z : Role::None;
   }
   const bool has_corners = (kind == Kind::Face || kind == Kind::Strips) && is_list;
-  const bool is_corners = has_corners && std::find(kCornerNames.begin(), kCornerNames.end(),
-                                                   name) != kCornerNames.end();
-  return is_corners ? Role::Corners : Role::None;
+  return has_corners && is_corner_name(name) ? Role::Corners : Role::None;
 }
 
 bool has_role(const PlyElement& element, Role role) {
@@ -324,7 +332,7 @@ Value HeaderReader::find(const Names<Value>& names, std::string_view word,
 }  // namespace
 
 std::size_t size_of(PlyType type) {
-  constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr std::array<std::size_t, 10> kSizes{1, 1, 2, 2, 4, 4, 4, 8, 8, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
 

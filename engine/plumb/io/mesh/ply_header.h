@@ -25,7 +25,18 @@ namespace plumb {
 enum class PlyFormat : std::uint8_t { Text, LittleEndian, BigEndian };
 
 /// The types of properties.
-enum class PlyType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+enum class PlyType : std::uint8_t {
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Float32,
+  Float64,
+  Int64,
+  UInt64
+};
 
 /// Returns the size of a value in a binary file, in bytes.
 std::size_t size_of(PlyType type);
@@ -60,6 +71,7 @@ struct PlyHeader {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
   std::string passed_over;  ///< What no mesh holds, by its names; empty if there is nothing.
+  std::string left_out;     ///< Geometry that is not read, by its names.
 
   /// Returns the number of vertices.
   std::uint32_t vertex_count() const;

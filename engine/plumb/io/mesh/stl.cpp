@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "plumb/io/mesh/mesh_formats.h"
@@ -35,6 +36,7 @@ namespace {
 constexpr std::size_t kHeaderBytes = 80;
 constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kTrianglesPerCheckpoint = 4096;
+constexpr std::string_view kNowhere = "triangles without a finite coordinate";
 constexpr std::size_t kLeastBinaryBytes = kHeaderBytes + sizeof(std::uint32_t);
 
 constexpr char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -42,6 +44,29 @@ constexpr char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c
 bool is_word(std::string_view token, std::string_view lower_case) {
   return std::equal(token.begin(), token.end(), lower_case.begin(), lower_case.end(),
                     [](char a, char b) { return lower(a) == b; });
+}
+
+/// Returns where a word begins for the first time, in capital or small letters; npos if it does not
+/// occur.
+std::size_t place_of(std::string_view text, std::string_view lower_case) {
+  const auto found = std::search(text.begin(), text.end(), lower_case.begin(), lower_case.end(),
+                                 [](char a, char b) { return lower(a) == b; });
+  return found == text.end() ? text.npos : static_cast<std::size_t>(found - text.begin());
+}
+
+/// Whether the token begins a comment in some format of meshes.
+bool begins_comment(std::string_view token) {
+  return token.starts_with('#') || token.starts_with(';') || token.starts_with('!') ||
+         token.starts_with("//");
+}
+
+/// Whether the token is a word or a number that belongs into a facet.
+bool is_of_facet(std::string_view token) {
+  constexpr std::array<std::string_view, 5> kWords{"normal", "loop", "vertex", "endloop",
+                                                   "endfacet"};
+  return std::any_of(kWords.begin(), kWords.end(),
+                     [&](std::string_view word) { return is_word(token, word); }) ||
+         std::string_view("+-.0123456789").find(token.front()) != token.npos;
 }
 
 /// Returns "1 byte", "2 bytes", ...
@@ -83,12 +108,14 @@ class StlTextReader {
 
  private:
   void read_statement();
+  bool has_facet_ahead();
   void skip_name();
   bool is_at_facet() const;
   bool is_next(std::string_view lower_case) const;
   void read_facet();
   void skip_normal();
   void read_loop();
+  bool is_not_finite_next();
   bool find_token();
   void require_token(std::string_view expected);
   std::string_view take(std::string_view expected);
@@ -101,11 +128,13 @@ class StlTextReader {
   Context& context_;
   std::size_t total_bytes_;
   bool is_open_ = false;  // Whether a solid has begun that has not ended yet.
+  std::optional<bool> is_facet_ahead_;
   ReadNumber x_, y_, z_;
 };
 
 /// Reads the beginning or the end of a solid, a facet, or a colour. Solids need not be well nested:
-/// some writers repeat the first line or the last.
+/// some writers repeat the first line or the last. Comments are passed over, and before the first
+/// facet all other lines, because some writers have a name of several lines.
 void StlTextReader::read_statement() {
   const std::string_view token = cursor_.token();
   if (is_word(token, "facet")) return read_facet();
@@ -119,11 +148,25 @@ void StlTextReader::read_statement() {
     is_open_ = false;
     return skip_name();
   }
-  if (!is_word(token, "color")) {
+  if (is_word(token, "color")) {
+    mesh_.pass_over("colours of solids");
+    return skip_name();
+  }
+  const bool may_be_name = mesh_.face_count() == 0 && !is_of_facet(token) && has_facet_ahead();
+  if (!begins_comment(token) && !may_be_name) {
     cursor_.fail_token(token, is_open_ ? "facet or endsolid" : "solid");
   }
-  mesh_.pass_over("colours of solids");
+  mesh_.pass_over("comments");
   skip_name();
+}
+
+/// Whether a facet follows that begins with its word. The text is searched once: as long as no
+/// facet was read, one that is ahead stays there.
+bool StlTextReader::has_facet_ahead() {
+  if (!is_facet_ahead_) {
+    is_facet_ahead_ = place_of(cursor_.rest(), "facet") < place_of(cursor_.rest(), "outer");
+  }
+  return *is_facet_ahead_;
 }
 
 /// Skips the rest of a line: a name may be anything. A facet is no name: a file may have no line
@@ -167,18 +210,35 @@ void StlTextReader::read_loop() {
     context_.checkpoint("read", cursor_.bytes_read(), total_bytes_);
   }
   expect("loop");
+  const bool is_nowhere = is_not_finite_next();
   for (int i = 0; i < 3; ++i) {
     expect("vertex");
     for (ReadNumber* number : {&x_, &y_, &z_}) {
       require_token("a number");
-      numbers_.read_next(cursor_, *number);
+      if (is_nowhere && starts_not_finite(cursor_.rest())) {
+        cursor_.token();
+      } else if (is_nowhere) {
+        cursor_.fail_token(cursor_.token(), "a coordinate that is not finite, as those before it");
+      } else {
+        numbers_.read_next(cursor_, *number);
+      }
     }
-    mesh_.add_point(x_, y_, z_);
+    if (!is_nowhere) mesh_.add_point(x_, y_, z_);
   }
   expect_end("endloop");
   require_token("endfacet");
   if (!is_next("facet") && !is_next("outer") && !is_next("endsolid")) expect_end("endfacet");
+  if (is_nowhere) return mesh_.leave_out(kNowhere);
   add_triangle(mesh_);
+}
+
+/// Whether a corner follows whose first coordinate is not finite.
+bool StlTextReader::is_not_finite_next() {
+  constexpr std::string_view kVertex = "vertex";
+  if (!find_token() || !is_next(kVertex)) return false;
+  std::string_view rest = cursor_.rest().substr(kVertex.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  return starts_not_finite(rest);
 }
 
 /// Moves to the next token; returns false at the end of the text.
@@ -235,15 +295,6 @@ MeshFile read_text(std::string_view text, std::size_t stray, const ReadOptions& 
 
 std::uint32_t announced(std::string_view bytes) {
   return BinaryInput(bytes, kHeaderBytes, std::endian::little, {}).take<std::uint32_t>();
-}
-
-float take_coordinate(BinaryInput& in) {
-  const auto value = in.take<float>();
-  if (!std::isfinite(value)) {
-    in.fail(ErrorCode::NumberOutOfRange, "a coordinate that is not finite",
-            in.position() - sizeof(float));
-  }
-  return value;
 }
 
 /// What follows the header of a binary file.
@@ -318,21 +369,39 @@ BinaryLayout layout_of(std::string_view bytes, const ReadOptions& options) {
   return {count, false, static_cast<std::size_t>(room - needed)};
 }
 
+/// Adds the corners of a triangle whose coordinates began at byte `begin`. Returns false if none of
+/// the coordinates is finite: some programs write such triangles in place of those that they drop.
+bool add_points(const BinaryInput& in, std::size_t begin, const std::array<float, 9>& coordinates,
+                MeshCollector& mesh) {
+  const auto is_bad = [](float value) { return !std::isfinite(value); };
+  const auto* const bad = std::find_if(coordinates.begin(), coordinates.end(), is_bad);
+  if (bad != coordinates.end() && std::all_of(coordinates.begin(), coordinates.end(), is_bad)) {
+    mesh.leave_out(kNowhere);
+    return false;
+  }
+  if (bad != coordinates.end()) {
+    in.fail(ErrorCode::NumberOutOfRange, "a coordinate that is not finite",
+            begin + sizeof(float) * static_cast<std::size_t>(bad - coordinates.begin()));
+  }
+  for (std::size_t i = 0; i < coordinates.size(); i += 3) {
+    mesh.add_point({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+  }
+  return true;
+}
+
 void read_triangle(BinaryInput& in, const BinaryLayout& layout, MeshCollector& mesh) {
   in.skip(3 * sizeof(float));  // The normal.
-  for (int i = 0; i < 3; ++i) {
-    const double x = take_coordinate(in);
-    const double y = take_coordinate(in);
-    const double z = take_coordinate(in);
-    mesh.add_point({x, y, z});
-  }
+  const std::size_t begin = in.position();
+  std::array<float, 9> coordinates{};
+  for (float& value : coordinates) value = in.take<float>();
+  const bool has_point = add_points(in, begin, coordinates, mesh);
   const bool has_attribute = in.bytes_left() >= sizeof(std::uint16_t);
   if (const auto attribute = has_attribute ? in.take<std::uint16_t>() : std::uint16_t{0};
       attribute != 0) {
     mesh.pass_over("attributes of triangles");
     if (layout.has_attribute_bytes) in.skip(attribute);
   }
-  add_triangle(mesh);
+  if (has_point) add_triangle(mesh);
 }
 
 MeshFile read_binary(std::string_view bytes, const ReadOptions& options, Context& context) {
@@ -390,12 +459,20 @@ std::size_t first_control_byte(std::string_view bytes) {
                                           std::to_string(bytes.size()) + " bytes are there");
 }
 
+/// Whether the text has facets near its beginning: comments may stand before the first solid, and
+/// some writers leave the word solid out.
+bool begins_with_facets(std::string_view text) {
+  constexpr std::size_t kInspected = 4096;
+  return place_of(text.substr(0, kInspected), "vertex") != text.npos;
+}
+
 MeshFile read_triangles(std::string_view bytes, const ReadOptions& options, Context& context) {
   if (is_binary_stl(bytes)) return read_binary(bytes, options, context);
   // Some systems fill up their files with zeros, or end them with Ctrl-Z.
   constexpr std::string_view kPadding("\0\x1A", 2);
   const std::string_view text = bytes.substr(0, bytes.find_last_not_of(kPadding) + 1);
-  if (is_text_stl(text) && first_control_byte(text) == text.npos) {
+  const bool is_text = first_control_byte(text) == text.npos;
+  if (is_text && (is_text_stl(text) || begins_with_facets(text))) {
     return read_text(text, bytes.size() - text.size(), options, context);
   }
   if (has_binary_content(bytes)) return read_binary(bytes, options, context);

@@ -121,7 +121,7 @@ struct SkippedElement {
   bool is_geometry = false;
 };
 
-constexpr std::array<SkippedElement, 13> kSkippedElements{{
+constexpr std::array<SkippedElement, 17> kSkippedElements{{
     {"metadata", "metadata"},
     {"metadatagroup", "metadata"},
     {"basematerials", "materials and colours"},
@@ -135,6 +135,10 @@ constexpr std::array<SkippedElement, 13> kSkippedElements{{
     {"trianglesets", "sets of triangles"},
     {"slicestack", "slices"},
     {"beamlattice", "beam lattices", true},
+    {"booleanshape", "Booleans of objects", true},
+    {"displacementmesh", "displaced meshes", true},
+    {"levelset", "level sets", true},
+    {"implicitfunction", "implicit functions", true},
 }};
 
 /// Settings of Cura that make an object something else than a part of the model.

@@ -115,7 +115,7 @@ class WktReader {
     std::string_view name;
     Body body;
   };
-  static const std::array<Kind, 14> kKinds;
+  static const std::array<Kind, 15> kKinds;
 
   /// What a word such as POINTZ names.
   struct Named {
@@ -178,7 +178,7 @@ class WktReader {
   ReadNumber x_, y_, height_, other_;
 };
 
-const std::array<WktReader::Kind, 14> WktReader::kKinds{{
+const std::array<WktReader::Kind, 15> WktReader::kKinds{{
     {"POINT", &WktReader::read_point},
     {"LINESTRING", &WktReader::read_line},
     {"LINEARRING", &WktReader::read_ring_as_polygon},
@@ -193,6 +193,7 @@ const std::array<WktReader::Kind, 14> WktReader::kKinds{{
     {"TIN", &WktReader::read_patches},
     {"POLYHEDRALSURFACE", &WktReader::read_patches},
     {"GEOMETRYCOLLECTION", &WktReader::read_collection},
+    {"GEOMCOLLECTION", &WktReader::read_collection},  // MySQL.
 }};
 
 /// Returns a bound on the number of positions: each ends with a comma or parenthesis, and "0 0,"
@@ -306,6 +307,12 @@ void WktReader::fail_kind(std::string_view token) const {
                      ": the whole globe is no polygon of the plane; the whole plane is "
                      "written as .nef2",
                  token.data());
+  }
+  if (starts_with_word(token, "BOX") || is_word(token, "ENVELOPE")) {
+    cursor_.fail(
+        ErrorCode::Syntax,
+        quoted(token) + ": a box is no geometry of WKT; write it as a POLYGON (ST_Envelope does)",
+        token.data());
   }
   cursor_.fail_token(token,
                      "POINT, LINESTRING, POLYGON, MULTIPOINT, MULTILINESTRING, MULTIPOLYGON, "

@@ -59,6 +59,8 @@ constexpr std::array kSignatures{
     ForeignKind{"    -1\n"sv, "a universal file (UNV)", kExportMesh},
     ForeignKind{"    -1\r\n"sv, "a universal file (UNV)", kExportMesh},
     ForeignKind{"BLENDER"sv, "a file of Blender", kExportMesh},
+    ForeignKind{"OCTM"sv, "an OpenCTM file", kExportMesh},
+    ForeignKind{"$Comments"sv, "a Gmsh file", kExportMesh},
     ForeignKind{"DRACO"sv, "a Draco file", kExportMesh},
     ForeignKind{"xof "sv, "a DirectX file", kExportMesh},
     ForeignKind{"#usda"sv, "a USD file", kExportMesh},
@@ -94,6 +96,9 @@ constexpr std::array kRoots{
     ForeignKind{"gpx", "a GPX file", kConvert},
     ForeignKind{"osm", "an OpenStreetMap file", kConvert},
     ForeignKind{"FeatureCollection", "a GML file", kConvert},
+    ForeignKind{"Polygon", "a GML file", kConvert},
+    ForeignKind{"MultiSurface", "a GML file", kConvert},
+    ForeignKind{"MultiPolygon", "a GML file", kConvert},
     ForeignKind{"svg", "an SVG drawing", "give the file the extension .svg", "SVG"},
     ForeignKind{"html", "a web page (HTML)", "perhaps a download failed: fetch the file again"},
 };
@@ -104,6 +109,8 @@ constexpr std::array kJsonWords{
                 "TopoJSON"},
     ForeignKind{"\"esriGeometry", "JSON of ArcGIS", kConvert},
     ForeignKind{"\"rings\"", "JSON of ArcGIS", kConvert},
+    ForeignKind{"\"elements\"", "OpenStreetMap data as JSON",
+                "osmtogeojson converts it to GeoJSON"},
     ForeignKind{"\"asset\"", "glTF", "give the file the extension .gltf", "glTF"},
     ForeignKind{"\"BufferGeometry\"", "JSON of three.js", kExportMesh},
     ForeignKind{"\"FeatureCollection\"", "GeoJSON", kRename, "GeoJSON"},
@@ -180,6 +187,17 @@ bool has_vertex_line(std::string_view text) {
   return number.find_first_of("-+.0123456789") != number.npos;
 }
 
+/// Whether the text begins like WKB in hexadecimal digits: a byte order, and a code below 256 in
+/// that order.
+bool begins_like_hexadecimal_wkb(std::string_view text) {
+  constexpr std::size_t kLeast = 18;  // Of an empty list.
+  if (text.starts_with("\\x") || text.starts_with("0x")) text.remove_prefix(2);
+  const std::string_view word = text.substr(0, text.find_first_of(kForeignBlanks));
+  const bool is_order = word.starts_with("01") || word.starts_with("00");
+  return is_order && word.size() >= kLeast &&
+         word.find_first_not_of("0123456789abcdefABCDEF") == word.npos;
+}
+
 /// Whether a polygon, a line or a point of WKT begins behind a quote or what separates columns.
 bool has_quoted_geometry(std::string_view text) {
   constexpr std::string_view kBefore = "\"',;\t";
@@ -217,6 +235,8 @@ const ForeignKind* kind_of_text(std::string_view text) {
   static constexpr ForeignKind kObj{"", "OBJ", "give the file the extension .obj", "OBJ"};
   static constexpr ForeignKind kDxf{"", "DXF", "give the file the extension .dxf", "DXF"};
   static constexpr ForeignKind kWkt{"", "WKT", "give the file the extension .wkt", "WKT"};
+  static constexpr ForeignKind kWkb{"", "WKB", "give the file the extension .wkb", "WKB"};
+  if (begins_like_hexadecimal_wkb(text)) return &kWkb;
   static constexpr ForeignKind kTable{
       "", "a table with geometries",
       "leave only the column of geometries, a geometry a line without quotes, or convert it: "

@@ -132,6 +132,31 @@ double nearest_value(const Decimal& decimal, bool is_negative) {
 
 constexpr std::string_view kNumber = "a number";
 
+/// Throws the error for a token that is no number. A number of another notation gets a hint.
+[[noreturn]] void fail_number(const TextCursor& cursor, std::string_view token) {
+  constexpr std::string_view kDigits = "+-0123456789";
+  const std::size_t mark = token.find_first_not_of(kDigits);
+  const bool begins_like_one = mark != token.npos && token.find_first_of("0123456789") < mark;
+  const auto ends_like_one = [&](std::size_t from) {
+    return token.find_first_not_of(".0123456789eE+-", from) == token.npos;
+  };
+  if (begins_like_one && token[mark] == ',' && ends_like_one(mark + 1)) {
+    cursor.fail(ErrorCode::Syntax,
+                "expected " + std::string(kNumber) + ", found " + quoted(token) +
+                    "; decimals have a point, and blanks separate numbers",
+                token.data());
+  }
+  const std::size_t exponent = token.find_first_of("dD");
+  if (begins_like_one && exponent != token.npos && exponent > mark - 1 &&
+      ends_like_one(exponent + 1)) {
+    cursor.fail(ErrorCode::Syntax,
+                "expected " + std::string(kNumber) + ", found " + quoted(token) +
+                    "; exponents begin with e",
+                token.data());
+  }
+  cursor.fail_token(token, kNumber);
+}
+
 }  // namespace
 
 bool starts_not_finite(std::string_view text) {
@@ -252,7 +277,7 @@ void NumberReader::read_fraction(const TextCursor& cursor, std::string_view toke
                                  std::size_t slash, ReadNumber& number) const {
   const std::string_view above = without_sign(token.substr(0, slash));
   const std::string_view below = token.substr(slash + 1);
-  if (!all_digits(above) || !all_digits(below)) cursor.fail_token(token, kNumber);
+  if (!all_digits(above) || !all_digits(below)) fail_number(cursor, token);
   Integer denominator = to_integer(below);
   if (denominator == 0) {
     cursor.fail(ErrorCode::NumberOutOfRange, "the denominator is 0", below.data());
@@ -278,7 +303,7 @@ void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token
     if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
   }
   const Decimal decimal = take_apart(token);
-  if (!decimal.well_formed) cursor.fail_token(token, kNumber);
+  if (!decimal.well_formed) fail_number(cursor, token);
   value = nearest_value(decimal, is_negative(token));
   if (!std::isfinite(value)) {
     cursor.fail(ErrorCode::NumberOutOfRange, quoted(token) + " is larger than the largest double",
@@ -290,7 +315,7 @@ void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token
 void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view token,
                                       ReadNumber& number) {
   const Decimal decimal = take_apart(token);
-  if (!decimal.well_formed) cursor.fail_token(token, kNumber);
+  if (!decimal.well_formed) fail_number(cursor, token);
   if (magnitude(decimal).zero) return number.set(0.0);
   const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift_of(decimal)));
   const std::size_t digit_count = decimal.whole.size() + decimal.fraction.size();

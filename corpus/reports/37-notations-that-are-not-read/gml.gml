@@ -1,0 +1,1 @@
+<gml:Polygon xmlns:gml="http://www.opengis.net/gml"><gml:exterior><gml:LinearRing><gml:posList>0 0 4 0 0 3 0 0</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon>
