@@ -12,6 +12,7 @@
 #include "generate/meshes.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/predicates/error.h"
+#include "plumb/testing/dice.h"
 
 namespace plumb::testing::solid_io_test {
 namespace {
@@ -244,6 +245,38 @@ TEST(SolidSets, RemediesAreOnesThatHelp) {
   sheet.points = kCube.points;
   sheet.add_face(kCube.face(0));
   EXPECT_EQ(remedy_for(sheet, {}), std::nullopt);
+}
+
+/// Returns the faces of a mesh with points of their own, each of which is moved by at most `most`
+/// along each axis.
+PolygonMesh torn(const PolygonMesh& mesh, double most) {
+  Dice dice(29);
+  PolygonMesh result;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    std::vector<std::uint32_t> face;
+    for (const std::uint32_t v : mesh.face(f)) {
+      const auto move = [&] { return most * static_cast<double>(dice.between(-100, 100)) / 100; };
+      const Point3 p = mesh.points[v];
+      face.push_back(static_cast<std::uint32_t>(result.points.size()));
+      result.points.push_back({p.x + move(), p.y + move(), p.z + move()});
+    }
+    result.add_face(face);
+  }
+  return result;
+}
+
+// A heap of loose faces is welded with a tolerance that is much shorter than its edges, and a hole
+// that is left is filled.
+TEST(SolidSets, RemediesOfTornMeshesAreTolerances) {
+  const PolygonMesh sphere = icosphere_mesh(2, 1, {0, 0, 0});
+  for (const auto& [most, weld] : {std::pair(2e-8, 1e-7), {2e-5, 1e-4}, {2e-4, 1e-3}}) {
+    PolygonMesh loose = torn(sphere, most);
+    EXPECT_EQ(remedy_for(loose, {}), (RepairOptions{.weld = weld})) << most;
+    loose.face_begin.pop_back();
+    loose.corners.resize(loose.face_begin.back());
+    EXPECT_EQ(remedy_for(loose, {}), (RepairOptions{.weld = weld, .fill_holes = 3})) << most;
+  }
+  EXPECT_EQ(remedy_for(torn(sphere, 0.05), {}), std::nullopt);
 }
 
 }  // namespace

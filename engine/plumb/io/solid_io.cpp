@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -219,7 +220,7 @@ class RemedySearch {
       // A mesh that is closed because it is double-sided may have a hole in each side.
       if (longest == 0) return filled(single, longest_of_single);
     }
-    if (auto found = welded(turned)) return found;
+    if (auto found = welded(turned, is_torn)) return found;
     return is_torn ? std::nullopt : filled(turned, longest);
   }
 
@@ -252,12 +253,15 @@ class RemedySearch {
     return lonely > 100 && lonely > edges.size() / kMostShare;
   }
 
-  /// Returns the options without the steps that change nothing, if the mended mesh is read.
-  std::optional<RepairOptions> tried(RepairOptions repair, std::size_t* longest = nullptr) const {
+  /// Returns the options without the steps that change nothing, if the mended mesh is read. Adds
+  /// the edges of holes that are left to `open_edges`.
+  std::optional<RepairOptions> tried(RepairOptions repair, std::size_t* longest = nullptr,
+                                     std::size_t* open_edges = nullptr) const {
     PolygonMesh mesh = mesh_;
     const RepairReport report = repair_mesh(mesh, repair, context_);
     for (const auto& hole : report.holes) {
       if (longest != nullptr) *longest = std::max(*longest, hole.size());
+      if (open_edges != nullptr) *open_edges += hole.size();
     }
     if (!report.is_closed() || !is_read(mesh)) return {};
     const RepairOptions& given = options_.repair;
@@ -275,21 +279,51 @@ class RemedySearch {
     }
   }
 
-  /// Tries tolerances that are powers of ten, least first.
-  std::optional<RepairOptions> welded(RepairOptions repair) const {
+  /// Tries tolerances that are powers of ten, least first. Above 1e-5 of the size of the mesh, a
+  /// tolerance must be much shorter than every edge, so that welding takes no detail away. If no
+  /// tolerance is enough and the mesh is torn, the holes are filled that the tolerance leaves with
+  /// the fewest open edges.
+  std::optional<RepairOptions> welded(RepairOptions repair, bool fills) const {
+    constexpr int kSafe = 5, kLast = 3;
+    constexpr double kMostOfEdge = 0.125;
     const double size = extent();
     if (!(size > 0) || !std::isfinite(size)) return {};
     const int exponent = static_cast<int>(std::floor(std::log10(size)));
-    for (int digits = 9; digits >= 5; --digits) {
+    std::optional<RepairOptions> nearly;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    std::size_t longest = 0;  // The edges of the longest hole that is left then.
+    for (int digits = 9; digits >= kLast; --digits) {
       const std::string text = "1e" + std::to_string(exponent - digits);
       repair.weld = std::strtod(text.c_str(), nullptr);
       if (!(repair.weld > options_.repair.weld)) continue;
+      if (digits < kSafe && !(repair.weld < kMostOfEdge * shortest_edge())) break;
       PolygonMesh mesh = mesh_;
       const bool moves = weld_points(mesh, repair.weld, context_).moved > 0;
       if (!moves || has_loose_faces(mesh)) continue;
-      if (auto found = tried(repair)) return found;
+      std::size_t longest_here = 0, open_edges = 0;
+      if (auto found = tried(repair, &longest_here, &open_edges)) return found;
+      if (open_edges >= fewest) continue;
+      nearly = repair;
+      fewest = open_edges;
+      longest = longest_here;
     }
-    return {};
+    return fills && nearly ? filled(*nearly, longest) : std::nullopt;
+  }
+
+  /// Returns the length of the shortest edge between different points; 0 if there is none. The
+  /// last edge of a face is left out.
+  double shortest_edge() const {
+    double least = HUGE_VAL;
+    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+      std::optional<Point3> before;
+      for (const std::uint32_t v : mesh_.face(f)) {
+        const Point3 p = mesh_.points[v];
+        const Point3 q = std::exchange(before, p).value_or(p);
+        const double length = std::hypot(p.x - q.x, p.y - q.y, p.z - q.z);
+        if (length > 0) least = std::min(least, length);
+      }
+    }
+    return std::isfinite(least) ? least : 0;
   }
 
   /// Returns the largest extent along an axis.
