@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generate/space_program.h"
+#include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/boolean/frame.h"
@@ -62,6 +63,8 @@ AffineMap3 some_map(Dice& dice, std::uint64_t kind) {
       return {{{{0.6, -0.8, 0}, {0.8, 0.6, 0}, {0, 0, 0.7}}}, {0.1, -0.25, 0x1p-70}};
     case 9:
       return {{{{0.5, 0, 0}, {0, -4, 0}, {0, 0, 1}}}, {0.75, 0, 0x1p-1060}};
+    case 10:  // Some doubles go to doubles, others do not.
+      return {{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 0.1}}}, {0.1, 0x1p53, -7}};
     default:
       break;
   }
@@ -228,6 +231,43 @@ TEST(MappedSets, TowardsCornersOfTheFrame) {
   const Nef3 ray = line * Nef3::half_space({1, 0, 0, 0}, Boundary::Closed);
   EXPECT_TRUE(ray.transformed(shift) ==
               line.transformed(shift) * Nef3::half_space({1, 0, 0, -3}, Boundary::Closed));
+}
+
+/// Numbers that have passed through a map and its inverse have common factors, which do not stay.
+TEST(MappedSets, DoNotGrowWithTheNumberOfMaps) {
+  const AffineMap3 turn{
+      {{{kThreeFifths, -kFourFifths, 0}, {kFourFifths, kThreeFifths, 0}, {0, 0, 1}}},
+      {kThird, 0, 0}};
+  const AffineMap3 shear{{{{0.1, 0.7, 0}, {0, 0.3, 1}, {1, 0, 0.9}}}, {1, 2, 3}};
+  for (const AffineMap3& map : {turn, shear}) {
+    Dice dice(5);
+    const Nef3 a = to_nef(*random_set(dice, 5)).transformed(map);
+    Nef3 moved = a;
+    const std::size_t bytes = moved.transformed(inverse(map)).transformed(map).bytes();
+    for (int i = 0; i < 12; ++i) moved = moved.transformed(inverse(map)).transformed(map);
+    EXPECT_TRUE(moved == a);
+    EXPECT_LE(moved.bytes(), bytes + bytes / 4);
+  }
+}
+
+/// A point where an edge meets a plane is defined by input points. Under maps of doubles to
+/// doubles, these stay input points.
+TEST(MappedSets, KeepPointsOfEdgesShort) {
+  Dice dice(3);
+  const Nef3 a = to_nef(*space_set(tetrahedron({0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8})));
+  const Nef3 cut = a - a.transformed({{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {1, 2, 0.5}});
+  const AffineMap3 mirror{{{{0, -1, 0}, {1, 0, 0}, {0, 0, 2}}}, {5, 0, 0.25}};
+  const Nef3 image = cut.transformed(mirror);
+  expect_clean(image);
+  EXPECT_TRUE(image.transformed(inverse(mirror)) == cut);
+  const auto planes_of_coefficients = [](const SpaceComplex& c) {
+    return std::count_if(c.facet_plane.begin(), c.facet_plane.end(),
+                         [&](PlaneId p) { return c.planes().source(p).is_explicit(); });
+  };
+  EXPECT_EQ(planes_of_coefficients(image.complex()), planes_of_coefficients(cut.complex()));
+  const AffineMap3 turn = some_map(dice, 8);
+  expect_clean(cut.transformed(turn));
+  EXPECT_TRUE(cut.transformed(turn).transformed(inverse(turn)) == cut);
 }
 
 TEST(MappedSets, KeepNoPlaneOfABox) {

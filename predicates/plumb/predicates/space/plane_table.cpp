@@ -415,17 +415,22 @@ void PlaneTable::pop_slot() {
 /// The slot is stored first, because the comparison with known planes reads it, and taken back if
 /// the plane is known.
 OrientedPlane PlaneTable::intern_row(IntegerRow row, int scale, std::array<PlaneId, 2> parents) {
-  BigPlane plane = big_plane(row, scale);
-  const Sign sign = orientation(plane);
-  if (sign == Sign::Zero) return {};
+  const auto leading =
+      std::find_if(row.begin(), row.begin() + 3, [](const Integer& x) { return !x.is_zero(); });
+  if (leading == row.begin() + 3) return {};
+  const bool is_flipped = leading->sign() < 0;
   strip(row, scale);
-  if (sign == Sign::Negative) {
-    for (Integer& x : row) x = -x;
+  if (is_flipped) {
+    for (Integer& x : row) mpz_neg(x.mpz(), x.mpz());
   }
-  const Draft draft{true, sign == Sign::Negative, exact_row(big_plane(row, scale)),
-                    push_slot(row, scale, parents)};
+  const Fingerprint fingerprint = fingerprint_of(row, scale);
+  const PlaneSource source = push_slot(row, scale, parents);
+  const int offset_scale = row[3].is_zero() ? kAnyScale : scale;
+  const BigPlane plane{
+      {std::move(row[0]), std::move(row[1]), std::move(row[2])}, std::move(row[3]), offset_scale};
+  const Draft draft{true, is_flipped, exact_row(plane), source};
   const std::size_t planes = size();
-  const OrientedPlane result = find_or_add(draft, fingerprint_of(row, scale));
+  const OrientedPlane result = find_or_add(draft, fingerprint);
   if (size() == planes) pop_slot();  // The plane was known already.
   return result;
 }
