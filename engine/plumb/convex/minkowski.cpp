@@ -421,6 +421,8 @@ class OpenSums {
 
   void add_half_open(const HalfOpenBody& p, const HalfOpenBody& q) {
     const auto add_faces = [&](BodyFace f, BodyFace g, bool is_parallel) {
+      // Nearly all parallel faces are visited because one of them has no marked item.
+      if (!p.has_part(f, is_parallel) || !q.has_part(g, is_parallel)) return;
       add_parts(parts_of(p, f, is_parallel), parts_of(q, g, is_parallel));
     };
     sums_.add(half_open_sum(p, q, add_faces, sums_.quiet()));

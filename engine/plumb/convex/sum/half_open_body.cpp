@@ -243,21 +243,39 @@ std::vector<std::uint32_t> HalfOpenBody::closure_of(BodyFace face) const {
   return codes;
 }
 
-Nef3 HalfOpenBody::part(BodyFace face, bool with_boundary, Context& context) const {
+template <class Visit>
+void HalfOpenBody::for_each_marked(BodyFace face, bool with_boundary, const Visit& visit) const {
   const SpaceComplex& c = piece_.complex();
-  SpaceMarks marks{std::vector<Mark>(c.vertex_count(), 0), std::vector<Mark>(c.edge_count(), 0),
-                   std::vector<Mark>(c.facet_count(), 0), std::vector<Mark>(c.volume_count(), 0)};
+  const auto is_marked = [&](SpaceItem item) {
+    if (item.kind() == SpaceItem::Kind::Vertex) return c.vertex_mark[item.vertex()] != 0;
+    if (item.kind() == SpaceItem::Kind::Edge) return c.edge_mark[item.edge()] != 0;
+    return item.kind() == SpaceItem::Kind::Facet && c.facet_mark[item.facet()] != 0;
+  };
   const auto faces = with_boundary ? closure_of(face) : std::vector<std::uint32_t>{code(face)};
   for (const std::uint32_t of : faces) {
     auto at = std::lower_bound(item_.begin(), item_.end(), std::pair(of, SpaceItem(VertexId(0))));
     for (; at != item_.end() && at->first == of; ++at) {
-      const SpaceItem item = at->second;
-      const std::uint32_t i = item.index();
-      if (item.kind() == SpaceItem::Kind::Vertex) marks.vertex[i] = c.vertex_mark[item.vertex()];
-      if (item.kind() == SpaceItem::Kind::Edge) marks.edge[i] = c.edge_mark[item.edge()];
-      if (item.kind() == SpaceItem::Kind::Facet) marks.facet[i] = c.facet_mark[item.facet()];
+      if (is_marked(at->second)) visit(at->second);
     }
   }
+}
+
+bool HalfOpenBody::has_part(BodyFace face, bool with_boundary) const {
+  bool has_item = false;
+  for_each_marked(face, with_boundary, [&](SpaceItem) { has_item = true; });
+  return has_item;
+}
+
+Nef3 HalfOpenBody::part(BodyFace face, bool with_boundary, Context& context) const {
+  const SpaceComplex& c = piece_.complex();
+  SpaceMarks marks{std::vector<Mark>(c.vertex_count(), 0), std::vector<Mark>(c.edge_count(), 0),
+                   std::vector<Mark>(c.facet_count(), 0), std::vector<Mark>(c.volume_count(), 0)};
+  for_each_marked(face, with_boundary, [&](SpaceItem item) {
+    const std::uint32_t i = item.index();
+    if (item.kind() == SpaceItem::Kind::Vertex) marks.vertex[i] = 1;
+    if (item.kind() == SpaceItem::Kind::Edge) marks.edge[i] = 1;
+    if (item.kind() == SpaceItem::Kind::Facet) marks.facet[i] = 1;
+  });
   return piece_.with_marks(marks, context);
 }
 

@@ -68,6 +68,9 @@ class HalfOpenBody {
   /// Returns the marked items in the relative interior of a face, or in all of the face, as a set.
   /// O(n) for a piece of n items.
   Nef3 part(BodyFace face, bool with_boundary, Context& context) const;
+  /// Whether part() of the same face is not empty. O(log n) for each face in question, and O(k) for
+  /// the k items in them.
+  bool has_part(BodyFace face, bool with_boundary) const;
   std::size_t bytes() const;
 
  private:
@@ -75,6 +78,9 @@ class HalfOpenBody {
   std::uint32_t code(BodyFace face) const { return first_[face.dimension] + face.number; }
   std::uint32_t edge_between(std::uint32_t v, std::uint32_t w) const;
   std::vector<std::uint32_t> closure_of(BodyFace face) const;
+  /// Calls visit for each marked item of a face, or of a face and its boundary.
+  template <class Visit>
+  void for_each_marked(BodyFace face, bool with_boundary, const Visit& visit) const;
 
   Nef3 piece_;
   ConvexBody body_;
