@@ -134,5 +134,15 @@ TEST(SetExpression, SaysWhereItIsWrong) {
   }
 }
 
+TEST(SetExpression, SumsOnlyWhereTheyAreAllowed) {
+  EXPECT_THROW(parse_set_expression("A @ B"), Error);
+  const SetExpression sum = parse_set_expression("A * B @ !C @ D", SetOperators::WithSums);
+  const std::vector<SetExpression::Step> expected{
+      {SetOperator::Operand, 0},      {SetOperator::Operand, 1},      {SetOperator::Operand, 2},
+      {SetOperator::Complement, 0},   {SetOperator::MinkowskiSum, 0}, {SetOperator::Operand, 3},
+      {SetOperator::MinkowskiSum, 0}, {SetOperator::Intersection, 0}};
+  EXPECT_EQ(sum.steps, expected);
+}
+
 }  // namespace
 }  // namespace plumb::set_expression_test

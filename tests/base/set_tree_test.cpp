@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -141,6 +142,41 @@ TEST(SetTree, DepthHasNoLimit) {
     expected = i % 2 == 0 ? (expected | operands[i]) : (expected & operands[i]);
   }
   EXPECT_EQ(value_of(tree, operands), expected);
+}
+
+/// Sets of integers from 0 to 63, with their sums.
+struct SumOperations : BitOperations {
+  Bits minkowski_sum(const std::vector<Bits>& sets) {
+    ++calls;
+    Bits sum = 1;
+    for (const Bits set : sets) {
+      Bits next = 0;
+      for (unsigned x = 0; x < 64; ++x) next |= ((set >> x) & 1U) != 0 ? sum << x : 0;
+      sum = next;
+    }
+    return sum;
+  }
+};
+
+TEST(SetTree, ChainsOfSumsBecomeOneSum) {
+  const auto value = [](const std::string& text, std::size_t calls) {
+    SumOperations operations;
+    const std::array<Bits, 3> operands{0b1001, 0b10, 0b110};
+    const SetExpression expression = parse_set_expression(text, SetOperators::WithSums);
+    const Bits result = evaluate_tree<Bits>(
+        rewritten(expression),
+        [&](std::uint32_t i) {
+          return operands[static_cast<std::size_t>(expression.names[i][0] - 'A')];
+        },
+        operations);
+    EXPECT_EQ(operations.calls, calls) << text;
+    return result;
+  };
+  EXPECT_EQ(value("A @ B @ C", 1), 0b1101100U);
+  EXPECT_EQ(value("C @ (A @ B)", 1), 0b1101100U);
+  EXPECT_EQ(value("B @ B @ B", 1), 0b1000U) << "an operand counts as often as it occurs";
+  EXPECT_EQ(value("A @ (B + C)", 2), 0b110110U);
+  EXPECT_EQ(value("(A @ B) ^ ((A @ B) @ C)", 3), 0b1111110U);
 }
 
 }  // namespace

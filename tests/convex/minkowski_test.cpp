@@ -300,6 +300,20 @@ TEST(PolyhedralBall, IsConvexAndAsWideAsItSays) {
   }
 }
 
+/// Sums of several sets, convex or not, are sums of two in any order.
+TEST(Minkowski, AddsAnyNumberOfSets) {
+  Context context;
+  const std::vector<Nef3> sets{not_convex()[0], box({0, 0, 0}, {1, 2, 1}).interior(),
+                               Nef3::segment({0, 0, 0}, {1, 1, 2})};
+  const Nef3 all = minkowski_sum(sets, context);
+  EXPECT_EQ(all, sum(sum(sets[2], sets[0]), sets[1]));
+  EXPECT_EQ(all, sum(sets[0], sum(sets[1], sets[2])));
+  EXPECT_EQ(minkowski_sum(std::span<const Nef3>(sets).first(1), context), sets[0]);
+  EXPECT_EQ(minkowski_sum(std::span<const Nef3>(sets).first(0), context), Nef3::point({0, 0, 0}));
+  const std::vector<Nef3> with_empty{Nef3::whole(), Nef3::empty(), sets[0]};
+  EXPECT_TRUE(minkowski_sum(with_empty, context).is_empty());
+}
+
 TEST(Erosion, UndoesASumOfConvexSets) {
   Context context;
   const Nef3 a = box({0, 0, 0}, {3, 2, 2}), b = polyhedral_ball(1, 0, context);

@@ -142,5 +142,11 @@ TEST(PlaneMinkowski, StopsAtItsLimits) {
   EXPECT_THROW(static_cast<void>(minkowski_sum(star, star, little)), Error);
 }
 
+TEST(PlaneMinkowski, AddsAnyNumberOfSets) {
+  const std::vector<Nef2> sets{box(0, 0, 1, 2), segment({0, 0}, {3, 1}), box(0, 0, 2, 1)};
+  EXPECT_EQ(minkowski_sum(sets), minkowski_sum(minkowski_sum(sets[2], sets[0]), sets[1]));
+  EXPECT_EQ(minkowski_sum(std::span<const Nef2>()), Nef2::point({0, 0}));
+}
+
 }  // namespace
 }  // namespace plumb::testing::plane_minkowski_test

@@ -21,6 +21,8 @@ SetOperator binary_operator(char c) {
       return SetOperator::Difference;
     case '^':
       return SetOperator::SymmetricDifference;
+    case '@':
+      return SetOperator::MinkowskiSum;
     default:
       return SetOperator::Operand;  // The character is no operator.
   }
@@ -28,7 +30,8 @@ SetOperator binary_operator(char c) {
 
 /// Returns how strongly an operator binds.
 int rank(SetOperator op) {
-  if (op == SetOperator::Complement) return 3;
+  if (op == SetOperator::Complement) return 4;
+  if (op == SetOperator::MinkowskiSum) return 3;
   if (op == SetOperator::Intersection) return 2;
   return op == SetOperator::SymmetricDifference ? 0 : 1;
 }
@@ -37,7 +40,7 @@ int rank(SetOperator op) {
 /// operators and open parentheses.
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
+  Parser(std::string_view text, SetOperators operators) : text_(text), operators_(operators) {}
 
   SetExpression run() {
     skip_blanks();
@@ -99,7 +102,13 @@ class Parser {
   void read_operator() {
     if (text_[at_] == ')') return close();
     const SetOperator op = binary_operator(text_[at_]);
-    if (op == SetOperator::Operand) fail("expected one of + * - ^ or )");
+    const bool has_sums = operators_ == SetOperators::WithSums;
+    if (op == SetOperator::MinkowskiSum && !has_sums) {
+      fail("@ (Minkowski sum) is not an operator of this expression");
+    }
+    if (op == SetOperator::Operand) {
+      fail(has_sums ? "expected one of + * - ^ @ or )" : "expected one of + * - ^ or )");
+    }
     while (!waiting_.empty() && !waiting_.back().is_open && rank(waiting_.back().op) >= rank(op)) {
       pop();
     }
@@ -120,6 +129,7 @@ class Parser {
   }
 
   std::string_view text_;
+  SetOperators operators_;
   std::size_t at_ = 0;
   bool wants_operand_ = true;
   std::vector<Waiting> waiting_;
@@ -128,6 +138,8 @@ class Parser {
 
 }  // namespace
 
-SetExpression parse_set_expression(std::string_view text) { return Parser(text).run(); }
+SetExpression parse_set_expression(std::string_view text, SetOperators operators) {
+  return Parser(text, operators).run();
+}
 
 }  // namespace plumb

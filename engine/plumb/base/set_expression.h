@@ -1,8 +1,9 @@
 // Expressions over named sets, such as "(A + B) * !C".
 //
 //   !  complement    *  intersection    +  union    -  difference    ^  symmetric difference
+//   @  Minkowski sum, only in expressions that may have it
 //
-// The operator ! binds most tightly, then *, then + and -, then ^. Operators of the same precedence
+// The operator ! binds most tightly, then @, then *, then + and -, then ^. Operators of the same precedence
 // associate to the left. A name consists of letters, digits and underscores and does not begin with
 // a digit.
 #pragma once
@@ -23,6 +24,13 @@ enum class SetOperator : std::uint8_t {
   Union,
   Difference,
   SymmetricDifference,
+  MinkowskiSum,
+};
+
+/// The operators that an expression may have.
+enum class SetOperators : std::uint8_t {
+  Boolean,   ///< The operators of the Boolean algebra.
+  WithSums,  ///< These operators, and MinkowskiSum.
 };
 
 /// An expression in postfix order. An operand pushes its value. The operator Complement pops one
@@ -41,7 +49,8 @@ struct SetExpression {
 /// Parses an expression. Throws Error{Syntax}, with the column, if `text` is not an expression. The
 /// parser does not recurse, so any depth of parentheses is allowed. Cost: O(length) steps. In
 /// addition, each operand needs one search among the distinct names.
-SetExpression parse_set_expression(std::string_view text);
+SetExpression parse_set_expression(std::string_view text,
+                                   SetOperators operators = SetOperators::Boolean);
 
 /// Returns the value of an expression. The caller passes three functions: `operand(i)` returns the
 /// value of names[i], `complement(a)` returns the complement of a, and `boolean_op(op, a, b)`

@@ -10,6 +10,9 @@
 // are chains of the other kind, symmetric differences and operands. A term with several users ends
 // a chain, so that its value is computed once.
 //
+// Minkowski sums are associative and commutative, so a chain of them is one sum of its operands. An
+// operand that occurs twice is added twice. No rule connects sums and complements.
+//
 // A chain is walked with a stack, so the depth of expressions has no limit. Tested by
 // tests/base/set_tree_test.cpp against the values of expressions from left to right.
 #include "plumb/base/set_tree.h"
@@ -127,6 +130,23 @@ class Rewriter {
     for (const std::uint32_t term : terms) seen_[term] = false;
   }
 
+  /// Returns the operands of the chain of Minkowski sums that begins at a sum.
+  std::vector<std::uint32_t> summands_of(std::uint32_t top) const {
+    std::vector<std::uint32_t> summands, stack{top};
+    while (!stack.empty()) {
+      const std::uint32_t term = stack.back();
+      stack.pop_back();
+      const Binary& binary = terms_[term];
+      if (binary.op == SetOperator::MinkowskiSum && (term == top || users_[term] == 1)) {
+        stack.push_back(binary.b);
+        stack.push_back(binary.a);
+      } else {
+        summands.push_back(term);
+      }
+    }
+    return summands;
+  }
+
   bool is_conjunction_term(std::uint32_t term) const {
     return is_conjunction(terms_[term].op, true);
   }
@@ -136,6 +156,7 @@ class Rewriter {
     const Binary& binary = terms_[term];
     if (binary.op == SetOperator::Operand) return {};
     if (binary.op == SetOperator::Complement) return {binary.a};
+    if (binary.op == SetOperator::MinkowskiSum) return summands_of(term);
     if (!is_junction(binary.op)) return {binary.b, binary.a};
     Chain chain = chain_of(term, is_conjunction_term(term));
     chain.positive.insert(chain.positive.end(), chain.negative.begin(), chain.negative.end());
@@ -150,6 +171,10 @@ class Rewriter {
       node_[term] = static_cast<std::uint32_t>(tree_.nodes.size() - 1);
     } else if (binary.op == SetOperator::Complement) {
       node_[term] = complement(node_[binary.a]);
+    } else if (binary.op == SetOperator::MinkowskiSum) {
+      std::vector<std::uint32_t> summands = summands_of(term);
+      for (std::uint32_t& t : summands) t = node_[t];
+      node_[term] = add(binary.op, summands);
     } else if (!is_junction(binary.op)) {
       node_[term] = add(binary.op, {node_[binary.a], node_[binary.b]});
     } else {

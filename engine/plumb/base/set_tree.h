@@ -11,6 +11,7 @@
 //                       difference: (intersection of some operands) - (union of the others)
 //                     - unions with complements become the complement of such a difference, so that
 //                       few sets are unbounded
+//                     - chains of Minkowski sums become one sum
 //                     If the value of a node is used by several other nodes, the node is not merged
 //                     into a chain. It is evaluated once
 //  3. evaluate_tree() calls functions that compute the union, the intersection or the difference of
@@ -37,7 +38,8 @@ namespace plumb {
 
 /// A rewritten expression. Each node comes after its children in `nodes`.
 struct SetTree {
-  /// A node. The children of a union or an intersection have no order. A difference subtracts all
+  /// A node. The children of a union, an intersection or a Minkowski sum have no order, and a sum
+  /// can have the same child several times. A difference subtracts all
   /// other children from its first child. A complement has one child, and a symmetric difference
   /// has two children.
   struct Node {
@@ -97,7 +99,8 @@ class SetTreeBuilder {
 /// Returns the value of a tree. The caller passes two objects. `operand(i)` returns the value of
 /// operand i. `operations` has the members complement(a), symmetric_difference(a, b),
 /// union_of(sets), intersection_of(sets) and difference_of(sets). The last three take a
-/// std::vector<Set> of at least two sets. A value is freed as soon as no operation needs it any
+/// std::vector<Set> of at least two sets. If the tree has Minkowski sums, the member
+/// minkowski_sum(sets) is needed, too. A value is freed as soon as no operation needs it any
 /// more.
 template <class Set, class Operand, class Operations>
 [[nodiscard]] Set evaluate_tree(const SetTree& tree, const Operand& operand,
@@ -130,6 +133,11 @@ template <class Set, class Operand, class Operations>
         break;
       case SetOperator::SymmetricDifference:
         values[i] = operations.symmetric_difference(std::move(sets[0]), std::move(sets[1]));
+        break;
+      case SetOperator::MinkowskiSum:
+        if constexpr (requires { operations.minkowski_sum(std::move(sets)); }) {
+          values[i] = operations.minkowski_sum(std::move(sets));
+        }
         break;
       default:
         values[i] = operations.complement(std::move(sets[0]));

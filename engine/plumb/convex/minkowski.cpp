@@ -524,6 +524,19 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   return united(std::move(sums), context);
 }
 
+Nef3 minkowski_sum(std::span<const Nef3> sets, Context& context) {
+  if (std::any_of(sets.begin(), sets.end(), [](const Nef3& set) { return set.is_empty(); })) {
+    return Nef3::empty();
+  }
+  if (sets.empty()) return Nef3::point({0, 0, 0});
+  std::vector<Nef3> ordered(sets.begin(), sets.end());
+  std::stable_partition(ordered.begin(), ordered.end(),
+                        [](const Nef3& set) { return set.is_convex(); });
+  Nef3 sum = ordered[0];
+  for (std::size_t i = 1; i < ordered.size(); ++i) sum = minkowski_sum(sum, ordered[i], context);
+  return sum;
+}
+
 Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) {
   require_bounded(b);
   if (b.is_empty()) return Nef3::whole();

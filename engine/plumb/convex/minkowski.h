@@ -46,6 +46,8 @@
 // polyhedra into convex pieces, Algorithmica 55 (2009) 329-345.
 #pragma once
 
+#include <span>
+
 #include "plumb/base/context.h"
 #include "plumb/predicates/rational.h"
 #include "plumb/space/nef3.h"
@@ -58,6 +60,12 @@ namespace plumb {
 /// + C) union (B + C); A + {p} is the translate of A by p. Throws Error{BadArgument} if one operand
 /// is unbounded and the other operand is not empty. Throws what the context throws.
 Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context = unlimited_context());
+
+/// Returns the sum of all sets: the sums of one point of each. The result does not depend on the
+/// order, and convex sets are added to each other first, so that each other set is added to one
+/// convex set. The sum is empty if a set is empty, and the set {0} if there are no sets. Throws as
+/// minkowski_sum() of two sets does.
+Nef3 minkowski_sum(std::span<const Nef3> sets, Context& context = unlimited_context());
 
 /// Returns { x : x + b in A for all b in B }. These are the vectors x for which the set B, moved by
 /// x, lies in A. Returns the whole space if B is empty. Throws Error{BadArgument} if B is

@@ -282,4 +282,14 @@ Nef2 minkowski_sum(const Nef2& a, const Nef2& b, Context& context) {
   return are_closed ? sum_of_closed(a, b, context) : sum_of_cells(a, b, context);
 }
 
+Nef2 minkowski_sum(std::span<const Nef2> sets, Context& context) {
+  if (std::any_of(sets.begin(), sets.end(), [](const Nef2& set) { return set.is_empty(); })) {
+    return Nef2::empty();
+  }
+  if (sets.empty()) return Nef2::point({0, 0});
+  Nef2 sum = sets[0];
+  for (const Nef2& set : sets.subspan(1)) sum = minkowski_sum(sum, set, context);
+  return sum;
+}
+
 }  // namespace plumb

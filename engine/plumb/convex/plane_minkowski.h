@@ -37,6 +37,8 @@
 // Minkowski sums using the convolution method, ESA 2006, LNCS 4168, 829-840.
 #pragma once
 
+#include <span>
+
 #include "plumb/base/context.h"
 #include "plumb/plane/nef2.h"
 
@@ -48,6 +50,11 @@ namespace plumb {
 /// (B + C); A + {p} is the translate of A by p. Throws Error{BadArgument} if one operand is
 /// unbounded and the other operand is not empty. Throws what the context throws.
 [[nodiscard]] Nef2 minkowski_sum(const Nef2& a, const Nef2& b,
+                                 Context& context = unlimited_context());
+
+/// Returns the sum of all sets: the sums of one point of each. The sum is empty if a set is empty,
+/// and the set {0} if there are no sets. Throws as minkowski_sum() of two sets does.
+[[nodiscard]] Nef2 minkowski_sum(std::span<const Nef2> sets,
                                  Context& context = unlimited_context());
 
 }  // namespace plumb

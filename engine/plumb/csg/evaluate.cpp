@@ -25,7 +25,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -489,16 +488,7 @@ class Evaluator {
     sets.erase(std::remove_if(sets.begin(), sets.end(), [](const Set& s) { return s.is_empty(); }),
                sets.end());
     if (sets.empty()) return Set();
-    // A sum does not depend on the order. That of convex sets is convex, so all other sets are
-    // added to one convex set instead of several.
-    if constexpr (std::is_same_v<Set, Nef3>) {
-      std::stable_partition(sets.begin(), sets.end(), [](const Set& s) { return s.is_convex(); });
-    }
-    Set result = sets[0];
-    for (std::size_t k = 1; k < sets.size(); ++k) {
-      result = minkowski_sum(result, sets[k], context_);
-    }
-    return result;
+    return minkowski_sum(std::span<const Set>(sets), context_);
   }
 
   /// Returns the hull of the inputs. The hull of a union, or of a hull, is that of the parts.

@@ -166,29 +166,31 @@ namespace {
 
 std::string name_of_file(const std::string& path) { return file_name_of(path_of(path).filename()); }
 
-/// The Minkowski sum of two sets.
+/// The Minkowski sum of two or more sets.
 class PlaneSum : public PlaneOperation {
  private:
   bool may_keep() const override { return false; }
   void declare_operands(CLI::App& app) override {
     declare_first<Plane>(app, a_);
-    declare_second(app, b_);
+    app.add_option("B", others_, "The other sets")->required()->type_name("");
   }
-  ProgressStages stages() const override { return stages_of_sets<Plane>(2, 1); }
+  ProgressStages stages() const override { return stages_of_sets<Plane>(1 + others_.size(), 1); }
   Nef2 compute(Session& session) override {
-    require_one_stdin({a_, b_});
-    const std::vector<Nef2> sets = read_all({a_, b_}, session);
+    std::vector<std::string> files{a_};
+    files.insert(files.end(), others_.begin(), others_.end());
+    require_one_stdin(files);
+    std::vector<Nef2> sets = read_all(files, session);
     session.begin("combine");
     Context& context = session.context();
     // The closure of the sum is the sum of the closures, which has far fewer parts.
     if (needs_closure_only(session)) {
-      return minkowski_sum(sets[0].closure(context), sets[1].closure(context), context);
+      for (Nef2& set : sets) set = set.closure(context);
     }
-    return minkowski_sum(sets[0], sets[1], context);
+    return minkowski_sum(sets, context);
   }
 
   std::string a_;
-  std::string b_;
+  std::vector<std::string> others_;
 };
 
 /// A set grown or shrunk by a distance.

@@ -79,30 +79,34 @@ namespace {
 
 // ---------------------------------------------------------------- sums of points
 
-/// The Minkowski sum of two sets.
+/// The Minkowski sum of two or more sets.
 class MinkowskiSum : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
     declare_first<Solid>(app, a_);
-    declare_second(app, b_);
+    app.add_option("B", others_, "The other sets")->required()->type_name("");
   }
   ProgressStages stages() const override {
-    return {reading_solid(), reading_solid(), adding_solids()};
+    ProgressStages all(1 + others_.size(), reading_solid());
+    all.push_back(adding_solids());
+    return all;
   }
   Nef3 compute(Session& session) override {
-    require_one_stdin({a_, b_});
-    const std::vector<Nef3> sets = read_all({a_, b_}, session);
+    std::vector<std::string> files{a_};
+    files.insert(files.end(), others_.begin(), others_.end());
+    require_one_stdin(files);
+    std::vector<Nef3> sets = read_all(files, session);
     session.begin("combine");
     Context& context = session.context();
     // The closure of the sum is the sum of the closures, which has far fewer parts.
     if (needs_closure_only(session)) {
-      return minkowski_sum(sets[0].closure(context), sets[1].closure(context), context);
+      for (Nef3& set : sets) set = set.closure(context);
     }
-    return minkowski_sum(sets[0], sets[1], context);
+    return minkowski_sum(sets, context);
   }
 
   std::string a_;
-  std::string b_;
+  std::vector<std::string> others_;
 };
 
 // ---------------------------------------------------------------- expressions
@@ -122,6 +126,7 @@ struct SolidOperations {
     return boolean_op(std::move(a), std::move(b), kSymmetricDifference, context);
   }
   Nef3 complement(const Nef3& a) { return a.complement(context); }
+  Nef3 minkowski_sum(const std::vector<Nef3>& sets) { return plumb::minkowski_sum(sets, context); }
 };
 
 /// The set that an expression over named files describes.
@@ -129,14 +134,15 @@ class Evaluation : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
     app.add_option("EXPR", text_,
-                   "+ union, * intersection, - difference, ^ symmetric, ! complement")
+                   "+ union, * intersection, - difference, ^ symmetric, ! complement, @ sum "
+                   "(Minkowski)")
         ->required()
         ->type_name("");
     app.add_option("NAME=FILE", bindings_, "A solid for each name")->type_name("");
   }
 
   Nef3 compute(Session& session) override {
-    const SetExpression expression = parse_set_expression(text_);
+    const SetExpression expression = parse_set_expression(text_, SetOperators::WithSums);
     const std::map<std::string, std::string> files = bound_files();
     require_used(files, expression.names);
     std::vector<std::string> names;
@@ -155,7 +161,8 @@ class Evaluation : public SolidOperation {
   }
 
   ProgressStages stages() const override {
-    return stages_of_sets<Solid>(parse_set_expression(text_).names.size(), 1);
+    return stages_of_sets<Solid>(parse_set_expression(text_, SetOperators::WithSums).names.size(),
+                                 1);
   }
 
   static void require_used(const std::map<std::string, std::string>& files,
