@@ -218,6 +218,8 @@ TEST(Json, fits_its_schema_whatever_the_answer) {
       {"solid-set", "solid complement corpus/solids/l-block.off"},
       {"solid-set", "solid csg corpus/csg/bracket.csg"},
       {"plane-set", "plane csg corpus/csg/gasket.csg"},
+      {"solid-slice", "solid slice corpus/solids/l-block.off --z 1/2"},
+      {"solid-slice", "solid slice corpus/solids/l-block.off --z 0 --z 1 --every 1/2"},
       {"locate", "solid locate corpus/solids/l-block.off 9 9 9"},
       {"distance", "solid distance corpus/solids/l-block.off corpus/solids/tetrahedron.obj"},
       {"distance", "plane distance corpus/plane/star.wkt corpus/plane/quadrant.nef2"},

@@ -73,6 +73,44 @@ TEST_F(ModelProgram, extrudes_and_slices) {
   EXPECT_EQ(open.out, "GEOMETRYCOLLECTION EMPTY\n");
 }
 
+/// One feature for each height, whose geometry is that of the slice alone.
+TEST_F(ModelProgram, writes_slices_at_several_heights) {
+  const std::string block = kBlock;
+  const Json stack = Json::parse(run({"solid", "slice", block, "--z", "0", "--z", "1", "--every",
+                                      "1/4", "--format", "geojson"})
+                                     .out);
+  ASSERT_EQ(stack["features"].size(), 5U);
+  EXPECT_EQ(stack["type"], "FeatureCollection");
+  EXPECT_EQ(stack["features"][3]["id"], "z=3/4");
+  EXPECT_EQ(stack["features"][3]["properties"]["z"], 0.75);
+  EXPECT_EQ(stack["features"][3]["geometry"],
+            Json::parse(run({"solid", "slice", block, "--z", "3/4", "--format", "geojson"}).out));
+  const Words pair{"solid", "slice", block, "--z", "9", "--z", "1/2"};
+  Words to_file = pair, to_json = pair;
+  to_file.insert(to_file.end(), {"-o", file("pair.geojson")});
+  to_json.push_back("--json");
+  EXPECT_EQ(run(to_file).code, 0);
+  const Json facts = Json::parse(run(to_json).out);
+  ASSERT_EQ(facts["slices"].size(), 2U);
+  EXPECT_EQ(facts["slices"][0]["z"]["exact"], "9");
+  EXPECT_EQ(facts["slices"][0]["empty"], true);
+  EXPECT_EQ(facts["slices"][1]["area"],
+            Json::parse(run({"solid", "slice", block, "--z", "1/2", "--json"}).out)["area"]);
+  for (const Words& rest :
+       std::vector<Words>{{"--format", "wkt"},
+                          {},
+                          {"--format", "geojson", "--every", "0"},
+                          {"--format", "geojson", "--every", "-1"},
+                          {"--format", "geojson", "--every", "1e-9"},
+                          {"--format", "geojson", "--every", "1", "--z", "2"}}) {
+    Words words{"solid", "slice", block, "--z", "0", "--z", "1"};
+    words.insert(words.end(), rest.begin(), rest.end());
+    const RunResult refused = run(words);
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_EQ(refused.out, "");
+  }
+}
+
 /// The square in which two cubes touch leaves as a polygon.
 TEST_F(ModelProgram, writes_a_contact_as_a_polygon) {
   run({"solid", "make", "box", "-o", file("a.nef")});

@@ -6,12 +6,17 @@
 // the kind of the result with the input of the operand. Tested by tests/cli/model_command_test.cpp.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plumb/cli/commands/plane_kind.h"
@@ -296,23 +301,150 @@ Nef3 read_one_solid(const SolidInput& input, const std::string& file, Session& s
   return std::move(read_sets(input, {file}, session).front());
 }
 
-class SliceSolid : public SetOperation<FlatPart> {
+/// Slices at several heights, as GeoJSON: one feature for each, with its height as id.
+class SliceStack {
+ public:
+  SliceStack(std::vector<Rational> heights, std::vector<Nef2> slices)
+      : heights_(std::move(heights)), slices_(std::move(slices)) {}
+
+  nlohmann::ordered_json facts(Context& context) const {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < slices_.size(); ++i) {
+      nlohmann::ordered_json entry = number(heights_[i]);
+      nlohmann::ordered_json one{{"z", std::move(entry)}};
+      one.update(Plane::facts(slices_[i], context).json());
+      list.push_back(std::move(one));
+    }
+    return {{"slices", std::move(list)}};
+  }
+
+  ReadyFile file(const SetOutput& output, Context& context) const {
+    const auto features = std::make_shared<std::vector<Feature>>();
+    ReadyFile all;
+    for (std::size_t i = 0; i < slices_.size(); ++i) {
+      context.checkpoint("slices", i, slices_.size());
+      ReadyFile one = Plane::ready(slices_[i], output, context);
+      const std::string place = "the slice at z = " + heights_[i].str() + ": ";
+      for (const std::string& loss : one.losses) all.losses.push_back(place + loss);
+      for (const std::string& change : one.changes) all.changes.push_back(place + change);
+      features->push_back({heights_[i], std::move(one.write)});
+    }
+    all.write = [features](std::ostream& out) { write(out, *features); };
+    return all;
+  }
+
  private:
+  struct Feature {
+    Rational height;
+    std::function<void(std::ostream&)> geometry;
+  };
+
+  static nlohmann::ordered_json number(const Rational& x) {
+    return {{"exact", x.str()}, {"double", nearest_double(x)}};
+  }
+  static void write(std::ostream& out, const std::vector<Feature>& features) {
+    out << R"({"type":"FeatureCollection","features":[)";
+    const char* separator = "\n";
+    for (const Feature& feature : features) {
+      std::ostringstream geometry;
+      feature.geometry(geometry);
+      std::string text = geometry.str();
+      if (text.ends_with('\n')) text.pop_back();
+      out << std::exchange(separator, ",\n") << R"({"type":"Feature","id":"z=)"
+          << feature.height.str() << R"(","properties":{"z":)"
+          << nlohmann::json(nearest_double(feature.height)).dump() << R"(},"geometry":)" << text
+          << '}';
+    }
+    out << "\n]}\n";
+  }
+
+  std::vector<Rational> heights_;
+  std::vector<Nef2> slices_;
+};
+
+class SliceSolid : public SetOperation<FlatPart> {
+ public:
+  ExitCode run(Session& session) override {
+    if (heights_.size() == 1 && every_.empty()) return SetOperation::run(session);
+    SetOutput& output = open_output(session);
+    const auto format = output.format();
+    const bool is_geojson =
+        format && kPlaneFormats[static_cast<std::size_t>(*format)].text == PlaneFormat::GeoJson;
+    if (!is_geojson && !(session.options().json && !format)) {
+      throw Error(ErrorCode::Usage,
+                  "several slices are features of a GeoJSON file: -o OUT.geojson, or --format "
+                  "geojson");
+    }
+    std::vector<Rational> heights = all_heights(session);
+    session.expect(stack_stages(session, output));
+    const Nef3 set = read_one_solid(input(), a_, session);
+    session.begin("combine");
+    std::vector<Nef2> sets = slices(set, heights, session.context());
+    const SliceStack stack(std::move(heights), std::move(sets));
+    const auto facts = [&] {
+      session.begin("measure");
+      return stack.facts(session.context());
+    };
+    const auto file = [&] {
+      session.begin("result");
+      return stack.file(output, session.context());
+    };
+    output.prepare(facts, file, is_strict(), session);
+    output.deliver(session);
+    return ExitCode::Yes;
+  }
+
+ private:
+  static constexpr std::size_t kMostSlices = std::size_t{1} << 20U;
+
   bool may_keep() const override { return false; }
   void declare_operands(CLI::App& app) override {
     declare_first<FlatPart>(app, a_);
-    app.add_option("--z", height_, "Height of the slice")->required()->type_name("Z");
+    app.add_option("--z", heights_, "Height of the slice; several give GeoJSON features")
+        ->required()
+        ->type_name("Z")
+        ->allow_extra_args(false);
+    app.add_option("--every", every_, "Slices H apart, from the first --z to the second")
+        ->type_name("H");
   }
   ProgressStages stages() const override { return {Solid::reading(), Solid::combining()}; }
+  ProgressStages stack_stages(Session& session, const SetOutput& output) const {
+    ProgressStages all = stages();
+    if (session.options().json) all.push_back(Plane::measuring());
+    for (const ProgressStage& stage : Plane::writing(output)) all.push_back(stage);
+    return all;
+  }
   Nef2 compute(Session& session) override {
-    const Rational height = read_number_argument(height_, "--z", session);
+    const Rational height = read_number_argument(heights_[0], "--z", session);
     const Nef3 set = read_one_solid(input(), a_, session);
     session.begin("combine");
     return slice(set, height, session.context());
   }
 
+  std::vector<Rational> all_heights(Session& session) const {
+    std::vector<Rational> heights;
+    for (const std::string& text : heights_) {
+      heights.push_back(read_number_argument(text, "--z", session));
+    }
+    if (every_.empty()) return heights;
+    const Rational step = read_number_argument(every_, "--every", session);
+    if (heights.size() != 2 || heights[0] > heights[1] || step <= 0) {
+      throw Error(ErrorCode::Usage,
+                  "--every needs a positive number and two heights: --z LOW --z HIGH --every H");
+    }
+    const Rational last = (heights[1] - heights[0]) / step;
+    if (last >= kMostSlices) {
+      throw Error(ErrorCode::Usage,
+                  "--every gives more than " + std::to_string(kMostSlices) + " slices");
+    }
+    std::vector<Rational> all;
+    for (std::size_t i = 0; i <= last; ++i) all.push_back(heights[0] + step * i);
+    return all;
+  }
+
   std::string a_;
-  std::string height_;
+  std::vector<std::string> heights_;
+  std::string every_;
 };
 
 class ProjectSolid : public SetOperation<FlatPart> {

@@ -163,9 +163,7 @@ class SetOperation : public CommandBody {
   }
 
   ExitCode run(Session& session) override {
-    output_.open(Kind::formats(), session);
-    output_.set_rounding(rounding_.read(session));
-    output_.set_writes_triangles(triangles_);
+    open_output(session);
     if constexpr (requires { input_.keeps_faces(); }) output_.set_keeps_faces(input_.keeps_faces());
     session.expect(all_stages(session.options()));
     const Set result = numbered(compute(session), session);
@@ -218,6 +216,14 @@ class SetOperation : public CommandBody {
   bool needs_closure_only(Session& session) const {
     return !strict_ && !session.options().json && !Kind::keeps_marks(output_);
   }
+  /// Opens the output before the work, and returns it.
+  SetOutput& open_output(Session& session) {
+    output_.open(Kind::formats(), session);
+    output_.set_rounding(rounding_.read(session));
+    output_.set_writes_triangles(triangles_);
+    return output_;
+  }
+  bool is_strict() const { return strict_; }
 
  private:
   static constexpr bool kHasCanonical = requires(const Set& set, Context& context) {
