@@ -11,8 +11,10 @@ batch_boolean() for each node of the model that has several children.
 
 A leaf is a subtree without union, difference and intersection of solids, such as a primitive, an
 extrusion or a hull. plumb makes the leaves that manifold3d takes, which is part of plumb's time
-only. Both run on one core, in turn, N rounds; the times are the least of the rounds. The last
-column is the relative difference of the volume of manifold3d from the expected one.
+only. The column `sets` is the part of plumb's time that it spends in sets from meshes and in
+Booleans (--timings), which is what manifold3d does. Both run on one core, in turn, N rounds; the
+times are the least of the rounds. The last column is the relative difference of the volume of
+manifold3d from the expected one.
 
     pip install numpy manifold3d
 """
@@ -153,12 +155,14 @@ def time_of_manifold(expression):
 
 
 def time_of_plumb(program, model):
-    """Returns the CPU seconds of the program."""
+    """Returns the CPU seconds of the program, and those of sets from meshes and of Booleans."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([program, "solid", "csg", model, "--quiet", "--format", "nef", "-o",
-                    os.devnull], check=True)
+    run = subprocess.run([program, "solid", "csg", model, "--timings", "--format", "nef", "-o",
+                          os.devnull], check=True, capture_output=True, text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    phases = re.findall(r"^  (?:set from mesh|Boolean) +([0-9.]+) ", run.stderr, re.MULTILINE)
+    return (after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime,
+            sum(map(float, phases)))
 
 
 def main():
@@ -172,8 +176,8 @@ def main():
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     lines = (arguments.folder / "expected.tsv").read_text(encoding="utf-8").splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("model\t"))
-    ours, theirs, slowest = 0.0, 0.0, 0.0
-    print("   plumb  manifold   ratio  model, difference of the volume of manifold3d")
+    ours, sets_of_ours, theirs, slowest = 0.0, 0.0, 0.0, 0.0
+    print("   plumb     sets  manifold   ratio  model, difference of the volume of manifold3d")
     for row in csv.DictReader(lines[start:], delimiter="\t"):
         if arguments.only not in row["model"]:
             continue
@@ -181,15 +185,16 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             expression = expression_of(read_model(path.read_text(encoding="utf-8")), np.eye(4),
                                        Leaves(arguments.plumb, pathlib.Path(folder)))
-        rounds = [(time_of_plumb(arguments.plumb, path), *time_of_manifold(expression or []))
+        rounds = [(*time_of_plumb(arguments.plumb, path), *time_of_manifold(expression or []))
                   for _ in range(arguments.rounds)]
-        plumb, manifold, volume = min(r[0] for r in rounds), min(r[1] for r in rounds), rounds[0][2]
-        ours, theirs, slowest = ours + plumb, theirs + manifold, max(slowest, plumb)
-        expected = float(row["volume"])
-        print(f"{plumb:8.3f}  {manifold:8.3f}  {plumb / max(manifold, 1e-4):6.2f}  {row['model']}  "
-              f"{(volume - expected) / expected:.1e}", flush=True)
-    print(f"{ours:8.3f}  {theirs:8.3f}  {ours / theirs:6.2f}  in all; the slowest of plumb "
-          f"{slowest:.3f}")
+        plumb, sets, manifold, _ = map(min, zip(*rounds, strict=True))
+        volume, expected = rounds[0][3], float(row["volume"])
+        ours, sets_of_ours, theirs = ours + plumb, sets_of_ours + sets, theirs + manifold
+        slowest = max(slowest, plumb)
+        print(f"{plumb:8.3f} {sets:8.3f}  {manifold:8.3f}  {plumb / max(manifold, 1e-4):6.2f}  "
+              f"{row['model']}  {(volume - expected) / expected:.1e}", flush=True)
+    print(f"{ours:8.3f} {sets_of_ours:8.3f}  {theirs:8.3f}  {ours / theirs:6.2f}  in all; the "
+          f"slowest of plumb {slowest:.3f}")
 
 
 if __name__ == "__main__":

@@ -4,8 +4,8 @@
     bench/peers/csg_models.py [--plumb PROGRAM] [--only TEXT] FOLDER
 
 FOLDER has models (.csg) and a table expected.tsv with a header line and the columns `model`,
-`volume` and `marked_volumes`; a column `cpu_manifold_native` is summed for comparison. Volumes may differ by
-five parts in a million, since some expected ones come from meshes of floats.
+`volume` and `marked_volumes`; a column `cpu_manifold_native` is summed for comparison. Volumes may
+differ by five parts in a million, since some expected ones come from meshes of floats.
 
 Prints a line for each model: CPU seconds of the program that writes it exactly (.nef), and what
 differs in volume or number of parts. The
