@@ -244,7 +244,8 @@ TEST(LayerReader, reads_properties_that_are_no_numbers_as_null) {
       read("\n{\"type\":\"Polygon\",\"coordinates\":[[[0,\n" + std::string(bad) + "]]]}");
       ADD_FAILURE() << bad;
     } catch (const Error& error) {
-      EXPECT_EQ(std::string(error.what()), "some.file:3:1: a coordinate that is null or not finite");
+      EXPECT_EQ(std::string(error.what()),
+                "some.file:3:1: a coordinate that is null or not finite");
     }
   }
   EXPECT_THROW(read(collection(feature(R"("properties":{"x":1NaN},)", kSquare))), Error);
