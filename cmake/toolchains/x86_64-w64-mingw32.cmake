@@ -17,6 +17,7 @@ set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
 # A folder that is compiled as one unit has more sections than the usual format of objects can count.
 set(CMAKE_CXX_FLAGS_INIT -Wa,-mbig-obj)
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
+set(CMAKE_SHARED_LINKER_FLAGS_INIT -static)
 set(CMAKE_FIND_ROOT_PATH ${PLUMB_SYSROOT})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
