@@ -145,6 +145,7 @@ std::string repair_flaw(const Layer& layer, double gaps_below) {
   if (!(std::fabs(covered_area(repaired.layer) - expected) <= kRounding)) {
     return "repair covers something else than the gaps of its report";
   }
+  if (repaired.report.is_stopped) return coverage_flaw(repaired.layer, "a stopped repair");
   const RepairedLayer again = repair_layer(repaired.layer, options);
   if (has_open_gap && again.report.has_defects()) return "a second repair finds a defect";
   if (has_open_gap && geojson(again.layer) != geojson(repaired.layer)) {

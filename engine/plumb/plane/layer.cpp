@@ -504,6 +504,18 @@ void require_options(const Layer& layer, const LayerRepairOptions& options) {
   }
 }
 
+/// Whether two layers of doubles have the same polygons in the same order.
+bool have_same_polygons(const Layer& a, const Layer& b) {
+  const auto is_same_corner = [&](std::uint32_t i, std::uint32_t j) {
+    const Point2 p = a.points.approx(i), q = b.points.approx(j);
+    return p.x == q.x && p.y == q.y;
+  };
+  return a.ring_begin == b.ring_begin && a.polygon_begin == b.polygon_begin &&
+         a.feature_begin == b.feature_begin &&
+         std::equal(a.ring_corners.begin(), a.ring_corners.end(), b.ring_corners.begin(),
+                    b.ring_corners.end(), is_same_corner);
+}
+
 bool has_open_gaps(const LayerReport& report) {
   return std::any_of(report.regions.begin(), report.regions.end(),
                      [](const LayerRegion& region) { return region.is_open; });
@@ -539,6 +551,11 @@ RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options
     const bool is_last = round >= options.most_rounds;
     later.open_gaps = !is_last;
     std::optional<RepairedLayer> again = repaired_again(repaired.layer, later, context);
+    if (again && have_same_polygons(again->layer, repaired.layer)) {
+      // The fillings vanish when they are rounded, and would do so in every further round.
+      repaired.report.is_stopped = true;
+      return repaired;
+    }
     if (again) {
       repaired.layer = std::move(again->layer);
       append_changes(repaired.report, again->report);

@@ -186,8 +186,9 @@ struct LayerReport {
   double gaps_below = 0;               ///< The bound that was used for the widths of gaps.
   std::vector<std::uint32_t> emptied;  ///< The features that lost their whole area by the repair.
   PlaneRoundingReport rounding;        ///< What rounding has changed.
-  /// Whether the repair ended after LayerRepairOptions::most_rounds. Then open gaps may be left,
-  /// and nothing else.
+  /// Whether the repair ended before no open gap was left. It ends after
+  /// LayerRepairOptions::most_rounds rounds, and if all that a round fills vanishes when it is
+  /// rounded to doubles.
   bool is_stopped = false;
 
   /// Returns the features of a region.
@@ -218,7 +219,7 @@ LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = 
 /// selected by options.rule, with one exception. If overlaps cover a feature completely, these
 /// overlaps are given to this feature. Otherwise the feature could vanish. It can still vanish if
 /// several features are equal. If an open gap was filled, the result is repaired again until
-/// nothing is left to do (LayerRepairOptions::most_rounds), and the report lists all regions.
+/// nothing is left to do (LayerReport::is_stopped), and the report lists all regions.
 /// Throws Error{BadArgument} if ranks or preferences do not match the features. Throws
 /// Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws what the context
 /// throws.

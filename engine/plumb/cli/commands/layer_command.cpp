@@ -67,8 +67,8 @@ class MapRepair : public CommandBody {
     repaired_ = repair_layer(layer_, options_, session.context());
     session.deliver();
     if (repaired_.report.is_stopped) {
-      session.note("stopped after " + std::to_string(options_.most_rounds) +
-                   " rounds; open gaps may be left, which a second repair fills");
+      session.note("open gaps may be left: after " + std::to_string(options_.most_rounds) +
+                   " rounds, or because their fillings vanish when they are rounded");
     }
     return is_dry_run_ && repaired_.report.has_defects() ? ExitCode::No : ExitCode::Yes;
   }
