@@ -333,7 +333,7 @@ std::span<const Command> commands() {  // NOLINT(readability-function-size): a t
       Command{"solid revolve", "A", "A set of the plane, turned around its y-axis",
               "./plumb solid revolve corpus/plane/ring-section.wkt -o out.off", "solid-set",
               make_solid_revolve},
-      Command{"solid slice", "A", "Slices at heights: a set of the plane, or a stack",
+      Command{"solid slice", "A", "Slices at heights: a plane set, or a stack",
               "./plumb solid slice corpus/solids/l-block.off --z 1/2 -o out.svg", "solid-slice",
               make_solid_slice},
       Command{"solid project", "A", "The shadow along z, a set of the plane",
