@@ -27,6 +27,8 @@ void expect_right_angle_functions(double x) {
   expect_nearest(sine(x), sin(Real(x)), "sine", x);
   expect_nearest(cosine(x), cos(Real(x)), "cosine", x);
   expect_nearest(tangent(x), tan(Real(x)), "tangent", x);
+  EXPECT_EQ(direction_at(x).x, cosine(x));
+  EXPECT_EQ(direction_at(x).y, sine(x));
 }
 
 TEST(Elementary, FunctionsOfAnglesAreNearest) {
@@ -63,6 +65,7 @@ TEST(Elementary, SmallNumbersAreTheirOwnSines) {
   for (const double x : {0x1p-1074, 0x1p-1060, 0x1.8p-1022, 0x1p-500}) {
     EXPECT_EQ(sine(x), x);
     EXPECT_EQ(tangent(-x), -x);
+    EXPECT_EQ(direction_at(x).y, x);
     EXPECT_EQ(cosine(x), 1);
     EXPECT_EQ(arc_tangent(x, 1), x);
   }

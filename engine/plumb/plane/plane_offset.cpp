@@ -142,9 +142,9 @@ class Joiner {
         context_.checkpoint("offset", 0, 0);
         charge.add(kChordsPerCheckpoint * kBytesPerOutlineCorner, "the offset");
       }
-      const double a = angle_of(i);
+      const Point2 unit = direction_at(angle_of(i));
       const Vector at =
-          sum(scaled(from, exact_rational(cosine(a))), scaled(up, exact_rational(sine(a))));
+          sum(scaled(from, exact_rational(unit.x)), scaled(up, exact_rational(unit.y)));
       // Short numbers; half a unit in the last place does not matter on an arc.
       const Vector rounded{exact_rational(nearest_double(at.x)),
                            exact_rational(nearest_double(at.y))};

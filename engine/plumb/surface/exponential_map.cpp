@@ -133,7 +133,8 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim_from_vertex(const Fan& f
   line.face = SurfaceMesh::face(fan.halfedges[k]);
   line.start = SurfaceMesh::side(fan.halfedges[k]);
   line.corners = laid_out(mesh_, positions_.at, line.face, line.start);
-  line.along = {length * cosine(turn), length * sine(turn)};
+  const Point2 unit = direction_at(turn);
+  line.along = {length * unit.x, length * unit.y};
   return line;
 }
 

@@ -17,7 +17,7 @@ inline Point2 unit_vector(double degrees) {
   const double rest = std::remainder(degrees, 4 * kQuarter);  // This is exact.
   const double quarters = std::nearbyint(rest / kQuarter);
   const double angle = (rest - quarters * kQuarter) * (std::numbers::pi / (2 * kQuarter));
-  const double c = cosine(angle), s = sine(angle);
+  const auto [c, s] = direction_at(angle);
   switch (static_cast<int>(quarters)) {
     case 0:
       return {c, s};

@@ -98,8 +98,8 @@ class CurveFlattener {
     const double quarters = std::max(1.0, std::ceil(std::fabs(angle) / (std::numbers::pi / 2)));
     for (double q = 0; q < quarters; ++q) {
       const double from = angle * q / quarters, to = angle * (q + 1) / quarters;
-      const Point2 end{centre.x + cosine(to) * u.x + sine(to) * v.x,
-                       centre.y + cosine(to) * u.y + sine(to) * v.y};
+      const auto [c, s] = direction_at(to);
+      const Point2 end{centre.x + c * u.x + s * v.x, centre.y + c * u.y + s * v.y};
       outline_.arc_to(at, centre, u, v, from, to, q + 1 < quarters ? end : b);
     }
   }

@@ -209,7 +209,8 @@ void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v,
   const std::size_t n = chords(at, reach * (to - from) * (to - from));
   for (std::size_t i = 1; i < n; ++i) {
     const double angle = from + (to - from) * static_cast<double>(i) / static_cast<double>(n);
-    const Point2 off = mixed(pu, cosine(angle), pv, sine(angle));
+    const Point2 unit = direction_at(angle);
+    const Point2 off = mixed(pu, unit.x, pv, unit.y);
     add(at, {middle.x + off.x, middle.y + off.y});
   }
   add(at, end);

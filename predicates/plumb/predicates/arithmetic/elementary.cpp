@@ -7,6 +7,9 @@
 // Tested by tests/predicates/elementary_test.cpp.
 #include "plumb/predicates/arithmetic/elementary.h"
 
+#include <array>
+#include <cstddef>
+
 #include "plumb/predicates/arithmetic/mpfr53.h"
 
 namespace plumb {
@@ -43,6 +46,22 @@ double sine(double angle) {
 double cosine(double angle) {
   Argument a(angle);
   return rounded_value([&](mpfr_ptr r, mpfr_rnd_t mode) { return mpfr_cos(r, a.get(), mode); });
+}
+
+Point2 direction_at(double angle) {
+  Argument a(angle);
+  Mpfr53 cosine;
+  int of_cosine = 0;
+  const double y = rounded_value([&](mpfr_ptr r, mpfr_rnd_t mode) {
+    const int inexact = mpfr_sin_cos(r, cosine.get(), a.get(), mode);
+    // The lower two bits are of the sine, the next ones of the cosine: 1 above, 2 below.
+    constexpr std::array kDirection{0, 1, -1};
+    of_cosine = kDirection[static_cast<std::size_t>(inexact >> 2)];
+    return kDirection[static_cast<std::size_t>(inexact & 3)];
+  });
+  const DoubleRange range;
+  mpfr_subnormalize(cosine.get(), of_cosine, MPFR_RNDN);
+  return {to_double(cosine.get()), y};
 }
 
 double tangent(double angle) {

@@ -8,6 +8,8 @@
 // Source: MPFR (L. Fousse et al., ACM Trans. on Mathematical Software 33, 2007).
 #pragma once
 
+#include "plumb/predicates/point.h"
+
 #pragma GCC visibility push(default)
 namespace plumb {
 
@@ -15,6 +17,9 @@ namespace plumb {
 [[nodiscard]] double sine(double angle);
 /// Returns the cosine of an angle in radians. Requires a finite angle.
 [[nodiscard]] double cosine(double angle);
+/// Returns the vector (cosine(angle), sine(angle)) in about the time of one of them. Requires a
+/// finite angle.
+[[nodiscard]] Point2 direction_at(double angle);
 /// Returns the tangent of an angle in radians. Requires a finite angle.
 [[nodiscard]] double tangent(double angle);
 /// Returns the angle in [0, pi] of which x is the cosine. Requires |x| <= 1.
