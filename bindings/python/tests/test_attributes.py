@@ -247,7 +247,7 @@ def test_half_spaces_give_their_cuts_attributes() -> None:
         assert {made.materials[m].name for m in made.face_material[is_cut]} == {"end grain"}
         assert {made.groups[g] for g in made.face_group[is_cut]} == {"cuts"}
     assert plumb.Solid.half_space((0, 0, 1, -1)).sources() == []
-    with pytest.raises(plumb.Error, match="one per face|faces"):
+    with pytest.raises(plumb.Error, match="one entry for each face"):
         plumb.Solid.half_space((0, 0, 1, 0), attributes=plumb.MeshAttributes(face_id=[1, 2]))
     with pytest.raises(plumb.Error, match="no channels"):
         plumb.Solid.half_space(
