@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 
@@ -198,6 +200,15 @@ void SvgOutline::add_rational(const TextCursor& at, std::span<WeightedPoint> pla
   add_rational(at, placed, tolerance, depth + 1);
 }
 
+Point2 RecentDirections::at(double angle) {
+  // Multiplication mixes the bits; the upper ones select the entry.
+  constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15;
+  const std::uint64_t mixed_bits = std::bit_cast<std::uint64_t>(angle) * kMix;
+  Entry& entry = entries_[mixed_bits >> (64 - std::countr_zero(kEntries))];
+  if (entry.angle != angle) entry = {angle, direction_at(angle)};
+  return entry.direction;
+}
+
 void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v, double from,
                         double to, Point2 p) {
   const SvgTransform& t = transform_;
@@ -209,7 +220,7 @@ void SvgOutline::arc_to(const TextCursor& at, Point2 centre, Point2 u, Point2 v,
   const std::size_t n = chords(at, reach * (to - from) * (to - from));
   for (std::size_t i = 1; i < n; ++i) {
     const double angle = from + (to - from) * static_cast<double>(i) / static_cast<double>(n);
-    const Point2 unit = direction_at(angle);
+    const Point2 unit = directions_.at(angle);
     const Point2 off = mixed(pu, unit.x, pv, unit.y);
     add(at, {middle.x + off.x, middle.y + off.y});
   }

@@ -1,6 +1,7 @@
 // Outlines of drawings: lines and curves, moved by affine maps and flattened to closed polygons.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -24,6 +25,22 @@ struct SvgTransform {
 SvgTransform product(const SvgTransform& first, const SvgTransform& second);
 /// Returns the image of a point.
 Point2 applied(const SvgTransform& t, Point2 p);
+
+/// Vectors of length 1 at angles. Circles of a drawing repeat the same angles, so the vectors of
+/// recent angles are stored.
+class RecentDirections {
+ public:
+  /// Returns direction_at(angle).
+  Point2 at(double angle);
+
+ private:
+  static constexpr std::size_t kEntries = 512;  // A power of two.
+  struct Entry {
+    double angle = 0;
+    Point2 direction{1, 0};
+  };
+  std::array<Entry, kEntries> entries_;
+};
 
 /// A control point of a rational curve, in homogeneous coordinates: it lies at (x / w, y / w), and
 /// its weight w is above zero.
@@ -99,6 +116,7 @@ class SvgOutline {
   std::size_t steps_ = 0;
   SvgTransform transform_;
   SvgDrawing drawing_;
+  RecentDirections directions_;
 };
 
 // The path data of SVG (attribute d): M L H V C S Q T A Z, absolute and relative.
