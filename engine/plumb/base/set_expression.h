@@ -3,9 +3,9 @@
 //   !  complement    *  intersection    +  union    -  difference    ^  symmetric difference
 //   @  Minkowski sum, only in expressions that may have it
 //
-// The operator ! binds most tightly, then @, then *, then + and -, then ^. Operators of the same precedence
-// associate to the left. A name consists of letters, digits and underscores and does not begin with
-// a digit.
+// The operator ! binds most tightly, then @, then *, then + and -, then ^. Operators of the same
+// precedence associate to the left. A name consists of letters, digits and underscores and does not
+// begin with a digit.
 #pragma once
 
 #include <cstdint>

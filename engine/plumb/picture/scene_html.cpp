@@ -2,8 +2,8 @@
 //
 // The scene is written as JSON with arrays of numbers in base64, which the page reads as typed
 // arrays; the program of the page is text in scene/scene_page.h. The images of textures are written
-// as data URIs with the bytes of their files, which the browser decodes. The first view is the one of an
-// image (picture/render.h), and the legend lists the paints and layers that occur.
+// as data URIs with the bytes of their files, which the browser decodes. The first view is the one
+// of an image (picture/render.h), and the legend lists the paints and layers that occur.
 // Tested by tests/picture/space_scene_test.cpp and tests/picture/surface_scene_test.cpp.
 #include "plumb/picture/scene_html.h"
 

@@ -33,8 +33,8 @@ struct LocalMap {
   /// use, so its entry is invalid.
   std::vector<UseId> use;
   std::vector<FacetId> facet;  ///< The facet of each arc.
-  /// For each face, the volume (the cell of the complex) in which it lies. Invalid if the volumes of
-  /// the complex have not been found yet.
+  /// For each face, the volume (the cell of the complex) in which it lies. Invalid if the volumes
+  /// of the complex have not been found yet.
   std::vector<VolumeId> volume;
 
   /// Returns the item of the complex to which a cell of the map belongs.

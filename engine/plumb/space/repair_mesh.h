@@ -37,9 +37,9 @@ namespace plumb {
 /// face, in the same or in the opposite direction.
 enum class DoubledFaces : std::uint8_t {
   Keep,  ///< Doubled faces are kept.
-  /// Doubled faces are dropped in three cases. In the first case, this makes the borders of the mesh
-  /// shorter. In the second case, every face of the mesh occurs in both directions, and the faces
-  /// of one direction alone form a closed mesh. In the third case, no face occurs in both
+  /// Doubled faces are dropped in three cases. In the first case, this makes the borders of the
+  /// mesh shorter. In the second case, every face of the mesh occurs in both directions, and the
+  /// faces of one direction alone form a closed mesh. In the third case, no face occurs in both
   /// directions, and the mesh is closed with the doubled faces and without them. Then whole closed
   /// surfaces occur several times. If two solids have a common wall, the wall consists of a face of
   /// each solid. Such doubled faces are kept.

@@ -404,8 +404,8 @@ class FaceWriter {
   }
 
  private:
-  /// Adds the face of a facet with three corners and nothing else, as most facets are. Returns false
-  /// for other facets.
+  /// Adds the face of a facet with three corners and nothing else, as most facets are. Returns
+  /// false for other facets.
   bool add_triangle(const FacetSide& s) {
     const auto cycles = complex_.cycles_of(s.facet);
     const UseId a = cycles[0], b = complex_.use_next[a], c = complex_.use_next[b];

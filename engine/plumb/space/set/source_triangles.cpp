@@ -189,7 +189,8 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
     has_doubles[p] = 1;
     hash[p] = PlanesByCorners::hash_of(*at);
   }
-  // The index is larger than the caches, so a block of triangles is prepared before it is looked up.
+  // The index is larger than the caches, so a block of triangles is prepared before it is looked
+  // up.
   constexpr std::size_t kBlock = 32;
   std::array<std::array<PlanesByCorners::Corner, 3>, kBlock> corners{};
   std::array<std::uint32_t, kBlock> hash_of{};

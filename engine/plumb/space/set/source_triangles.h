@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
+#include <boost/range/irange.hpp>
 #include <cstdint>
 #include <optional>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -31,8 +31,8 @@ struct SourceTriangle {
   std::array<InputPointId, 3> input = {};
 };
 
-/// Consecutive triangles of SourceTriangles.
-using TriangleRange = std::ranges::iota_view<std::uint32_t, std::uint32_t>;
+/// Consecutive triangles of SourceTriangles. (clang 14 does not compile std::ranges::iota_view.)
+using TriangleRange = boost::integer_range<std::uint32_t>;
 
 /// The triangles of all sources that have an area, sorted by their planes, then by their sources
 /// and faces. Planes have ids in the order in which sets were made, so what belongs to neighbouring

@@ -164,8 +164,8 @@ std::optional<Corners> corners_of(const PlaneTable& planes, PlaneId plane) {
   return {};
 }
 
-/// Returns corners_of() the three planes that define a point, if all planes have such, within range;
-/// otherwise nothing.
+/// Returns corners_of() the three planes that define a point, if all planes have such, within
+/// range; otherwise nothing.
 std::optional<std::array<Corners, 3>> corners_of_planes(const PlaneTable& planes,
                                                         const PointSource& source) {
   std::array<Corners, 3> corners;
