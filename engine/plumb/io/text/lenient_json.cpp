@@ -199,8 +199,12 @@ LenientJson::LenientJson(std::string_view text, const std::string& name,
     if (error.code() != ErrorCode::Syntax) throw;
     copy_.emplace(text, context);
     if (copy_->replaced().is_none()) throw;
+    // The copy may be longer than the text.
+    const auto fail_in_text = [&](std::size_t byte, ErrorCode code, const std::string& what) {
+      fail(copy_->byte_of_text(byte), code, what);
+    };
     try {
-      values_.emplace(copy_->text(), name, fail, context);
+      values_.emplace(copy_->text(), name, fail_in_text, context);
     } catch (const Error& other) {
       if (other.code() != ErrorCode::Syntax) throw;
       throw error;
