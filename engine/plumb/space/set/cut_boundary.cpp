@@ -245,7 +245,7 @@ class PlaneCutter {
   void collect_points() {
     collect_vertices();
     std::vector<SpacePoint> all = places_;
-    for (const std::uint32_t t : triangles_) {
+    for (std::uint32_t t = triangles_.first; t != triangles_.end; ++t) {
       if (state_.sources.is_plane(state_.sources[t])) {
         all.insert(all.end(), 3, all.front());  // A plane has no corners.
         continue;
@@ -686,10 +686,11 @@ std::vector<UseId> uses_at_corners(CutState& state, FacetId f, const SourceTrian
 
 /// Whether all triangles come from one face of a source.
 bool are_of_one_face(const SourceTriangles& sources, TriangleRange triangles) {
-  const SourceTriangle& first = sources[triangles.front()];
-  return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
-    return sources[t].source == first.source && sources[t].face == first.face;
-  });
+  const SourceTriangle& first = sources[triangles.first];
+  for (std::uint32_t t = triangles.first; t != triangles.end; ++t) {
+    if (sources[t].source != first.source || sources[t].face != first.face) return false;
+  }
+  return true;
 }
 
 bool has_channels(const CutState& state, const SourceTriangle& t) {
@@ -714,7 +715,7 @@ void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<con
                            TriangleRange triangles) {
   const SpaceComplex& c = state.complex;
   const PlaneId plane = c.facet_plane[side.facet];
-  for (const std::uint32_t t : triangles) {
+  for (std::uint32_t t = triangles.first; t != triangles.end; ++t) {
     const SourceTriangle& triangle = state.sources[t];
     const std::uint32_t begin = state.sources.mesh_of(triangle).face_begin[triangle.face];
     std::array<UseId, 3> at{};
@@ -737,7 +738,7 @@ void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<con
 /// Adds the regions of a facet that is exactly one polygon of a source, whose triangles are given.
 /// Returns false for any other facet.
 bool add_untouched(CutState& state, const FacetSide& side, TriangleRange triangles) {
-  const SourceTriangle& first = state.sources[triangles.front()];
+  const SourceTriangle& first = state.sources[triangles.first];
   if (state.sources.is_plane(first) || !are_of_one_face(state.sources, triangles)) return false;
   const std::vector<UseId> uses = uses_at_corners(state, side.facet, first);
   if (uses.empty()) return false;
@@ -747,7 +748,7 @@ bool add_untouched(CutState& state, const FacetSide& side, TriangleRange triangl
     add_triangles_of_face(state, side, uses, triangles);
     return true;
   }
-  add_whole(state, side, triangles.front());
+  add_whole(state, side, triangles.first);
   state.pieces.back().cover = PieceCover::Face;
   return true;
 }
@@ -755,15 +756,15 @@ bool add_untouched(CutState& state, const FacetSide& side, TriangleRange triangl
 /// Adds the region of a facet if it needs no overlay: if its plane has no source triangle, or one
 /// that contains the facet, or if the facet is a face of a source. Otherwise returns false.
 bool add_without_overlay(CutState& state, const FacetSide& side) {
-  const auto near = state.sources.in_plane(state.complex.facet_plane[side.facet]);
-  if (near.empty()) {
+  const TriangleRange near = state.sources.in_plane(state.complex.facet_plane[side.facet]);
+  if (near.is_empty()) {
     add_whole(state, side, kNone);
     return true;
   }
   if (near.size() > 1) return add_untouched(state, side, near);
-  const SourceTriangle& only = state.sources[near.front()];
+  const SourceTriangle& only = state.sources[near.first];
   if (!state.sources.is_plane(only) && !is_in_triangle(state, side.facet, only)) return false;
-  add_whole(state, side, near.front());
+  add_whole(state, side, near.first);
   return true;
 }
 

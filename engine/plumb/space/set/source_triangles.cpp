@@ -300,9 +300,9 @@ std::size_t SourceTriangles::edge_of_neighbour(const SourceTriangle& t, SpacePoi
   };
   for (std::size_t k = 0; k < 3; ++k) {
     if (planes.plane(k) == t.plane) continue;
-    const auto near = in_plane(planes.plane(k));
+    const TriangleRange near = in_plane(planes.plane(k));
     if (near.size() > kMostTriangles) continue;
-    for (const std::uint32_t n : near) {
+    for (std::uint32_t n = near.first; n != near.end; ++n) {
       const SourceTriangle& other = triangles_[n];
       if (other.source != t.source || is_plane(other)) continue;
       for (std::size_t i = 0; i < 3; ++i) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <boost/range/irange.hpp>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -31,8 +30,18 @@ struct SourceTriangle {
   std::array<InputPointId, 3> input = {};
 };
 
-/// Consecutive triangles of SourceTriangles. (clang 14 does not compile std::ranges::iota_view.)
-using TriangleRange = boost::integer_range<std::uint32_t>;
+/// Consecutive triangles of SourceTriangles, as their indices there.
+struct TriangleRange {
+  std::uint32_t first = 0;  ///< The first triangle.
+  std::uint32_t end = 0;    ///< One after the last triangle.
+
+  /// Returns whether there is no triangle.
+  bool is_empty() const { return first == end; }
+  /// Returns the number of triangles.
+  std::uint32_t size() const { return end - first; }
+  /// Returns the triangle with index i of the range.
+  std::uint32_t operator[](std::uint32_t i) const { return first + i; }
+};
 
 /// The triangles of all sources that have an area, sorted by their planes, then by their sources
 /// and faces. Planes have ids in the order in which sets were made, so what belongs to neighbouring
@@ -50,8 +59,8 @@ class SourceTriangles {
   const SourceTriangle& operator[](std::uint32_t t) const { return triangles_[t]; }
   /// Returns the triangles in a plane, in the order of their sources and faces.
   TriangleRange in_plane(PlaneId plane) const {
-    if (plane.value() + std::size_t{1} >= begin_.size()) return TriangleRange(0, 0);
-    return TriangleRange(begin_[plane.value()], begin_[plane.value() + std::size_t{1}]);
+    if (plane.value() + std::size_t{1} >= begin_.size()) return {};
+    return {begin_[plane.value()], begin_[plane.value() + std::size_t{1}]};
   }
   /// Returns the sources.
   std::span<const PlacedSource> sources() const { return sources_; }
