@@ -219,7 +219,7 @@ MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const M
   context.checkpoint("components", 0, 1);
   phase.next("fans and components");
   const Sign star =
-      is_plain ? star_orientation(facets, vertices.point, tables->planes) : Sign::Zero;
+      is_plain ? star_orientation(facets, vertices.point, tables->points) : Sign::Zero;
   if (star == Sign::Zero) {
     describe_parts(facets, result, context);
   } else {

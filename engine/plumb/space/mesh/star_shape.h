@@ -13,10 +13,10 @@ namespace plumb {
 
 /// Returns the sign of the volume of a mesh that is seen to be star-shaped around the mean of its
 /// vertices; Zero if it is not seen to be so. Requires that is_plainly_closed() holds
-/// (link_facets.h), that `point` has the place of each vertex, and that no two vertices have equal
-/// places. O(corners), and much less for most meshes that are not star-shaped: the first facet that
-/// is seen from its other side ends the test.
+/// (link_facets.h), that `point` has the place of each vertex in `points`, and that no two vertices
+/// have equal places. O(corners), and much less for most meshes that are not star-shaped: the first
+/// facet that is seen from its other side ends the test.
 Sign star_orientation(const MeshFacets& facets, std::span<const SpacePoint> point,
-                      const PlaneTable& planes);
+                      const Point3Table& points);
 
 }  // namespace plumb
