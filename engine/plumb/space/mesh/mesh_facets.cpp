@@ -18,7 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "plumb/predicates/arithmetic/fingerprint.h"
 #include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/planar/facet_triangles.h"
@@ -141,10 +144,46 @@ IndexTriangle widest_triple(const VertexPoints& points, Corners corners) {
   return {corners[0], far, wide};
 }
 
+/// The homogeneous coordinates of vertices, in lowest terms. Those of a vertex are computed when
+/// they are asked for first: several faces need them.
+class HomogeneousVertices {
+ public:
+  HomogeneousVertices(std::span<const SpacePoint> point, const Point3Table& table)
+      : point_(point), table_(table) {}
+
+  const IntegerRow& operator[](std::uint32_t v) {
+    if (rows_.empty()) rows_.resize(point_.size());
+    if (!rows_[v]) rows_[v] = primitive(homogeneous(table_, point_[v]));
+    return *rows_[v];
+  }
+
+ private:
+  std::span<const SpacePoint> point_;
+  const Point3Table& table_;
+  std::vector<std::optional<IntegerRow>> rows_;
+};
+
+/// Returns the plane of three points, with the side positive from which they are seen
+/// counter-clockwise; invalid if they lie on a line. The points have homogeneous coordinates with
+/// positive weights. Whole numbers need one gcd for the plane, and fractions one for each sum.
+OrientedPlane plane_through(PlaneTable& planes, const IntegerRow& a, const IntegerRow& b,
+                            const IntegerRow& c) {
+  const auto from_a = [&a](const IntegerRow& p) {
+    const auto coordinate = [&](std::size_t k) { return Integer(p[k] * a[3] - a[k] * p[3]); };
+    return std::array<Integer, 3>{coordinate(0), coordinate(1), coordinate(2)};
+  };
+  const std::array<Integer, 3> n = cross(from_a(b), from_a(c));
+  if (n[0].is_zero() && n[1].is_zero() && n[2].is_zero()) return {};
+  const Integer offset = -(n[0] * a[0] + n[1] * a[1] + n[2] * a[2]);
+  const IntegerRow row = primitive({n[0] * a[3], n[1] * a[3], n[2] * a[3], offset});
+  return planes.intern(row[0], row[1], row[2], row[3]);
+}
+
 /// Returns the plane of each loop by three of its corners; invalid if these lie on one line. Planes
 /// through input points are interned all at once.
 std::vector<OrientedPlane> planes_of(const Loops& loops, std::span<const SpacePoint> point,
                                      SpaceTables& tables) {
+  HomogeneousVertices homogeneous(point, tables.points);
   std::vector<std::array<InputPointId, 3>> triples;
   std::vector<std::uint32_t> loop_of_triple;
   std::vector<OrientedPlane> plane(loops.size());
@@ -159,7 +198,8 @@ std::vector<OrientedPlane> planes_of(const Loops& loops, std::span<const SpacePo
       triples.push_back({a.input(), b.input(), c.input()});
       loop_of_triple.push_back(i);
     } else {
-      plane[i] = plane_through(tables, a, b, c);
+      plane[i] =
+          plane_through(tables.planes, homogeneous[t[0]], homogeneous[t[1]], homogeneous[t[2]]);
     }
   }
   std::vector<OrientedPlane> found(triples.size());
@@ -515,14 +555,8 @@ OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, Spa
   if (a.is_input() && b.is_input() && c.is_input()) {
     return tables.planes.intern(a.input(), b.input(), c.input());
   }
-  const RationalPoint3 p = exact(tables.points, a), q = exact(tables.points, b),
-                       r = exact(tables.points, c);
-  const std::array<Rational, 3> u{q.x - p.x, q.y - p.y, q.z - p.z};
-  const std::array<Rational, 3> v{r.x - p.x, r.y - p.y, r.z - p.z};
-  const Rational x = u[1] * v[2] - u[2] * v[1];
-  const Rational y = u[2] * v[0] - u[0] * v[2];
-  const Rational z = u[0] * v[1] - u[1] * v[0];
-  return tables.planes.intern(x, y, z, -(x * p.x + y * p.y + z * p.z));
+  return plane_through(tables.planes, homogeneous(tables.points, a), homogeneous(tables.points, b),
+                       homogeneous(tables.points, c));
 }
 
 MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, SpaceTables& tables,
