@@ -14,6 +14,7 @@
 
 #include "generate/meshes.h"
 #include "plumb/base/context.h"
+#include "plumb/predicates/rounding.h"
 #include "plumb/space/mesh/link_facets.h"
 #include "plumb/space/mesh/mesh_crossings.h"
 #include "plumb/space/mesh/mesh_topology.h"
@@ -118,7 +119,7 @@ TEST(StarShape, SparesSearchesThatFindNothing) {
   EXPECT_GT(crossing, 5U);
 }
 
-// Convex meshes are star-shaped around the mean of their vertices, whatever their place and size.
+// Convex meshes are star-shaped around every mean of their vertices, whatever their place and size.
 TEST(StarShape, SeesConvexMeshes) {
   Dice dice(98);
   for (int round = 0; round < 60; ++round) {

@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// Returns the sign of the volume of a mesh that is seen to be star-shaped around the mean of its
+/// Returns the sign of the volume of a mesh that is seen to be star-shaped around a mean of its
 /// vertices; Zero if it is not seen to be so. Requires that is_plainly_closed() holds
 /// (link_facets.h), that `point` has the place of each vertex in `points`, and that no two vertices
 /// have equal places. O(corners), and much less for most meshes that are not star-shaped: the first
