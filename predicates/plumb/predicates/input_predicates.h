@@ -17,7 +17,7 @@
 //  4. Big     X_big     (determinants.h)   evaluates in GMP integers; always returns a sign
 //
 // If several stages decide, they return the same sign. The page docs/design/numbers.md proves this.
-// The sign conventions are those of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic
+// The signs follow the conventions of J. R. Shewchuk, Adaptive Precision Floating-Point Arithmetic
 // and Fast Robust Geometric Predicates, Discrete & Computational Geometry 18 (1997).
 #pragma once
 

@@ -1,7 +1,7 @@
 // Predicates on points with rational coordinates. These predicates convert all coordinates to a
 // common denominator and compute with integers, so every result is exact. These predicates have no
 // filter and are therefore slow. They are meant for file readers, tests and output, but not for
-// inner loops. The sign conventions are those of input_predicates.h.
+// inner loops. The signs follow the same conventions as in input_predicates.h.
 #pragma once
 
 #include "plumb/predicates/rational.h"
