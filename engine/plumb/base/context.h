@@ -39,9 +39,10 @@ using ProgressCallback =
 /// Whether a job within an operation reports the progress of the operation.
 enum class JobProgress : std::uint8_t { Silent, Reported };
 
-/// The state that a long operation shares with its caller. The caller passes it by reference. A
-/// Context is not thread-safe. Each operation needs a Context of its own. Each parallel job within
-/// an operation (parallel.h) also needs a Context of its own.
+/// The state that a long operation shares with its caller. The caller passes it by reference. The
+/// errors of a Context are Error{Cancelled} if a stop was requested, and Error{ResourceLimit} if a
+/// limit is exceeded. A Context is not thread-safe. Each operation needs a Context of its own. Each
+/// parallel job within an operation (parallel.h) also needs a Context of its own.
 class Context {
  public:
   /// Constructs a context. The time limit counts from the construction of the context. `progress`
