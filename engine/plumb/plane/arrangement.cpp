@@ -139,7 +139,7 @@ struct OrderedInput {
 /// Returns a scene with its points in lexicographic order, equal ones by number, and its curves by
 /// their left ends, those of equal left ends by number. A sweep of either scene meets the same
 /// curves in the same order everywhere. Requires input points only, all of them doubles. O(n log
-/// n). Throws what the context throws.
+/// n). Throws the errors of the Context.
 OrderedInput in_sweep_order(const SweepInput& scene, const Context& context);
 
 namespace {

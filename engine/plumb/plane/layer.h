@@ -14,9 +14,9 @@
 //                       several features cover is an overlap. A bounded region that no feature
 //                       covers is a gap or a hole.
 //  3. RegionOwners      gives each overlap and each gap to one feature
-//     Narrow channels and notches between features that are open to the outside, or into a hole,
-//     are gaps, too. Bridges across them (layer/open_gaps.h) are arranged together with the rings,
-//     and steps 1 to 3 are done again.
+//     A narrow channel or notch between features is also a gap. Such a gap is open to the outside
+//     or into a hole. Bridges across such gaps (layer/open_gaps.h) are arranged together with the
+//     rings, and steps 1 to 3 are done again.
 //  4. layer_of_labels   keeps the edges between different owners, rounds their vertices together
 //                       (plane_rounding.h), and traces the polygons of each feature
 //
@@ -98,7 +98,7 @@ struct Layer {
 
 /// How the owner of an overlap or a gap is selected. The candidates for an overlap are the features
 /// that cover it. The candidates for a gap are the features along its boundary. If several
-/// candidates are equally good, the one that comes first in the layer is selected.
+/// candidates are equally good, the candidate that comes first in the layer is selected.
 enum class OwnerRule : std::uint8_t {
   LongestBorder,  ///< The candidate that has the longest common border with the region.
   Largest,        ///< The candidate with the largest area.
@@ -137,7 +137,7 @@ struct LayerRepairOptions {
   /// order of the layer.
   std::vector<std::uint32_t> rank = {};
   /// Preferences that come before the rule: a candidate that loses against another candidate is
-  /// left out, unless every candidate loses.
+  /// left out. But if every candidate loses, no candidate is left out.
   std::vector<OwnerPreference> preferences = {};
   /// The largest number of rounds of a repair. A filled open gap may leave a smaller open gap at
   /// its mouth, so a layer with open gaps is repaired again. Usually two or three rounds are
@@ -160,7 +160,7 @@ constexpr const char* name_of(LayerRegionKind kind) {
 
 /// A region of a report: a gap, a hole, or a connected region in which the same features overlap.
 struct LayerRegion {
-  /// The owner of a region that belongs to no feature.
+  /// The value of `owner` for a region that belongs to no feature.
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
   LayerRegionKind kind;          ///< The kind of the region.
@@ -176,7 +176,7 @@ struct LayerRegion {
 /// made.
 struct LayerReport {
   std::vector<LayerRegion> regions;  ///< Overlaps, gaps and holes.
-  /// The features of all regions, end to end; features_of() returns those of one region. The
+  /// The features of all regions, end to end. features_of() returns the features of one region. The
   /// features of an overlap are the features that cover it. The features of a gap or a hole are the
   /// features along its boundary. The features of a region are in ascending order.
   std::vector<std::uint32_t> features;
@@ -186,9 +186,9 @@ struct LayerReport {
   double gaps_below = 0;               ///< The bound that was used for the widths of gaps.
   std::vector<std::uint32_t> emptied;  ///< The features that lost their whole area by the repair.
   PlaneRoundingReport rounding;        ///< What rounding has changed.
-  /// Whether the repair ended before no open gap was left. It ends after
-  /// LayerRepairOptions::most_rounds rounds, and if all that a round fills vanishes when it is
-  /// rounded to doubles.
+  /// Whether the repair ended although open gaps were left. This happens in two cases: after
+  /// LayerRepairOptions::most_rounds rounds, or if everything that a round filled vanished when it
+  /// was rounded to doubles.
   bool is_stopped = false;
 
   /// Returns the features of a region.
@@ -221,8 +221,8 @@ LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = 
 /// several features are equal. If an open gap was filled, the result is repaired again until
 /// nothing is left to do (LayerReport::is_stopped), and the report lists all regions.
 /// Throws Error{BadArgument} if ranks or preferences do not match the features. Throws
-/// Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws what the context
-/// throws.
+/// Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws the errors of
+/// the Context.
 RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options = {},
                            Context& context = unlimited_context());
 

@@ -40,7 +40,7 @@ struct DissolvedLayer {
 /// of features of the same group vanishes, and a gap between them remains. Throws
 /// Error{BadArgument} if `group` does not have one entry for each feature, or if an entry is out of
 /// range. Throws Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws
-/// what the context throws.
+/// the errors of the Context.
 DissolvedLayer dissolve_layer(const Layer& layer, std::span<const std::uint32_t> group,
                               std::size_t group_count, Context& context = unlimited_context());
 

@@ -41,8 +41,8 @@ struct LayerSimplifyOptions {
   /// The largest area of a triangle u v w (see above) whose corner v may be removed, in square
   /// units of the layer. Infinity means that there is no bound.
   double tolerance = 0;
-  /// The fraction of the removable corners that is kept, between 0 and 1. A corner is removable if
-  /// exactly two edges of borders meet at the corner.
+  /// The removal stops when only this fraction of the removable corners is left. The value lies
+  /// between 0 and 1. A corner is removable if exactly two edges of borders meet at the corner.
   double kept = 0;
   /// The largest distance by which borders may move. Every point of the simplified borders lies
   /// within this distance of the original borders, and every point of the original borders lies
@@ -61,8 +61,8 @@ struct SimplifiedLayer {
   std::size_t corners_after = 0;  ///< The number of corners of the simplified borders.
   /// The number of corners that are not removable because three or more borders meet there.
   std::size_t fixed = 0;
-  /// The number of corners whose removal the options allow, but that are kept for another reason:
-  /// their triangle contains a corner, or a ring would collapse.
+  /// The number of corners whose removal the options allow. They are kept for another reason: their
+  /// triangle contains another corner, or a ring would collapse.
   std::size_t blocked = 0;
   /// An upper bound for the distance between the original borders and the simplified borders
   /// (Hausdorff distance). Movements by rounding are not included.
@@ -75,7 +75,7 @@ struct SimplifiedLayer {
 
 /// Returns the layer with simplified borders. Throws Error{BadArgument} if an option is out of its
 /// range. Throws Error{NumberOutOfRange} if coordinates are too large to be rounded. Also throws
-/// what the context throws.
+/// the errors of the Context.
 SimplifiedLayer simplify_layer(const Layer& layer, const LayerSimplifyOptions& options,
                                Context& context = unlimited_context());
 

@@ -57,8 +57,9 @@ namespace plumb {
 enum class OuterRule {
   Listed,  ///< The outer boundary of every component must be listed, clockwise.
   /// If an outer boundary is not listed, its edges form a clockwise chain of open edges. Such a
-  /// chain is added as an outer cycle, and a warning reports this. A chain that bounds an overlap
-  /// of regions is not added if no edges cross. The edges of this chain are reported as open.
+  /// chain is added as an outer cycle, and a warning reports this. There is one exception: if a
+  /// chain bounds an overlap of regions and no edges cross, the chain is not added. Its edges are
+  /// reported as open.
   Infer,
   /// An open edge is not a defect. But if a component lies inside a listed face, the outer boundary
   /// of the component must be listed. If it is not listed, the component is a Nested defect.
@@ -83,9 +84,9 @@ enum class DefectKind {
   /// The boundary of a face of the induced graph does not consist of the listed cycles as required.
   /// The outer boundary of a bounded face must be one counter-clockwise listed cycle. There is one
   /// exception. The counter-clockwise cycle of a region may touch clockwise cycles of the same
-  /// region at vertices, and these may touch each other. The region can then fall into several
-  /// faces, and the boundary of such a face may consist of parts of several of these cycles. The
-  /// outer boundary of a component must consist of clockwise listed cycles only.
+  /// region at vertices. These clockwise cycles may also touch each other. The region can then fall
+  /// into several faces, and the boundary of such a face may consist of parts of several of these
+  /// cycles. The outer boundary of a component must consist of clockwise listed cycles only.
   Mixed,
   Nested  ///< A component lies in a listed face, but the component's outer boundary is not listed.
 };

@@ -16,7 +16,7 @@ namespace plumb {
 /// Returns a layer with a feature for each bounded marked face, in the order of the faces. The
 /// polygon of a feature is the closure of its face. It has an outer ring, and a ring for each hole.
 /// Edges that have the face on both sides are left out. Coordinates are exact. Features have no ids
-/// and no properties. Cost: O(n log n) for n cells. Throws what the context throws.
+/// and no properties. Cost: O(n log n) for n cells. Throws the errors of the Context.
 [[nodiscard]] Layer layer_of_faces(const Nef2& set, Context& context = unlimited_context());
 
 }  // namespace plumb

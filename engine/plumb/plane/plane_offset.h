@@ -8,8 +8,8 @@
 //                 a join connects the two moved edges (OffsetJoin). At a reflex corner, the chain
 //                 leads from the end of one moved edge to the corner, and from there to the start
 //                 of the other moved edge
-//  2. polygons    (Nef2::polygons) takes the points whose winding number is positive. The winding
-//                 number is that of all chains together
+//  2. polygons    (Nef2::polygons) takes the points whose winding number is positive. This winding
+//                 number counts all chains together
 //
 // Why this is right: the winding number of all chains together at a point is the sum of the winding
 // numbers of several polygons. These are the border of the set, one rectangle for each edge, and
@@ -25,9 +25,9 @@
 // are exact.
 //
 // Cost: O((n + k) log(n + k)) for n corners of the chains and k crossings of their edges. Source:
-// A. Johnson's Clipper library also computes offsets by winding numbers. The kinds of joins are
-// those of this library, which is based on B. R. Vatti, A generic solution to polygon clipping,
-// Communications of the ACM 35 (1992).
+// A. Johnson's Clipper library also computes offsets by winding numbers. It has the same kinds of
+// joins. It is based on B. R. Vatti, A generic solution to polygon clipping, Communications of the
+// ACM 35 (1992).
 #pragma once
 
 #include <cstdint>
@@ -87,7 +87,7 @@ inline constexpr std::uint32_t kMostCircleSegments = 1U << 20U;
 ///                  the convex corners of the complement.
 ///   distance = 0   The result is the regularization of the closure.
 /// Throws Error{BadArgument} if the set is unbounded, or if an option is out of its range. Throws
-/// Error{NotFinite} if `distance` is not finite. Also throws what the context throws.
+/// Error{NotFinite} if `distance` is not finite. Also throws the errors of the Context.
 [[nodiscard]] Nef2 offset(const Nef2& set, double distance, const OffsetOptions& options = {},
                           Context& context = unlimited_context());
 

@@ -6,7 +6,7 @@
 //   - Valid: edges meet only at common ends. No edge is degenerate or listed twice.
 //   - Near: every point of the new boundary is within PlaneRoundingReport::largest_move of the
 //     exact boundary. Conversely, every point of the exact boundary is within this distance of the
-//     new boundary. The exception are points of faces or of pieces of edges that were left out
+//     new boundary. Points of faces and of pieces of edges that were left out are an exception
 //     (PlaneRoundingReport::collapsed and edges_folded).
 //   - Stable: a vertex whose coordinates are doubles does not move, unless the report counts it as
 //     moved. If all coordinates are doubles, the result is the input. So rounding is idempotent.
@@ -28,8 +28,8 @@
 // the distances by which points move, and proves that step 5 finds exactly one face for each new
 // face.
 //
-// Cost: one sweep if rounding makes no edges cross. Otherwise the cost is that of two sweeps, plus
-// the cost of the repair near the crossings.
+// Cost: one sweep if rounding makes no edges cross. Otherwise the cost is the cost of two sweeps,
+// plus the cost of the repair near the crossings.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ namespace plumb {
 /// distance between two points is the maximum of the differences of their coordinates.
 struct PlaneRoundingReport {
   /// The number of vertices whose rounded coordinates are not the doubles nearest to the exact
-  /// ones.
+  /// coordinates.
   std::size_t vertices_moved = 0;
   /// The number of vertices that vanished because they were rounded to the same point as another
   /// vertex. If k vertices were rounded to one point, k - 1 of them are counted.
@@ -93,13 +93,13 @@ struct RoundedSubdivision {
   PlaneRoundingReport report;  ///< The changes made by rounding.
 };
 
-/// Returns the subdivision with its vertices rounded to doubles. An edge that has the same face on
-/// both sides is left out, unless the edge is marked and the face is not marked. If the subdivision
-/// has a frame, unbounded edges are left out, and all unbounded faces become a single unmarked
-/// face. This face corresponds to face 0 of the exact subdivision. If all coordinates are doubles
-/// and there is no frame, the function returns the exact subdivision. Throws
-/// Error{NumberOutOfRange} if a coordinate lies beyond the largest double. Also throws what the
-/// context throws.
+/// Returns the subdivision with its vertices rounded to doubles. If an edge has the same face on
+/// both sides, it is left out. A marked edge in an unmarked face is an exception. If the
+/// subdivision has a frame, unbounded edges are left out, and all unbounded faces become a single
+/// unmarked face. This face corresponds to face 0 of the exact subdivision. If all coordinates are
+/// doubles and there is no frame, the function returns the exact subdivision. Throws
+/// Error{NumberOutOfRange} if a coordinate lies beyond the largest double. Also throws the errors
+/// of the Context.
 RoundedSubdivision round_to_doubles(const PlaneComplex& exact,
                                     Context& context = unlimited_context());
 

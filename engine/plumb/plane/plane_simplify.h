@@ -34,7 +34,7 @@ struct SimplifiedSet {
   Nef2 set;
   std::size_t corners_before = 0;  ///< The number of vertices of the rounded closure.
   std::size_t corners_after = 0;   ///< The number of vertices of the simplified set.
-  /// The number of vertices that the options allow to remove, but that are kept for another reason:
+  /// The number of vertices whose removal the options allow. They are kept for another reason:
   /// their triangle contains another vertex, or a ring would collapse.
   std::size_t blocked = 0;
   /// An upper bound for the distance between the original borders and the simplified borders
@@ -45,7 +45,7 @@ struct SimplifiedSet {
 
 /// Returns the closure of a set with fewer corners. Throws Error{BadArgument} if the set is
 /// unbounded or an option is out of its range. Throws Error{NumberOutOfRange} if a coordinate lies
-/// beyond the largest double. Also throws what the context throws.
+/// beyond the largest double. Also throws the errors of the Context.
 SimplifiedSet simplify_borders(const Nef2& set, const LayerSimplifyOptions& options,
                                Context& context = unlimited_context());
 

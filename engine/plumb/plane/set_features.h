@@ -53,10 +53,10 @@ struct SetFeatures {
 
 /// Divides a set into the parts that the features of `sources` cover. A part that several features
 /// cover is assigned to the first of them. So if the set was made by a Boolean operation, `sources`
-/// should contain the features of the first operand before those of the second operand
+/// should contain the features of the first operand before the features of the second operand
 /// (append_layer()). A feature covers the points that the rings of its polygons enclose by the
 /// even-odd rule. Throws Error{NumberOutOfRange} if coordinates are too large to be rounded, and
-/// what the context throws.
+/// the errors of the Context.
 [[nodiscard]] SetFeatures set_features(const Nef2& set, const Layer& sources,
                                        Context& context = unlimited_context());
 
