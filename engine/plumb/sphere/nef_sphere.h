@@ -30,8 +30,8 @@
 // For many queries in the same set, a SphereLocator is faster.
 //
 // Errors: all functions throw Error{NotFinite} for coordinates that are not finite, and
-// Error{BadArgument} for the zero vector. They also throw what the context throws. Further reasons
-// for Error{BadArgument} are stated at the functions.
+// Error{BadArgument} for the zero vector. They also throw the errors of the Context. Further
+// reasons for Error{BadArgument} are stated at the functions.
 //
 // Source: P. Hachenberger, L. Kettner, K. Mehlhorn, Boolean operations on 3D selective Nef
 // complexes, Computational Geometry 38 (2007), section 4; docs/design/sphere.md.

@@ -61,7 +61,7 @@ class SphereLocator {
   /// Returns the cell that contains a direction, as NefSphere::locate() does. Throws
   /// Error{BadArgument} for the zero vector.
   SphereLocation locate(const SphereVector& direction);
-  /// Whether the direction belongs to the set. Errors and cost are those of locate().
+  /// Whether the direction belongs to the set. Errors and cost are the same as for locate().
   bool contains(const SphereVector& direction) { return locate(direction).marked; }
   /// Whether the direction lies on the boundary of the set. Throws as locate() does. This function
   /// takes only step 2 of locate(), so it needs no walk along a great circle.
@@ -73,7 +73,7 @@ class SphereLocator {
   /// `origin` and `towards` are equal or opposite directions.
   std::optional<SphereHit> shoot(const SphereVector& origin, const SphereVector& towards);
   /// Returns the first point or arc of the map on the walk of shoot(), whether or not it is marked.
-  /// Returns nullopt if the walk meets no point and no arc. The result equals that of
+  /// Returns nullopt if the walk meets no point and no arc. The result is the same as the result of
   /// NefSphere::shoot_to_boundary(). Throws as shoot() does.
   std::optional<SphereHit> shoot_to_boundary(const SphereVector& origin,
                                              const SphereVector& towards);
