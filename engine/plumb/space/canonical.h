@@ -53,8 +53,8 @@ namespace plumb {
 
 /// Returns the same set in canonical form. The arrays and tables of canonical(a) and canonical(b)
 /// are equal if and only if a == b. If the arrays and tables are equal, write_nef3() writes the
-/// same bytes for both sets. The ids of facets (facet_origin) are dropped. Throws what the context
-/// throws.
+/// same bytes for both sets. The ids of facets (facet_origin) are dropped. Throws the errors of the
+/// Context.
 Nef3 canonical(const Nef3& set, Context& context = unlimited_context());
 /// Returns the canonical form of a complex. Requires that audit(minimal, AuditForm::Minimal) finds
 /// no flaw.

@@ -11,9 +11,9 @@
 //                          are triangulated, and faces without area are dropped. All such faces are
 //                          listed in the report
 //  4. merge_doubled        makes one facet of all facets with the same boundary. The jump of a
-//                          facet is the winding number on its positive side minus that on its
-//                          negative side (MeshComplex::jump). The new facet gets the sum of the
-//                          jumps of the old facets
+//                          facet is the winding number on its positive side minus the winding
+//                          number on its negative side (MeshComplex::jump). The new facet gets the
+//                          sum of the jumps of the old facets
 //  5. trace_borders        cuts each directed edge at the vertices that lie on the edge. Then the
 //                          step checks that each directed part of an edge occurs as often as the
 //                          same part in the opposite direction. If this is not the case, the step
@@ -96,7 +96,8 @@ struct MeshReport {
       std::pair<std::uint32_t,
                 std::uint32_t>;  ///< Two faces, the lesser index first, unless stated otherwise.
 
-  /// Number of used points that have the coordinates of an earlier used point.
+  /// The number of points that were merged into an earlier point with equal coordinates. Points
+  /// that no face uses are not counted.
   std::uint64_t vertices_merged = 0;
   std::vector<std::uint32_t>
       degenerate;                      ///< Faces without area; the complex does not contain them.
@@ -114,24 +115,24 @@ struct MeshReport {
   std::vector<std::vector<std::uint32_t>> borders;
   // The next three lists state the causes of borders. They are filled if the mesh is open and was
   // not read as a surface.
-  /// Faces whose orientation disagrees with that of their neighbours, so that they should be
-  /// flipped. Consider a connected set of faces whose orientations disagree. The set consists of
-  /// two parts: if one of the parts is flipped, all orientations agree. The smaller part is listed
-  /// here. If both parts have the same number of faces, the list contains the part that must be
-  /// flipped to make the volume positive.
+  /// Faces that should be flipped, because they are not oriented like their neighbours. Consider a
+  /// connected set of faces whose orientations disagree. The set consists of two parts: if one of
+  /// the parts is flipped, all orientations agree. The smaller part is listed here. If both parts
+  /// have the same number of faces, the list contains the part that must be flipped to make the
+  /// volume positive.
   std::vector<std::uint32_t> flipped;
   /// Closed chains of vertices along which faces are missing after the faces in `flipped` have been
   /// flipped. If this list is empty, flipping these faces closes the mesh.
   std::vector<std::vector<std::uint32_t>> holes;
-  /// A face of each connected set of faces whose orientations cannot agree, as on a Moebius strip:
-  /// the face with the least index.
+  /// For each connected set of faces whose orientations cannot agree (such as a Moebius strip), the
+  /// face with the least index.
   std::vector<std::uint32_t> one_sided;
   /// Number of pairs of facets that meet outside common vertices and edges.
   std::uint64_t crossing_count = 0;
   std::vector<FacePair> crossings;  ///< The first pairs of faces that cross; each pair occurs once.
-  /// A face of each component with negative volume: the face with the least index.
+  /// For each component with negative volume, the face with the least index.
   std::vector<std::uint32_t> inside_out;
-  /// A face of each component that was flipped: the face with the least index.
+  /// For each component that was flipped, the face with the least index.
   std::vector<std::uint32_t> turned;
 
   /// Whether every directed edge occurs as often as the edge in the opposite direction.
@@ -198,7 +199,7 @@ struct MeshComplex {
 /// Returns a report on a mesh, and the complex of the mesh. The arrays of the mesh are not needed
 /// afterwards. If the mesh is open and options.surface is false, only the report is filled. Throws
 /// Error{BadIndex} if a corner is not the index of a point. Throws Error{NotFinite} if a coordinate
-/// is not finite. Also throws what the context throws.
+/// is not finite. Also throws the errors of the Context.
 [[nodiscard]] MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options = {},
                                           Context& context = unlimited_context());
 

@@ -1,5 +1,5 @@
-// Converts a set of space to a mesh with attributes. The attributes are those of the meshes from
-// which the set was made: materials, groups, ids, and numbers at corners such as colours and
+// Converts a set of space to a mesh with attributes. The attributes come from the meshes from which
+// the set was made. They are materials, groups, ids, and numbers at corners, such as colours and
 // texture coordinates.
 //
 // Operations on sets do not keep track of attributes. Instead, a set keeps the list of its sources,
@@ -27,9 +27,9 @@
 //   preferred to triangles with the opposite orientation. Among these, a triangle of the first
 //   source in Nef3::sources() is chosen, which belongs to the first operand. Among several faces of
 //   this source, the face with the least index is chosen.
-// - A piece is flipped if its orientation is opposite to that of its source triangle. An example is
-//   a piece of the boundary of a subtracted set. The values of channels named "normal" are negated
-//   on flipped pieces. If the source has a map, these values are also transformed by the inverse
+// - A piece is flipped if it and its source triangle have opposite orientations. An example is a
+//   piece of the boundary of a subtracted set. The values of channels named "normal" are negated on
+//   flipped pieces. If the source has a map, these values are also transformed by the inverse
 //   transpose of the map, and keep their length.
 // - A piece that no source triangle covers has no source. An example is a piece in the plane of a
 //   half-space. Its ids are MeshAttributes::kNone, and its numbers are 0.
@@ -41,7 +41,7 @@
 //
 // Cost: the cost of valid_mesh(), O(n) for n triangles of the sources, and O(m log m) for m corners
 // and crossings in planes in which a facet is cut. Errors: Error{BadArgument} if a marked volume is
-// unbounded, the errors of valid_mesh(), and what the context throws. Source: docs/attributes.md.
+// unbounded, the errors of valid_mesh(), and the errors of the Context. Source: docs/attributes.md.
 #pragma once
 
 #include <cstdint>
@@ -57,17 +57,18 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Determines which pieces of a facet are joined. There is one rule for all values but
-/// PieceJoin::None. If a facet is exactly one face of a source, and no other source has a face in
-/// its plane, the facet is one piece.
+/// Determines which pieces of a facet are joined. One rule holds for all values except None: if a
+/// facet is exactly one face of a source, and no other source has a face in its plane, the facet is
+/// one piece.
 enum class PieceJoin : std::uint8_t {
   /// Neighbouring pieces of a facet are joined under two conditions. They come from the same
   /// source, with the same material, group and id. For each channel, a single affine function
   /// describes the values on both pieces.
   SameAttributes,
   None,  ///< No pieces are joined, so each piece lies in one triangle of a source.
-  /// Pieces are joined as for SameAttributes, but only if they also come from the same face of a
-  /// source. So two faces of the input remain separate faces, even if they lie in one plane.
+  /// Pieces are joined under the conditions of SameAttributes, and only if they also come from the
+  /// same face of a source. So two faces of the input remain separate faces, even if they lie in
+  /// one plane.
   SameFace,
 };
 
@@ -111,8 +112,8 @@ struct MeshWithAttributes {
 };
 
 /// Returns the boundary of regularization() with the attributes of the sources of the set. The list
-/// of materials of the result consists of the materials of the first source, then those of the
-/// second source, and so on. The list of groups is made in the same way. Channels of different
+/// of materials of the result consists of the materials of the first source, then the materials of
+/// the second source, and so on. The list of groups is made in the same way. Channels of different
 /// sources that have the same name become one channel. The width of this channel is the greatest of
 /// the widths of the joined channels. Values that a source lacks are set to 1 in a channel named
 /// "color", and to 0 in all other channels.

@@ -31,10 +31,10 @@
 // Cost: a Boolean of two sets of sizes n and m takes O((n + m + c) log(n + m + c)), where c is the
 // number of pairs of cells whose boxes meet. Unary operations take O(n). In the comments of
 // members, n is the number of cells of the set. Errors: functions throw Error{NotFinite} and
-// Error{BadArgument} where their comments say so. Functions with a Context also throw ResourceLimit
-// and Cancelled when the Context demands it. Source: W. Bieri and W. Nef, Elementary set operations
-// with d-dimensional polyhedra, LNCS 333 (1988); P. Hachenberger, L. Kettner, K. Mehlhorn,
-// Computational Geometry 38 (2007) 64-99; docs/design/boolean.md.
+// Error{BadArgument} where their comments say so. Functions with a Context also throw the errors of
+// the Context. Source: W. Bieri and W. Nef, Elementary set operations with d-dimensional polyhedra,
+// LNCS 333 (1988); P. Hachenberger, L. Kettner, K. Mehlhorn, Computational Geometry 38 (2007)
+// 64-99; docs/design/boolean.md.
 #pragma once
 
 #include <array>
@@ -321,8 +321,8 @@ class Nef3 {
 
   /// Returns the minimal complex: all cells with their marks.
   [[nodiscard]] const SpaceComplex& complex() const&;
-  /// Returns the complex of a set that is an rvalue. The complex is copied only if other sets share
-  /// it.
+  /// Returns the complex of a temporary or moved set. The complex is copied only if other sets
+  /// share it.
   [[nodiscard]] SpaceComplex complex() &&;
   [[nodiscard]] SpaceMarks marks() const;    ///< Returns the marks of all cells.
   [[nodiscard]] SpaceCounts counts() const;  ///< Returns the counts of cells. O(n).
@@ -377,7 +377,7 @@ class Nef3 {
   /// not finite.
   [[nodiscard]] bool has_on_boundary(const Point3& p, Context& context = unlimited_context()) const;
 
-  /// Returns the first marked cell that the ray from `origin` meets, or nothing if the ray meets no
+  /// Returns the first marked cell that the ray from `origin` meets, or nullopt if the ray meets no
   /// marked cell. If the cell that contains `origin` is marked, it is the result. The point of the
   /// hit need not belong to the set. For example, if the ray enters an open volume, the point is on
   /// the boundary of the volume. Throws Error{BadArgument} if the direction is zero. Costs a few
@@ -397,7 +397,7 @@ class Nef3 {
                                                  const std::function<bool(SpaceItem)>& accepts,
                                                  Context& context = unlimited_context()) const;
 
-  /// Returns the exact volume, or nothing if the volume is infinite. Cost: a sum of O(n) rational
+  /// Returns the exact volume, or nullopt if the volume is infinite. Cost: a sum of O(n) rational
   /// numbers for n edges of facets.
   [[nodiscard]] std::optional<Rational> volume(Context& context = unlimited_context()) const;
   /// Returns volume(). Nef2 has a function of the same name, so that generic code can handle both
@@ -407,7 +407,7 @@ class Nef3 {
   }
 
   /// Checks every invariant from scratch. Returns the first broken invariant and the cells that
-  /// violate it, or nothing if all invariants hold. Costs as much as audit() of space_audit.h.
+  /// violate it, or nullopt if all invariants hold. Costs as much as audit() of space_audit.h.
   [[nodiscard]] std::optional<SpaceFlaw> audit(Context& context = unlimited_context()) const;
 
   // --- operations ------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 //                      repetition is removed. A face with fewer than three corners is dropped
 //  2. drop_doubled     drops faces that have the same corners as an earlier face, in the same or in
 //                      the opposite direction
-//  3. orient_faces     flips faces whose orientation disagrees with that of their neighbours
+//  3. orient_faces     flips faces that are not oriented like their neighbours
 //  4. fill_hole        adds faces along closed chains of edges at which a face is missing
 //  5. turn_components  flips components that have a negative volume and lie inside no other
 //                      component
@@ -37,10 +37,10 @@ namespace plumb {
 /// face, in the same or in the opposite direction.
 enum class DoubledFaces : std::uint8_t {
   Keep,  ///< Doubled faces are kept.
-  /// Doubled faces are dropped in three cases. In the first case, this makes the borders of the
-  /// mesh shorter. In the second case, every face of the mesh occurs in both directions, and the
-  /// faces of one direction alone form a closed mesh. In the third case, no face occurs in both
-  /// directions, and the mesh is closed with the doubled faces and without them. Then whole closed
+  /// Doubled faces are dropped in three cases. First case: without them, the borders of the mesh
+  /// are shorter. Second case: every face of the mesh occurs in both directions, and the faces of
+  /// one direction alone form a closed mesh. Third case: no face occurs in both directions, and the
+  /// mesh is closed with the doubled faces and also without them. In this case, whole closed
   /// surfaces occur several times. If two solids have a common wall, the wall consists of a face of
   /// each solid. Such doubled faces are kept.
   DropIfBetter,
@@ -53,17 +53,16 @@ struct RepairOptions {
   /// coordinates are merged.
   double weld = 0;
   DoubledFaces doubled = DoubledFaces::Keep;  ///< States when doubled faces are dropped.
-  /// Whether faces whose orientation disagrees with that of their neighbours are flipped. If the
-  /// mesh is closed afterwards, components that have a negative volume and lie inside no other
-  /// component are flipped, too.
+  /// Whether faces that are not oriented like their neighbours are flipped. If the mesh is closed
+  /// afterwards, components that have a negative volume and lie inside no other component are
+  /// flipped, too.
   bool reorient = false;
-  /// Holes with at most this number of edges are filled. If it is not 0, faces whose orientation
-  /// disagrees with that of their neighbours are flipped first, because the holes are known only
-  /// afterwards.
+  /// Holes with at most this number of edges are filled. If it is not 0, faces that are not
+  /// oriented like their neighbours are flipped first, because the holes are known only afterwards.
   std::uint32_t fill_holes = 0;
   /// A hole is also filled if the diagonal of the bounding box of its vertices is at most this
   /// length. The number of its edges does not matter in this case. If the length is not 0, faces
-  /// are flipped first, as for fill_holes.
+  /// are flipped first (see fill_holes).
   double fill_holes_below = 0;
 
   /// Whether the options ask for any repair.
@@ -78,7 +77,7 @@ struct RepairOptions {
 /// A report on the defects that repair_mesh() found and the repairs that it made. Faces are 0-based
 /// indices of the mesh before the repair. All lists of faces are in ascending order.
 struct RepairReport {
-  /// The number of points whose coordinates were equal to those of an earlier point.
+  /// The number of points that had the same coordinates as an earlier point.
   std::uint64_t equal = 0;
   std::uint64_t welded = 0;  ///< The number of positions that were moved to another position.
   /// The largest distance by which a point moved; at most RepairOptions::weld.
@@ -91,16 +90,15 @@ struct RepairReport {
   /// The doubled faces that were dropped, each with the earlier face that has the same corners.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> doubled;
   std::vector<std::uint32_t> flipped;  ///< Faces that were flipped because of their neighbours.
-  /// A face of each component that was flipped because it was inside out: the face with the least
-  /// index.
+  /// For each component that was flipped because it was inside out, the face with the least index.
   std::vector<std::uint32_t> turned;
   std::vector<std::uint32_t> filled;  ///< The number of edges of each hole that was filled.
   std::uint64_t added = 0;            ///< The number of faces that were added in holes.
   /// Closed chains of vertices of the repaired mesh along which faces are missing, or along which
   /// the orientations of faces disagree.
   std::vector<std::vector<std::uint32_t>> holes;
-  /// A face of each connected set of faces that has only one side, such as a Moebius strip: the
-  /// face with the least index.
+  /// For each connected set of faces that has only one side (such as a Moebius strip), the face
+  /// with the least index.
   std::vector<std::uint32_t> one_sided;
 
   /// Whether the repaired mesh is closed.
@@ -113,12 +111,12 @@ struct RepairReport {
   }
 };
 
-/// Repairs a mesh. Faces that are not dropped keep their order, and faces added in holes follow
-/// after them. Points that are not dropped keep their order and their coordinates. If the function
-/// throws, the mesh is unchanged. It throws:
+/// Repairs a mesh. Faces that are not dropped keep their order, and the faces that were added in
+/// holes follow after them. Points that are not dropped keep their order and their coordinates. If
+/// the function throws, the mesh is unchanged. It throws:
 ///   - Error{BadArgument} if RepairOptions::weld is negative or not finite
 ///   - Error{BadIndex} and Error{NotFinite} as complex_of_mesh() does
-///   - what the context throws
+///   - the errors of the Context
 RepairReport repair_mesh(PolygonMesh& mesh, const RepairOptions& options,
                          Context& context = unlimited_context());
 
@@ -130,7 +128,8 @@ std::vector<std::string> sentences(const RepairReport& report);
 /// corners of these triangles are corners of the face, and the triangles together have the boundary
 /// of the face. If the projection of the face along some coordinate axis is a simple polygon, the
 /// triangles form a constrained Delaunay triangulation. Otherwise they form a fan. Throws
-/// Error{BadIndex}, Error{NotFinite}, and what the context throws. Cost: O(n log n) for n corners.
+/// Error{BadIndex}, Error{NotFinite}, and the errors of the Context. Cost: O(n log n) for n
+/// corners.
 PolygonMesh triangulated(const PolygonMesh& mesh, Context& context = unlimited_context());
 
 }  // namespace plumb

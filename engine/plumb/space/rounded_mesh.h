@@ -84,7 +84,7 @@ struct RoundingReport {
 
 /// Returns the effects of rounding on the mesh. At most `max_listed` crossings are listed, but
 /// crossing_count counts all crossings. Requires that no two faces of the mesh cross or coincide
-/// before rounding. Throws what the context throws.
+/// before rounding. Throws the errors of the Context.
 RoundingReport check_rounding(const PolygonMesh& mesh, std::uint64_t max_listed,
                               Context& context = unlimited_context());
 

@@ -31,7 +31,7 @@ struct MeshSource {
   PolygonMesh mesh;           ///< The points and faces of the mesh.
   MeshAttributes attributes;  ///< The attributes of faces and corners. Can be empty.
   /// If this has a value, the source is not a mesh but the boundary of the half-space below this
-  /// plane. In this case the mesh is empty, and the attributes are those of a single face without
+  /// plane. In this case the mesh is empty. The attributes describe a single face, and there are no
   /// channels.
   std::optional<Plane3> plane = {};
 };

@@ -30,10 +30,10 @@ struct SpaceFlaw {
   std::string place;      ///< The cells that violate it, such as "edge 3, facet 5".
 };
 
-/// Returns the first flaw found, or nothing. Every id is checked before it is used. So an id that
-/// is out of range is reported as a flaw and never used. For AuditForm::Minimal, a cell that could
-/// be removed without changing the set is a flaw, too. The complex of every Nef3 is minimal. Throws
-/// what the context throws.
+/// Returns the first flaw that was found, or nullopt if there is no flaw. Every id is checked
+/// before it is used. So an id that is out of range is reported as a flaw and never used. For
+/// AuditForm::Minimal, a cell that could be removed without changing the set is a flaw, too. The
+/// complex of every Nef3 is minimal. Throws the errors of the Context.
 ///
 /// Cost: O(n log n + c), where n is the number of cells, and c is the number of pairs of cells
 /// whose boxes meet. Two kinds of cells cost more:

@@ -66,29 +66,30 @@ class SpaceLocator {
   SpaceItem on_item(const RationalPoint3& p) const;
   SpaceItem on_item(const Point3& p) const;
 
-  /// Returns the volume around a point. Requires volumes, and that the point lies on no vertex,
-  /// edge or facet.
+  /// Returns the volume around a point. Requires that the complex has volumes, and that the point
+  /// lies on no vertex, edge or facet.
   VolumeId volume_of(const RationalPoint3& p) const;
   VolumeId volume_of(const Point3& p) const;
 
   /// Returns the cell that contains the point. If the result of on_item() is valid, locate()
-  /// returns it. Otherwise locate() returns the result of volume_of(). Requires volumes.
+  /// returns it. Otherwise locate() returns the result of volume_of(). Requires that the complex
+  /// has volumes.
   SpaceItem locate(const RationalPoint3& p) const;
   SpaceItem locate(const Point3& p) const;
   /// Sets items[i] to locate(points[i]). To use several threads, give each thread a part of the
   /// points. Requires that the two spans have the same size.
   void locate(std::span<const Point3> points, std::span<SpaceItem> items) const;
 
-  /// Returns the first vertex, edge or facet that the ray meets strictly after `origin`, or
-  /// nothing. The function skips items in which the ray starts or along which it runs. It does not
-  /// skip the vertex or edge at which the ray leaves such an item. It also skips items of the
-  /// frame. Requires that `direction` is not zero.
+  /// Returns the first vertex, edge or facet that the ray meets strictly after `origin`, or nullopt
+  /// if there is none. The function skips items in which the ray starts or along which it runs. It
+  /// does not skip the vertex or edge at which the ray leaves such an item. It also skips items of
+  /// the frame. Requires that `direction` is not zero.
   std::optional<SpaceItemHit> shoot(const RationalPoint3& origin,
                                     const RationalPoint3& direction) const;
   std::optional<SpaceItemHit> shoot(const Point3& origin, const Point3& direction) const;
   /// Shoots a ray towards -x from an input point or a constructed point of the complex. Returns the
-  /// first item that the ray meets strictly after this point, or an invalid item. The result may be
-  /// an item of the frame.
+  /// first item that the ray meets strictly after this point, or an invalid item if there is none.
+  /// The result may be an item of the frame.
   SpaceItem shoot_left(SpacePoint origin) const;
 
  private:

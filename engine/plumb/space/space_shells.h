@@ -36,8 +36,8 @@ using ShellId = StrongId<struct ShellTag>;  ///< The id of a shell.
 /// The shells of all volumes of a complex.
 class SpaceShells {
  public:
-  /// Finds the shells. Requires volumes. The complex must outlive this object. Cost: O(n alpha(n))
-  /// for n cells.
+  /// Finds the shells. Requires that the complex has volumes. The complex must outlive this object.
+  /// Cost: O(n alpha(n)) for n cells.
   explicit SpaceShells(const SpaceComplex& complex);
 
   /// Returns the number of shells. Shells are ordered by volume. The shells of one volume are

@@ -101,8 +101,8 @@ struct MeshOfComplex {
 };
 
 /// Returns a mesh of the boundary of the closure of the interior. If a marked volume is unbounded,
-/// the mesh is empty and report.is_unbounded is set. Requires volumes and marks. Cells of the frame
-/// and cells outside the frame are ignored.
+/// the mesh is empty and report.is_unbounded is set. Requires that the complex has volumes and
+/// marks. Cells of the frame and cells outside the frame are ignored.
 MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
@@ -111,7 +111,7 @@ MeshOfComplex mesh_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
 /// facets, and cuts in a solid) occur once, and are oriented as seen from their positive side.
 /// Facets that reach to infinity are left out, and report.is_unbounded is set. report.dropped
 /// counts marked edges and vertices outside the closure of the marked volumes;
-/// report.dropped.facets is 0. Requires volumes and marks.
+/// report.dropped.facets is 0. Requires that the complex has volumes and marks.
 MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options = {},
                               Context& context = unlimited_context());
 
@@ -120,7 +120,7 @@ MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& 
 bool is_unbounded(const SpaceComplex& complex, FacetId f);
 
 /// Returns the boundary of the closure of the interior as a list of sides of facets. The list is in
-/// ascending order of facets. Requires volumes and marks. O(facets).
+/// ascending order of facets. Requires that the complex has volumes and marks. O(facets).
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex);
 
 /// Makes a mesh of the given sides, for instance of the sides of a shell. In the report, only the

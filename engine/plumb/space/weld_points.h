@@ -26,7 +26,8 @@ struct PointWeld {
   /// For each point, the index of the point into which it was merged, or its own index if it was
   /// kept.
   std::vector<std::uint32_t> kept;
-  /// The number of used points whose coordinates were equal to those of an earlier used point.
+  /// The number of points that had the same coordinates as an earlier point. Points that no face
+  /// uses are not counted.
   std::uint64_t equal = 0;
   /// The number of positions that were moved to another position.
   std::uint64_t moved = 0;
@@ -37,7 +38,7 @@ struct PointWeld {
 /// changes the corners of faces to the indices of kept points. It does not change the list of
 /// points, so points that no face uses any more remain in the list. Throws Error{BadArgument} if
 /// the tolerance is negative or not finite. Throws Error{BadIndex} and Error{NotFinite} in the same
-/// cases as complex_of_mesh(). Also throws what the context throws.
+/// cases as complex_of_mesh(). Also throws the errors of the Context.
 PointWeld weld_points(PolygonMesh& mesh, double tolerance, Context& context = unlimited_context());
 
 }  // namespace plumb

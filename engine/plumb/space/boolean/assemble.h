@@ -84,7 +84,7 @@ struct SpaceDraft {
 
 /// Returns the complex of a draft. Requires that all points have twins and that the maps agree at
 /// both ends of every edge: a broken invariant stops the program. A draft without vertices gives
-/// one volume with mark 0. Throws what the context throws.
+/// one volume with mark 0. Throws the errors of the Context.
 SpaceComplex assemble(SpaceDraft draft, Context& context);
 
 }  // namespace plumb

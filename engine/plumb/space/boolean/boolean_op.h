@@ -43,8 +43,8 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b);
 
 /// Returns f(a, b) in minimal form. Requires that both operands have a frame or none has. A facet
 /// that lies in facets of both gets the lesser facet_origin. Tables to which only `a` refers are
-/// used without a copy, and the operands are freed before the result is made. Throws what the
-/// context throws.
+/// used without a copy, and the operands are freed before the result is made. Throws the errors of
+/// the Context.
 SpaceComplex boolean_op(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context);
 
 /// Maps the facet_origins of two facets, one of each operand, to the facet_origin of a facet that

@@ -43,7 +43,7 @@ struct Contact {
 };
 
 /// Returns all contacts, sorted by (a, b), each once. Requires that both complexes refer to
-/// `tables`, to which constructed points are added. Throws what the context throws.
+/// `tables`, to which constructed points are added. Throws the errors of the Context.
 std::vector<Contact> find_contacts(const SpaceComplex& a, const SpaceComplex& b,
                                    SpaceTables& tables, Context& context);
 

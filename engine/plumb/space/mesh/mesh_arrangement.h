@@ -58,7 +58,7 @@ SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> face
 
 /// Makes facets meet in common vertices and edges only, fills MeshComplex::sheet and labels
 /// volumes; marks are left without meaning. Does nothing to a mesh that is arranged already.
-/// Requires that the mesh has a complex. Throws what the context throws.
+/// Requires that the mesh has a complex. Throws the errors of the Context.
 void arrange(MeshComplex& mesh, Context& context);
 
 /// Returns for each facet of an arranged mesh by how much the winding number rises from its

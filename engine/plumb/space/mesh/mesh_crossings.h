@@ -42,7 +42,7 @@ namespace plumb {
 /// find_fans(complex). Requires what link_facets() makes of any mesh: edges and planes of facets,
 /// and boundary cycles that are simple polygons; radial orders and volumes are not read. If
 /// `order` is Kept, triangles that are near each other should have numbers near each other, which
-/// only makes the search faster. Throws what the context throws.
+/// only makes the search faster. Throws the errors of the Context.
 std::vector<std::pair<FacetId, FacetId>> find_mesh_crossings(const SpaceComplex& complex,
                                                              std::span<const std::uint8_t> has_fan,
                                                              Context& context,

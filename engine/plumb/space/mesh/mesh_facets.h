@@ -37,7 +37,7 @@ struct MeshFacets {
 };
 
 /// Returns the facets of a mesh and adds their planes to the tables. Notes in `report` what it
-/// changes. Throws what the context throws. O(n log n).
+/// changes. Throws the errors of the Context. O(n log n).
 ///
 /// Main flow: trims repeated corners, finds a plane by three corners, tests whether all others lie
 /// on it and the polygon is simple, else makes triangles.

@@ -42,7 +42,7 @@ struct MeshOrientation {
 
 /// Returns which faces to turn. `vertices` are those of the mesh, with points in `table`. If the
 /// borders of the mesh as it is are known, they need not be traced again where no face is turned.
-/// Throws what the context throws.
+/// Throws the errors of the Context.
 MeshOrientation orient_faces(const MeshView& mesh, const MeshVertices& vertices,
                              const Point3Table& table, Context& context,
                              const std::vector<std::vector<std::uint32_t>>* borders = nullptr);

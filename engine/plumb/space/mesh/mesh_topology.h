@@ -51,7 +51,7 @@ struct InnerVertices {
 /// points. `points` has the place of each vertex. O((m + k) log m) for m edges, if k nodes of a
 /// tree over the ends have boxes that edges meet: no more than a few times m log m unless many
 /// edges run closely along each other. Charges `memory` for what it allocates, the result included.
-/// Throws what the context throws.
+/// Throws the errors of the Context.
 InnerVertices vertices_inside(std::span<const std::array<std::uint32_t, 2>> edges,
                               std::span<const SpacePoint> points, const Point3Table& table,
                               MemoryCharge& memory, Context& context);
@@ -63,7 +63,7 @@ EdgeSurpluses cut_at_vertices(const EdgeSurpluses& edges, std::span<const SpaceP
 
 /// Returns the closed chains of vertices that would balance a collected list of surpluses. Requires
 /// that as many edges lead into every vertex as out of it, as in the boundary of any set of faces.
-/// Each chain has a vertex once. O(m log m) for m edges. Throws what the context throws.
+/// Each chain has a vertex once. O(m log m) for m edges. Throws the errors of the Context.
 std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurpluses& surplus,
                                                   MemoryCharge& memory, Context& context);
 
@@ -71,7 +71,7 @@ std::vector<std::vector<std::uint32_t>> chains_of(const EdgeSurpluses& surplus,
 /// the direction that would balance them; none if the mesh is closed. Places count, not indices: an
 /// edge with vertices of the mesh on it balances the edges between them. `points` has the place of
 /// each vertex. O(n) for a closed mesh, besides the cost of vertices_inside() for the edges that no
-/// edge of the same ends balances. Throws what the context throws. Proof: docs/design/meshes.md,
+/// edge of the same ends balances. Throws the errors of the Context. Proof: docs/design/meshes.md,
 /// Lemma 1.
 std::vector<std::vector<std::uint32_t>> trace_borders(const MeshFacets& facets,
                                                       const MeshLinks& links,

@@ -27,8 +27,8 @@ enum class PolygonShape : std::uint8_t {
 
 /// Returns the shape of a polygon. The polygon is given by indices of points. Requires that all
 /// points of `points` are different, and that no two consecutive corners of the polygon are the
-/// same point. For n corners, O(n) if the polygon is convex, otherwise O(n log n). Throws what the
-/// context throws.
+/// same point. For n corners, O(n) if the polygon is convex, otherwise O(n log n). Throws the
+/// errors of the Context.
 PolygonShape shape_of(const FlatPoints& points, std::span<const std::uint32_t> polygon,
                       Context& context);
 

@@ -103,7 +103,7 @@ struct VolumeLabels {
 
 /// Returns the volumes of a complex; those that it names itself are not read. `connected` has for
 /// each vertex a number that is not 0 if the sphere map is surely connected; it is empty if nothing
-/// is known. Throws what the context throws.
+/// is known. Throws the errors of the Context.
 VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
                           std::span<const std::uint8_t> connected = {});
 

@@ -55,7 +55,7 @@ struct CornerInput {
 };
 
 /// Makes the channels of the result, and computes the numbers at all corners of its mesh. `piece`
-/// has the piece of each face. Throws what the context throws. O(n) for n corners.
+/// has the piece of each face. Throws the errors of the Context. O(n) for n corners.
 void fill_channels(const CornerInput& input, std::span<const std::uint32_t> piece,
                    MeshWithAttributes& result, Context& context);
 

@@ -43,8 +43,8 @@ struct CutBoundary {
 
 /// Divides the boundary. Appends the vertices at which it is cut to complex.vertex_point, and their
 /// points to `tables`, which are the tables of the complex and of the sources. Faces meet only in
-/// common vertices and edges. Requires that no marked volume is unbounded. Throws what the context
-/// throws.
+/// common vertices and edges. Requires that no marked volume is unbounded. Throws the errors of the
+/// Context.
 CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, SourceTriangles& sources,
                          const AttributeOptions& options, Context& context);
 

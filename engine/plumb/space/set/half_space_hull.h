@@ -115,7 +115,7 @@ struct HalfSpaceHull {
 };
 
 /// Returns the intersection of half-spaces. Throws Error{BadArgument} for a plane without a normal,
-/// and what the context throws.
+/// and the errors of the Context.
 HalfSpaceHull hull_of_half_spaces(std::span<const HalfSpace3> half_spaces, Context& context);
 HalfSpaceHull hull_of_half_spaces(const HalfSpaceList& half_spaces, Context& context);
 

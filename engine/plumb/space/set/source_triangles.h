@@ -51,7 +51,7 @@ class SourceTriangles {
  public:
   /// Finds the planes of the triangles of all sources. Planes that `tables` does not have are added
   /// to it. A moved triangle gets a plane only if a facet of `complex`, whose tables are `tables`,
-  /// lies in its plane. Throws what the context throws.
+  /// lies in its plane. Throws the errors of the Context.
   SourceTriangles(std::span<const PlacedSource> sources, const SpaceComplex& complex,
                   SpaceTables& tables, Context& context);
 

@@ -13,7 +13,7 @@ namespace plumb {
 ///
 /// O(n); for a framed complex up to twelve cuts by planes besides (frame.h): none for a shift of a
 /// set that meets the cube in general position, or for maps that permute axes. Throws
-/// Error{BadArgument} if the matrix is singular, and what the context throws.
+/// Error{BadArgument} if the matrix is singular, and the errors of the Context.
 SpaceComplex transformed(const SpaceComplex& complex, const AffineMap3& map, Context& context);
 
 }  // namespace plumb
