@@ -80,7 +80,7 @@ struct ConvexityEvidence {
 /// test takes the marks of facets, edges and vertices into account. The empty set, the whole space,
 /// a point, and an open or half-open convex body are convex. A closed cube from which one inner
 /// point of an edge was removed is not convex, although no edge is reflex and no face fails. Throws
-/// what the context throws.
+/// the errors of the Context.
 ConvexityEvidence convexity_of_set(const Nef3& set, Context& context = unlimited_context());
 
 /// Returns the edges around which some marked volume spans more than half a turn. Each edge occurs

@@ -86,8 +86,8 @@ struct ConvexPieces {
 };
 
 /// Returns the convex parts of `set` and the method that made them. The empty set has no parts.
-/// Throws Error{ResourceLimit} if method Walls leaves reflex edges after 64 rounds. Also throws
-/// what the context throws.
+/// Throws Error{ResourceLimit} if method Walls leaves reflex edges after 64 rounds. Also throws the
+/// errors of the Context.
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options = {},
                        Context& context = unlimited_context());
 

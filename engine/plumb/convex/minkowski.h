@@ -58,18 +58,18 @@ namespace plumb {
 /// Returns { a + b : a in A, b in B }. Each operand may consist of solids, facets, polylines and
 /// points. The sum is empty if an operand is empty. Identities: A + B = B + A; (A union B) + C = (A
 /// + C) union (B + C); A + {p} is the translate of A by p. Throws Error{BadArgument} if one operand
-/// is unbounded and the other operand is not empty. Throws what the context throws.
+/// is unbounded and the other operand is not empty. Throws the errors of the Context.
 Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context = unlimited_context());
 
-/// Returns the sum of all sets: the sums of one point of each. The result does not depend on the
-/// order, and convex sets are added to each other first, so that each other set is added to one
-/// convex set. The sum is empty if a set is empty, and the set {0} if there are no sets. Throws as
-/// minkowski_sum() of two sets does.
+/// Returns the sum of all sets. It consists of the sums x1 + ... + xn, where xi is any point of set
+/// i. The result does not depend on the order of the sets. The function first adds all convex sets
+/// to each other. So every other set is added to one convex set only. The sum is empty if a set is
+/// empty, and the set {0} if there are no sets. Throws as minkowski_sum() of two sets does.
 Nef3 minkowski_sum(std::span<const Nef3> sets, Context& context = unlimited_context());
 
 /// Returns { x : x + b in A for all b in B }. These are the vectors x for which the set B, moved by
 /// x, lies in A. Returns the whole space if B is empty. Throws Error{BadArgument} if B is
-/// unbounded, or if both A and the complement of A are unbounded. Throws what the context throws.
+/// unbounded, or if both A and the complement of A are unbounded. Throws the errors of the Context.
 Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context = unlimited_context());
 
 /// Returns a closed polyhedron that approximates a ball, for use in offsets. The polyhedron is made

@@ -10,8 +10,8 @@
 //             other marked cells must lie on the boundary of f, so that S contains f and is
 //             contained in the closure of f
 //  2. sides   checks the sides of f. A side of f can consist of several edges and vertices on one
-//             line. The marked ones among these edges and vertices must be consecutive, because S
-//             must contain the segment between any two of its points on this side
+//             line. If two of these cells are marked, all cells between them must be marked, too,
+//             because S must contain the segment between any two of its points on this side
 //  3. none    examines a set without a marked face. Two marked edges on different lines span a
 //             triangle that is not in S. Two marked edges on the same line would be a single edge
 //             if S were convex. So S is convex in three cases only: S is empty, S is one point, or
@@ -42,7 +42,7 @@ struct FailingRegion {
 /// The result of a convexity test in the plane. All lists are in ascending order.
 struct PlaneConvexity {
   bool is_convex = false;            ///< Whether the set is convex.
-  std::uint64_t reflex_corners = 0;  ///< The number of reflex corners, as in PlanePieces.
+  std::uint64_t reflex_corners = 0;  ///< The number of reflex corners (see PlanePieces).
   std::uint64_t parts = 0;           ///< The number of connected components of the set.
   std::vector<FailingRegion> faces;  ///< The marked faces with reflex corners.
 };
@@ -51,7 +51,7 @@ struct PlaneConvexity {
 /// test takes the marks of edges and vertices into account. The empty set, the whole plane, a
 /// point, a line, and an open or half-open convex polygon are convex. A closed square from which
 /// one inner point of a side was removed is not convex, although no corner is reflex and the set is
-/// connected. Throws what the context throws.
+/// connected. Throws the errors of the Context.
 PlaneConvexity convexity_of_set(const Nef2& set, Context& context = unlimited_context());
 
 }  // namespace plumb

@@ -3,8 +3,8 @@
 // cells are exact, too.
 //
 // Main flow of minkowski_sum() for closed operands:
-//  1. decompose  splits one operand into convex pieces (plane_partition.h): the operand that has
-//                fewer of them
+//  1. decompose  splits one operand into convex pieces (plane_partition.h). It selects the operand
+//                that has fewer pieces
 //  2. convolve   makes, for each piece, the convolution of the border of this piece with the border
 //                of the other operand. A convolution is a set of closed polygons. The step takes
 //                all points around which these polygons have a positive winding number. These
@@ -48,12 +48,13 @@ namespace plumb {
 /// Returns { a + b : a in A, b in B }. Each operand may consist of polygons, lines and points. The
 /// sum is empty if an operand is empty. Identities: A + B = B + A; (A union B) + C = (A + C) union
 /// (B + C); A + {p} is the translate of A by p. Throws Error{BadArgument} if one operand is
-/// unbounded and the other operand is not empty. Throws what the context throws.
+/// unbounded and the other operand is not empty. Throws the errors of the Context.
 [[nodiscard]] Nef2 minkowski_sum(const Nef2& a, const Nef2& b,
                                  Context& context = unlimited_context());
 
-/// Returns the sum of all sets: the sums of one point of each. The sum is empty if a set is empty,
-/// and the set {0} if there are no sets. Throws as minkowski_sum() of two sets does.
+/// Returns the sum of all sets. It consists of the sums x1 + ... + xn, where xi is any point of set
+/// i. The sum is empty if a set is empty, and the set {0} if there are no sets. Throws as
+/// minkowski_sum() of two sets does.
 [[nodiscard]] Nef2 minkowski_sum(std::span<const Nef2> sets,
                                  Context& context = unlimited_context());
 

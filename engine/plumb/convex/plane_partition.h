@@ -85,7 +85,7 @@ struct PlanePieces {
 };
 
 /// Returns the convex parts of `set`. Throws Error{BadArgument} if the method cannot cut one of the
-/// faces. Also throws what the context throws.
+/// faces. Also throws the errors of the Context.
 PlanePieces decompose(const Nef2& set, const PartitionOptions& options = {},
                       Context& context = unlimited_context());
 
@@ -109,12 +109,12 @@ struct RoundedPieces {
 /// closures of the pieces unchanged. Requires that the pieces have disjoint interiors, like the
 /// pieces that decompose() returns. Pieces without area are rounded one by one, and unbounded
 /// pieces are returned exactly. Throws Error{NumberOutOfRange} if a coordinate lies beyond the
-/// largest double, and what the context throws. Cost: O(n log n) for n corners of all pieces.
+/// largest double, and the errors of the Context. Cost: O(n log n) for n corners of all pieces.
 RoundedPieces round_to_doubles(std::span<const Nef2> pieces,
                                Context& context = unlimited_context());
 
 /// Returns whether the sum of the areas of the pieces is exactly the area of the set. Returns no
-/// value if the area of the set is infinite. Throws what the context throws.
+/// value if the area of the set is infinite. Throws the errors of the Context.
 std::optional<bool> do_areas_add_up(const Nef2& set, std::span<const Nef2> pieces,
                                     Context& context = unlimited_context());
 

@@ -43,8 +43,8 @@ struct PlaneTriangulation {
 
 /// Returns the Delaunay triangulation of `points`, which covers their convex hull. Every point is a
 /// corner of a triangle, unless it equals a point with a lower index. The indices of corners are
-/// indices of `points`. There are no triangles if all points lie on a line. Throws what the context
-/// throws.
+/// indices of `points`. There are no triangles if all points lie on a line. Throws the errors of
+/// the Context.
 [[nodiscard]] PlaneTriangulation delaunay(const PointTable2& points,
                                           Context& context = unlimited_context());
 
@@ -52,7 +52,7 @@ struct PlaneTriangulation {
 /// points of the triangulation are the vertices of these faces, including the ends of slits and
 /// points that are missing inside a face. All edges of these faces are sides of triangles. There
 /// are no triangles if no face is marked. Throws Error{BadArgument} if a marked face is unbounded,
-/// and what the context throws.
+/// and the errors of the Context.
 [[nodiscard]] PlaneTriangulation delaunay(const Nef2& set, Context& context = unlimited_context());
 
 }  // namespace plumb

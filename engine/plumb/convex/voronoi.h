@@ -30,8 +30,8 @@ namespace plumb {
 /// opposite corners of the box. Feature i is the cell of site i, which is a convex polygon. The
 /// feature has no polygon if the cell does not meet the interior of the box, or if the site equals
 /// an earlier site. Features have no ids and no properties. repair_layer() rounds such a layer to
-/// doubles. Throws Error{BadArgument} if the area of the box is not positive. Also throws what the
-/// context throws.
+/// doubles. Throws Error{BadArgument} if the area of the box is not positive. Also throws the
+/// errors of the Context.
 [[nodiscard]] Layer voronoi_cells(const PointTable2& sites, const RationalPoint2& low,
                                   const RationalPoint2& high,
                                   Context& context = unlimited_context());

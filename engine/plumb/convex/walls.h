@@ -60,7 +60,7 @@ namespace plumb {
 
 /// Returns the convex parts that decompose() with method Walls makes. The function uses the
 /// vertical direction for which it expects the fewest parts. Throws Error{ResourceLimit} if reflex
-/// edges are left after 64 rounds. Also throws what the context throws.
+/// edges are left after 64 rounds. Also throws the errors of the Context.
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options = {},
                                 Context& context = unlimited_context());
 
@@ -68,7 +68,7 @@ ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options
 /// the convex parts if there are fewer than `most` parts. Otherwise returns an empty list. If more
 /// than 32 edges are reflex, choose_vertical() first estimates the number of parts. If the estimate
 /// is too large, the function returns an empty list without cutting. The estimate takes O(r^2)
-/// steps for r reflex edges. Throws what the context throws.
+/// steps for r reflex edges. Throws the errors of the Context.
 std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most,
                                         Context& context = unlimited_context());
 
@@ -80,7 +80,7 @@ using VerticalDirection = std::array<Integer, 3>;
 /// facet_origin. Any other facet of the result has kWallOrigin. Walls are marked: their points
 /// belong to the set. `up` is the vertical direction. If `up` is empty, choose_vertical() chooses
 /// the direction. Throws Error{BadArgument} if the set is unbounded. Throws Error{ResourceLimit} if
-/// reflex edges are left after 64 rounds. Also throws what the context throws.
+/// reflex edges are left after 64 rounds. Also throws the errors of the Context.
 SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirection>& up,
                               Context& context = unlimited_context());
 

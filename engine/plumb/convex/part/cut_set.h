@@ -55,7 +55,7 @@ struct SolidPieces {
 };
 
 /// Cuts the surface until no piece has a reflex edge that can be cut. Requires a surface that has
-/// not been cut. Throws what the context throws.
+/// not been cut. Throws the errors of the Context.
 SolidPieces cut_solid(CutSurface& surface, CutRule rule, Context& context);
 
 /// Returns the proven bound on the number of pieces of a solid with one connected surface.
@@ -67,7 +67,7 @@ constexpr std::size_t most_pieces(std::size_t reflex_edges) {
 
 /// Returns the convex pieces of one part. The method Best merges neighbours. The rule Fixed is
 /// tried if there are more pieces than most_pieces(), or more than `most`, which tests lower to
-/// reach that rule. Throws what the context throws.
+/// reach that rule. Throws the errors of the Context.
 std::vector<Nef3> cut_set(const SetPart& part, const DecomposeOptions& options, Context& context,
                           std::size_t most = std::numeric_limits<std::size_t>::max());
 

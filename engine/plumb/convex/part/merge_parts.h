@@ -22,7 +22,7 @@
 namespace plumb {
 
 /// Merges bounded pieces with a volume. Requires convex pieces (decompose.h). A merged piece takes
-/// the place of the first of the two. Throws what the context throws.
+/// the place of the first of the two. Throws the errors of the Context.
 void merge_sets(std::vector<Nef3>& pieces, Context& context);
 
 // Main flow of merge_pieces():
@@ -36,7 +36,7 @@ void merge_sets(std::vector<Nef3>& pieces, Context& context);
 // O(n log n) besides, for n corners of cuts.
 
 /// Merges pieces of one surface. Requires convex pieces. A merged piece takes the place of the
-/// first of the two. Throws what the context throws.
+/// first of the two. Throws the errors of the Context.
 void merge_pieces(CutSurface& surface, std::vector<std::vector<FaceId>>& pieces, Context& context);
 
 }  // namespace plumb

@@ -26,7 +26,7 @@ namespace plumb {
 void triangulate(PlaneRegion& region, Context& context);
 
 /// Cuts the region into convex parts by diagonals. Requires a bounded region without cuts. Throws
-/// what the context throws.
+/// the errors of the Context.
 void cut_by_diagonals(PlaneRegion& region, Context& context);
 
 // Visibility between the corners of a region with one loop.
@@ -73,7 +73,7 @@ std::vector<std::vector<std::uint32_t>> lesser_corners_seen(const PlaneRegion& r
 // Computational Geometry and Applications 12 (2002) 181-192.
 
 /// Cuts the region into the fewest convex parts. Requires a bounded region with one loop and no
-/// cuts. Throws what the context throws.
+/// cuts. Throws the errors of the Context.
 void cut_optimally(PlaneRegion& region, Context& context);
 
 }  // namespace plumb

@@ -60,7 +60,7 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
 // alone. A cut lies on a line of the set, and so does what it meets: a new point is the crossing of
 // two lines of the set. Cost: O(n) for each cut, less when parts get small.
 
-/// Cuts the region into convex parts. Throws what the context throws.
+/// Cuts the region into convex parts. Throws the errors of the Context.
 void cut_by_sides(PlaneRegion& region, Context& context);
 
 /// Removes, in their order, cuts without which no corner becomes reflex. Cost: O(n).

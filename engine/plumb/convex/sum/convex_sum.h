@@ -112,7 +112,7 @@ struct FacetDirection {
 };
 
 /// Calls visit for every facet of the sum, once. Requires a sum of dimension 3, so that one operand
-/// has facets. Throws what the context throws.
+/// has facets. Throws the errors of the Context.
 void for_each_direction(const ConvexBody& a, const ConvexBody& b,
                         const std::function<void(const FacetDirection&)>& visit, Context& context);
 
@@ -122,7 +122,8 @@ enum class SumMarks : std::uint8_t {
   Open,    ///< Its relative interior.
 };
 
-/// Returns the sum of two bodies with the marks that `marks` says. Throws what the context throws.
+/// Returns the sum of two bodies with the marks that `marks` says. Throws the errors of the
+/// Context.
 Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks, Context& context);
 
 /// Returns the mark of the face of a sum, of dimension 0 to 2, that is the sum of these two faces.
@@ -132,7 +133,7 @@ using FaceMarker = std::function<Mark(unsigned dimension, std::span<const std::u
 
 /// Returns the sum of two bodies of dimension 3. The interior of the sum is marked, and `mark_of`
 /// gives the marks of its facets, edges and vertices; it is called once for each of them. Throws
-/// what the context throws.
+/// the errors of the Context.
 Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, const FaceMarker& mark_of,
                 Context& context);
 

@@ -93,8 +93,8 @@ class HalfOpenBody {
 /// Returns the sum of two pieces, up to the sums of parallel faces. Calls visit for each pair of
 /// faces whose sum is a facet or an edge of the sum of which only a part may be marked. The sum of
 /// the pieces is the union of the result and of the sums of the marked items of these faces. If
-/// `is_parallel`, items in the boundary of the faces are needed, too. Throws what the context
-/// throws.
+/// `is_parallel`, items in the boundary of the faces are needed, too. Throws the errors of the
+/// Context.
 Nef3 half_open_sum(const HalfOpenBody& a, const HalfOpenBody& b,
                    const std::function<void(BodyFace, BodyFace, bool is_parallel)>& visit,
                    Context& context);

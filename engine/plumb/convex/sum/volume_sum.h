@@ -20,7 +20,7 @@
 namespace plumb {
 
 /// Whether the volumes of the pieces add up exactly to that of the set; no value if the set's
-/// volume is infinite. Throws what the context throws.
+/// volume is infinite. Throws the errors of the Context.
 std::optional<bool> do_volumes_add_up(const Nef3& set, std::span<const Nef3> pieces,
                                       Context& context);
 

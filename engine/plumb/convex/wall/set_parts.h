@@ -65,7 +65,7 @@ struct SetPart {
 };
 
 /// Returns the parts by descending dimension; none for the empty set. Origins of facets are kept.
-/// Throws what the context throws.
+/// Throws the errors of the Context.
 std::vector<SetPart> parts_of(const Nef3& set, Context& context);
 
 /// Returns the bytes of a set that shares its tables with others, as the parts and pieces of one

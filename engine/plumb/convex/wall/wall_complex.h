@@ -15,7 +15,7 @@ namespace plumb {
 /// overlap, and reach out of the volumes: what is in no marked volume is left out. Steps: equal
 /// points become one vertex; the walls are arranged among themselves (mesh_arrangement.h); the
 /// result is combined with the complex once. Requires polygons over `tables`, those of the complex.
-/// Cost: O((n + c) log(n + c)) for c contacts. Throws what the context throws.
+/// Cost: O((n + c) log(n + c)) for c contacts. Throws the errors of the Context.
 SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>& tables,
                         const std::vector<WallPolygon>& walls, Context& context);
 

@@ -31,7 +31,7 @@ struct WallPolygon {
 };
 
 /// Returns the walls above and below reflex edges. Requires the complex of a bounded set with
-/// volumes; `tables` are its own. Throws what the context throws.
+/// volumes; `tables` are its own. Throws the errors of the Context.
 std::vector<WallPolygon> sight_walls(const SpaceComplex& complex, SpaceTables& tables,
                                      Vertical& vertical, Context& context);
 

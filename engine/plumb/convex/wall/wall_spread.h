@@ -26,7 +26,7 @@
 namespace plumb {
 
 /// Returns the walls that resolve vertical reflex edges. Requires the complex of a bounded set with
-/// volumes; `tables` are its own. Throws what the context throws.
+/// volumes; `tables` are its own. Throws the errors of the Context.
 std::vector<WallPolygon> spread_walls(const SpaceComplex& complex, SpaceTables& tables,
                                       Vertical& vertical, Context& context);
 
