@@ -67,7 +67,7 @@ class ExponentialMap {
   /// mesh. The cost is linear in the number of faces that the line crosses, plus the degrees of the
   /// vertices that it passes. If the centre is a vertex, O(log degree) is added. Throws
   /// Error{ResourceLimit} if the line crosses too many faces: the limit is several times the number
-  /// of faces of the mesh. Throws what the context throws.
+  /// of faces of the mesh. Throws the errors of the Context.
   std::optional<SurfacePointId> add(Point2 offset, SurfacePointTable& points,
                                     Context& context = unlimited_context()) const;
 

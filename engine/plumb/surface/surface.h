@@ -65,17 +65,18 @@ struct SurfaceLevel {
 };
 
 /// Polygons on a mesh, and the shapes that are sums of these polygons. In each component of the
-/// mesh, the label of a shape is unique up to a constant. If neither `levels` nor `outside`
-/// determines the constant, it is chosen by default as follows. In a component with border, the
-/// least integer label of the cells at the border is zero. In a component without border, the least
-/// integer label of all cells is zero.
+/// mesh, the label of a shape is unique up to a constant. `levels` or `outside` can determine this
+/// constant. Otherwise it has the following default. In a component with border, the least integer
+/// label of the cells at the border is zero. In a component without border, the least integer label
+/// of all cells is zero.
 struct SurfaceScene {
   std::shared_ptr<const SurfaceMesh> mesh;  ///< The mesh; several scenes may share it.
   SurfacePolygons polygons;                 ///< Polygons over that mesh.
   /// For each shape, the indices of the polygons whose sum is the shape. If this member has no
   /// value, each polygon is a shape.
   std::optional<std::vector<std::vector<std::uint32_t>>> shapes;
-  FaceId outside;  ///< A face at whose first corner all labels are zero; may be invalid.
+  /// The labels of all shapes are zero at the first corner of this face. May be invalid.
+  FaceId outside;
   /// Known labels, which take precedence over `outside`. For each shape, there may be at most one
   /// level in each component of the mesh. If a shape has a label modulo 2 but no integer label, its
   /// levels are read modulo 2.
@@ -97,8 +98,9 @@ struct Separation {
   bool mod_2 = true;   ///< Whether a label modulo 2 exists.
   /// A closed walk over cells that proves that no integer label exists. It is empty if over_z is
   /// true. Each cell of the walk is adjacent to the next cell, and the last cell is adjacent to the
-  /// first. If there were an integer label, its changes from cell to cell along the walk would not
-  /// add up to zero. If mod_2 is false, the sum of these changes is odd.
+  /// first. An integer label would change from cell to cell along this walk, and the changes would
+  /// not add up to zero. This is impossible on a closed walk. If mod_2 is false, the sum of the
+  /// changes is odd.
   std::vector<CellId> cycle;
 };
 
@@ -128,7 +130,7 @@ class SurfaceDivision {
  public:
   /// Divides the surface: steps 1 to 3 of the main flow. Throws Error{BadArgument} or
   /// Error{BadIndex} if the scene is invalid. Throws Error{NumberOutOfRange} if the absolute value
-  /// of a label is 2^31 or more. Also throws what the context throws.
+  /// of a label is 2^31 or more. Also throws the errors of the Context.
   explicit SurfaceDivision(SurfaceScene scene, Context& context = unlimited_context());
   ~SurfaceDivision();
   /// A moved-from division may only be destroyed or assigned to.
@@ -159,7 +161,7 @@ class SurfaceDivision {
   /// are A, B, C, ... or s0, s1, ..., in the order of their indices. In a cell, the value of a
   /// shape is true if `rule` counts the label of the shape in this cell as inside. Throws
   /// Error{BadArgument} for any other name, and for a shape without an integer label. For the rule
-  /// EvenOdd, a label modulo 2 is sufficient. Throws what the context throws. Cost: O(cells +
+  /// EvenOdd, a label modulo 2 is sufficient. Throws the errors of the Context. Cost: O(cells +
   /// length of labels).
   SurfaceRegion select(const SetExpression& expression, WindingRule rule,
                        Context& context = unlimited_context()) const;

@@ -10,9 +10,9 @@
 //  2. cotree     grows a spanning tree of the faces and disks (the cotree). A link of the cotree
 //                leads from a face or disk to its neighbour across a mesh edge that is not in the
 //                first tree
-//  3. generators are made from the edges that are not in the tree and not crossed by the cotree.
-//                For genus g there are 2 g such edges. Each of these edges closes one loop with
-//                edges of the first tree; this loop is its generator
+//  3. generators are made from all edges that remain: the edges that are not in the tree, and that
+//                the cotree does not cross. For genus g there are 2 g such edges. Each of these
+//                edges closes one loop with edges of the first tree; this loop is its generator
 //  4. dual loops are made from the same edges. Each dual loop crosses one of these edges, and
 //                returns through the cotree
 //
@@ -29,8 +29,8 @@
 // Cost: the constructor takes O(n + total length of the dual loops) for a mesh of n faces. The
 // trees are grown breadth first, because this keeps dual loops short. Computing a class takes O(2
 // g) time. In addition, each edge of the polygon takes O(1) time for each dual loop that crosses
-// the edge. Appending a loop takes time linear in the length of the loop. Errors: ResourceLimit and
-// Cancelled when the Context demands it. Proofs: docs/design/surface.md.
+// the edge. Appending a loop takes time linear in the length of the loop. Errors: the errors of the
+// Context. Proofs: docs/design/surface.md.
 #pragma once
 
 #include <cstdint>
@@ -48,8 +48,8 @@ namespace plumb {
 /// as sums of these generators.
 class SurfaceHomology {
  public:
-  /// Computes generators and dual loops. The mesh must outlive the object. Throws what the context
-  /// throws.
+  /// Computes generators and dual loops. The mesh must outlive the object. Throws the errors of the
+  /// Context.
   explicit SurfaceHomology(const SurfaceMesh& mesh, Context& context = unlimited_context());
 
   /// Returns the number of generators: twice the sum of the genera of all components.
@@ -60,8 +60,8 @@ class SurfaceHomology {
 
   /// Returns one coefficient for each generator. The sum of the generators with these coefficients
   /// is homologous to the polygon. The polygon separates the surface if and only if all
-  /// coefficients are zero. Requires valid polygons (require_valid()). Throws what the context
-  /// throws.
+  /// coefficients are zero. Requires valid polygons (require_valid()). Throws the errors of the
+  /// Context.
   std::vector<std::int64_t> class_of(const SurfacePolygons& polygons, std::size_t polygon,
                                      Context& context = unlimited_context()) const;
   /// Returns the class of a sum of polygons. If `sum` contains an index several times, the class of
@@ -74,7 +74,7 @@ class SurfaceHomology {
   void add_generator(std::size_t i, bool is_reversed, SurfacePolygons& polygons) const;
   /// Appends loops to `polygons` such that the sum of a shape and these loops separates the
   /// surface. `shape` lists the indices of the polygons of the shape. Returns the indices of the
-  /// new polygons. Throws what the context throws.
+  /// new polygons. Throws the errors of the Context.
   std::vector<std::uint32_t> add_repair(std::span<const std::uint32_t> shape,
                                         SurfacePolygons& polygons,
                                         Context& context = unlimited_context()) const;

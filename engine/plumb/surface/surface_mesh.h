@@ -127,7 +127,7 @@ class SurfaceMesh {
   bool is_border(HalfedgeId h) const { return !twin(h).is_valid(); }
   /// Returns the edge of the half-edge.
   EdgeId edge(HalfedgeId h) const { return edge_[h]; }
-  /// Returns one half-edge of the edge: the one in the face with the lower index.
+  /// Returns one half-edge of the edge: the half-edge in the face with the lower index.
   HalfedgeId halfedge(EdgeId e) const { return edge_halfedge_[e]; }
   /// Whether the half-edge starts at that end of its edge which has the lower vertex index.
   bool is_upward(HalfedgeId h) const { return origin(h) < target(h); }

@@ -17,8 +17,8 @@
 //                angle on the other side of the vertex is less than half a turn, the strip is
 //                changed. The new strip passes the vertex on this other side. Steps 3 and 4 are
 //                repeated until there are no such bends, or the path does not become shorter. If a
-//                shortest path is asked for, a second search looks for the strip of a path that is
-//                shorter than this one (shortest_strip.h)
+//                shortest path is asked for, a second search looks for a strip with a shorter path
+//                (shortest_strip.h)
 //  5. read off   appends the points of the path. First, these are the vertices where the path
 //                bends. Second, if the path crosses a side closer to one of its ends than 2^-40
 //                times the length of the side, this end is appended. Where the path crosses a side
@@ -67,8 +67,8 @@ class Tracer {
   /// `points` is a table over the same mesh. trace(b, a) returns the same path in reverse. Two
   /// points in the same face are joined by a segment. The cost is the cost of finding the strip
   /// (StripFinder), plus the length of the strip for each repetition of steps 3 and 4. If the path
-  /// choice is Shortest, the cost of ShortestStripFinder::find() is added. Throws what the context
-  /// throws.
+  /// choice is Shortest, the cost of ShortestStripFinder::find() is added. Throws the errors of the
+  /// Context.
   std::optional<SurfacePath> trace(SurfacePointTable& points, SurfacePointId a, SurfacePointId b,
                                    Context& context = unlimited_context());
 
@@ -100,7 +100,7 @@ double polygon_length(const SurfacePolygons& polygons, std::size_t p);
 /// in which the control point lies. If the next control point lies in this face, too, the two
 /// points are joined by a segment in this face. Two consecutive control points can lie in several
 /// common faces. It makes no difference which of these faces is named, except in a component of two
-/// triangles that share all their edges. Throws what the context throws.
+/// triangles that share all their edges. Throws the errors of the Context.
 std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
                                               std::span<const SurfacePointId> control,
                                               std::span<const FaceId> named,

@@ -36,8 +36,8 @@ struct SurfaceTriangulation {
   std::vector<ArcId> arc;  ///< The arc along each side; invalid if no arc runs there.
 };
 
-/// Returns the triangulation of the surface. Each triangle lies in one cell. Throws what the
-/// context throws. Cost: O(n log n) for n half-edges.
+/// Returns the triangulation of the surface. Each triangle lies in one cell. Throws the errors of
+/// the Context. Cost: O(n log n) for n half-edges.
 SurfaceTriangulation triangulate_surface(const SurfaceDivision& division,
                                          Context& context = unlimited_context());
 

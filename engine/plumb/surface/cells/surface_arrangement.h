@@ -135,7 +135,7 @@ struct SurfaceArrangement {
 };
 
 /// Returns the subdivision of the surface by the polygons. Requires that require_valid(polygons)
-/// does not throw. Throws what the context throws.
+/// does not throw. Throws the errors of the Context.
 SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context);
 
 inline constexpr std::uint8_t kCrossingEnds = 3;

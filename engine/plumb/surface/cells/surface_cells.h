@@ -72,7 +72,7 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 /// Returns the border of the selected cells as polygons. `is_selected` has one entry for each cell.
 /// `generators` lists polygons in ascending order. If a control point of one of these polygons lies
 /// on the border, it becomes a control point of the border. Loops that run only along the mesh
-/// border are omitted. Throws what the context throws.
+/// border are omitted. Throws the errors of the Context.
 SurfacePolygons trace_borders(const SurfacePolygons& polygons,
                               const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                               std::span<const std::uint8_t> is_selected,

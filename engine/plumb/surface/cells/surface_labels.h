@@ -48,12 +48,12 @@ struct CellJumps {
   }
 };
 
-/// Returns the jumps for the polygons, where each polygon is treated as a shape. Throws what the
-/// context throws.
+/// Returns the jumps for the polygons, where each polygon is treated as a shape. Throws the errors
+/// of the Context.
 CellJumps jumps_of_polygons(const SurfaceArrangement& arrangement, const SurfaceCells& cells,
                             Context& context);
-/// Returns the jumps for shapes. Each shape is a list of polygons, whose sum it is. Throws what the
-/// context throws.
+/// Returns the jumps for shapes. Each shape is a list of polygons, whose sum it is. Throws the
+/// errors of the Context.
 CellJumps jumps_of_shapes(const CellJumps& polygons,
                           std::span<const std::vector<std::uint32_t>> shapes, Context& context);
 
@@ -78,7 +78,7 @@ struct CellLabels {
 /// Returns the labels. For each shape without a label, the result has a closed walk over cells that
 /// proves that there is no label. In the component of the cell `outside`, labels are zero in this
 /// cell; `outside` may be invalid. `levels` take precedence over `outside`. There is at most one
-/// level for each pair of a shape and a component. Throws what the context throws.
+/// level for each pair of a shape and a component. Throws the errors of the Context.
 CellLabels label_cells(const SurfaceCells& cells, const CellJumps& jumps, std::size_t shapes,
                        CellId outside, std::span<const CellLevel> levels, Context& context);
 

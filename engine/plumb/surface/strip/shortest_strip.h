@@ -49,7 +49,7 @@ class ShortestStripFinder {
   /// Requires that no face contains both ends. Cost: O(w log w) for w windows. Consider the
   /// ellipsoid whose foci are the two ends, and whose longest axis has the length `bound`. On usual
   /// meshes, w is a small multiple of the number of sides in this ellipsoid. In the worst case, w
-  /// is O(n^2) for n vertices. Throws what the context throws.
+  /// is O(n^2) for n vertices. Throws the errors of the Context.
   std::optional<FaceStrip> find(const StripEnd& from, const StripEnd& to, double bound,
                                 Context& context);
 
