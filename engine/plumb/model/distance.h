@@ -25,7 +25,7 @@
 // triangles, there is a lower bound for their distance. If the bound is not greater than the
 // distance between the sets, the pair is compared exactly, in about 10 us. There are many such
 // pairs if many facets of the sets are parallel and equally far apart. Errors: Error{BadArgument}
-// if a set is empty, or if both sets are unbounded. Functions also throw what the context throws.
+// if a set is empty, or if both sets are unbounded. Functions also throw the errors of the Context.
 #pragma once
 
 #include <memory>

@@ -43,7 +43,7 @@ struct CircleDivision {
 /// Returns the cosine of an angle in degrees. The cosine is exact for multiples of 60 and 90
 /// degrees. For other multiples of 30 and 45 degrees, it is the double nearest to the exact cosine.
 [[nodiscard]] double cosine_of_degrees(double angle);
-/// Returns the sine of an angle in degrees, as exact as cosine_of_degrees(angle - 90).
+/// Returns the sine of an angle in degrees. It is as exact as cosine_of_degrees(angle - 90).
 [[nodiscard]] double sine_of_degrees(double angle);
 
 /// The position of a solid or shape relative to the origin.

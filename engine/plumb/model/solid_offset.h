@@ -19,7 +19,7 @@
 // (1 - inner_radius(rounds)) * |distance|.
 //
 // Cost: the cost of minkowski_sum() of P and the set. P is convex, so only the set is decomposed
-// into convex parts. The erosion takes the sum of P and the complement of the set.
+// into convex parts. If the distance is negative, the complement of the set is decomposed instead.
 #pragma once
 
 #include "plumb/base/context.h"
@@ -46,7 +46,7 @@ struct SolidOffsetOptions {
 /// free facets, free edges and isolated points become solids. If it is shrunk, they vanish. Throws
 /// Error{BadArgument} in three cases: `rounds` is more than 7; the set is unbounded and distance >
 /// 0; the set and its complement are both unbounded. Throws Error{NotFinite} if `distance` is not
-/// finite. Also throws what the context throws.
+/// finite. Also throws the errors of the Context.
 [[nodiscard]] Nef3 offset(const Nef3& set, double distance, const SolidOffsetOptions& options = {},
                           Context& context = unlimited_context());
 

@@ -54,7 +54,7 @@ class SimplexTree {
     std::uint32_t b = 0;   ///< A simplex of the second tree.
     NearestPoints points;  ///< Their nearest points.
   };
-  /// Returns nearest points of two trees that were built. Throws what the context throws.
+  /// Returns nearest points of two trees that were built. Throws the errors of the Context.
   static Nearest nearest(const SimplexTree& a, const SimplexTree& b, Context& context);
 
  private:
