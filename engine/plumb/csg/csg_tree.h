@@ -77,8 +77,8 @@ enum class CsgKind : std::uint8_t {
   Square,
   Circle,  ///< A disk. The node has four numbers: the radius; the division.
   /// A set of the plane bounded by listed paths. The numbers are the coordinates of the points. The
-  /// indices are as in Polyhedron, with paths instead of faces. A point belongs to the set if it
-  /// lies inside an odd number of paths.
+  /// indices are the number of paths, then the number of corners of each path, and then the corners
+  /// of all paths. A point belongs to the set if it lies inside an odd number of paths.
   Polygon,
   Solid,  ///< A set of space from a file. The node has one index into CsgTree::solids.
   Shape,  ///< A set of the plane from a file. The node has one index into CsgTree::shapes.

@@ -18,7 +18,7 @@
 // computed exactly. Twisted, scaled and rotational extrusions have corners that are rounded to
 // doubles.
 //
-// The following rules are those of OpenSCAD. A node that is neither a Boolean nor a hull nor a
+// OpenSCAD has the following rules, too. A node that is neither a Boolean nor a hull nor a
 // Minkowski sum operates on the union of its children. A node without geometry below it has the
 // value "nothing". The first child whose value is not "nothing" decides whether a node is a set of
 // the plane or of space. Children of the other dimension are left out, and a note reports this. The
