@@ -6,7 +6,7 @@
 //              not recurse, so groups may be nested to any depth
 //  2. root     keeps only the subtree of a node with the modifier `!`, if there is one
 //  3. imports  reads the files that the model imports, with the readers of solids (solid_io.h), of
-//              sets of the plane (plane_io.h), and of fields of heights, which surface() names
+//              sets of the plane (plane_io.h), and of the height fields that surface() names
 //
 // Nodes: the reader knows all nodes that OpenSCAD 2021.01 writes. The node text() is refused if
 // plumb was built without FreeType and fontconfig. Modifiers: a node with `*` or `%` is left out,

@@ -6,7 +6,7 @@
 // Main flow of read_layer():
 //  1. JsonValues     lists the JSON values of the text. If the input is a sequence of JSON texts,
 //                    the step lists the values of each text. The texts of a sequence are separated
-//                    as in RFC 8142, or stand on separate lines
+//                    by the character that RFC 8142 prescribes, or stand on separate lines
 //  2. LayerReader    reads the features of a GeoJSON text, or the arcs and geometries of one object
 //                    of a TopoJSON text. The texts of ids and properties are kept unchanged
 //
@@ -77,8 +77,8 @@ std::string lack_of_polygons(const LayerFile& file);
 bool begins_like_layer(std::string_view text);
 
 /// Throws Error{UnknownFormat} if the extension of `path` belongs to a geographic format that plumb
-/// cannot read. A plumb that is built without GDAL cannot read .shp, .gpkg and some others. The
-/// message names a command that converts the file.
+/// cannot read. If plumb is built without GDAL, it cannot read .shp, .gpkg and some other formats.
+/// The message names a command that converts the file.
 void require_layer_format(const std::string& path);
 
 /// Whether the extension of `path` belongs to a format whose files GDAL reads for plumb, such as
@@ -93,13 +93,13 @@ struct LayerText {
 
 /// Returns the contents of the file `path`, or of standard input if `path` is "-". If GDAL reads
 /// the format of the file, returns its features as GeoJSON. The memory of the text stays charged to
-/// `context`. Throws the errors of require_layer_format(), and those that the head of this file
-/// states.
+/// `context`. Throws the errors of require_layer_format(), and the errors that the head of this
+/// file states.
 LayerText read_layer_text(const std::string& path, const LayerReadOptions& options = {},
                           Context& context = unlimited_context());
 
 /// Reads the file `path`, or standard input if `path` is "-". `options.name` is ignored. Throws the
-/// errors of require_layer_format(), and those that the head of this file states.
+/// errors of require_layer_format(), and the errors that the head of this file states.
 LayerFile read_layer_file(const std::string& path, LayerReadOptions options = {},
                           Context& context = unlimited_context());
 
@@ -109,9 +109,9 @@ LayerFile read_layer_file(const std::string& path, LayerReadOptions options = {}
 void write_layer_geojson(std::ostream& out, const Layer& layer,
                          Context& context = unlimited_context());
 
-/// The same with the name of the coordinate reference system in a member "crs", as GeoJSON had it
-/// before RFC 7946 and as GDAL reads it. `crs` is LayerFile::crs; if it is empty, there is no such
-/// member.
+/// Writes a layer like the function above, and adds the name of its coordinate reference system as
+/// the member "crs". GDAL reads this member, although RFC 7946 has removed it from GeoJSON. `crs`
+/// is LayerFile::crs. If it is empty, the member is left out.
 void write_layer_geojson(std::ostream& out, const Layer& layer, const std::string& crs,
                          Context& context = unlimited_context());
 
@@ -128,7 +128,8 @@ void write_layer_wkt(std::ostream& out, const Layer& layer, Context& context = u
 /// Writes a layer as a GeoPackage, through GDAL: one table "layer" of multipolygons. Ids that are
 /// different integers are the ids of the table; other ids become a column "id". Each property
 /// becomes a column. `crs` is LayerFile::crs. Throws Error{BadArgument} if plumb is built without
-/// GDAL, and Error{CannotWrite}. Exceptions of `out` reach the caller.
+/// GDAL, and Error{CannotWrite} if GDAL cannot write the file. Exceptions of `out` reach the
+/// caller.
 void write_layer_gpkg(std::ostream& out, const Layer& layer, const std::string& crs,
                       Context& context = unlimited_context());
 
@@ -143,15 +144,17 @@ struct Shapefile {
   std::string shp;  ///< The polygons.
   std::string shx;  ///< Where the features begin in `shp`.
   std::string dbf;  ///< The properties.
-  std::string prj;  ///< The coordinate reference system, or nothing.
+  std::string prj;  ///< The coordinate reference system, or an empty text.
   std::string cpg;  ///< The encoding of the texts, which is UTF-8.
-  /// What the format cannot hold: names of more than 10 bytes are shortened, texts of more than
-  /// 254 bytes are cut, and numbers have at most 15 digits behind the point.
+  /// Sentences about contents that the format cannot store. Names of more than 10 bytes are
+  /// shortened, texts of more than 254 bytes are cut, and numbers have at most 15 digits behind the
+  /// point.
   std::vector<std::string> notes;
 };
 
 /// Returns a layer as a shapefile, through GDAL. Ids become a column "id". `crs` is LayerFile::crs.
-/// Throws Error{BadArgument} if plumb is built without GDAL, and Error{CannotWrite}.
+/// Throws Error{BadArgument} if plumb is built without GDAL, and Error{CannotWrite} if GDAL cannot
+/// write the file.
 Shapefile layer_shapefile(const Layer& layer, const std::string& crs,
                           Context& context = unlimited_context());
 
@@ -170,7 +173,8 @@ std::string feature_title(const Layer& layer, std::uint32_t feature);
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 Context& context = unlimited_context());
 
-/// The same with a member "crs", as write_layer_geojson() writes it.
+/// Writes a report like the function above, and adds the member "crs", as write_layer_geojson()
+/// does.
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 const std::string& crs, Context& context = unlimited_context());
 

@@ -9,7 +9,7 @@
 //  1. group_features         puts features with the same value of a property into one group
 //  2. dissolve_layer         makes the polygons of the groups
 //  3. with_group_properties  gives each group its id and its properties
-// The flow of overlaying is overlay_layers(), then with_pair_properties().
+// To overlay layers, call overlay_layers(), and then with_pair_properties().
 //
 // Errors: Error{Syntax} if properties or ids are not valid JSON, ResourceLimit, and Cancelled.
 // Cost: O(bytes + n log n) for n features.
@@ -48,7 +48,7 @@ FeatureGroups group_features(const Layer& layer, const std::string& property,
 std::vector<std::uint32_t> id_ranks(const Layer& layer);
 
 /// Returns the feature that has `text` as its id, or else as its property "name" or "NAME". Throws
-/// Error{BadArgument} if there is none, or more than one.
+/// Error{BadArgument} if no feature or more than one feature has this text.
 std::uint32_t feature_called(const Layer& layer, const std::string& text);
 
 /// Returns a single group that contains all features.
@@ -60,7 +60,7 @@ FeatureGroups one_group(const Layer& layer);
 /// a group is the sum of the values of its features. If all numbers are integers, the sum is exact.
 /// If a number has a decimal point or an exponent, each number is replaced by the nearest double,
 /// and their exact sum is rounded once. Missing values and null are left out of a sum. Throws
-/// Error{BadArgument} if a value to be added is no number, or if no feature has the property.
+/// Error{BadArgument} if a value in a sum is not a number, or if no feature has the property.
 Layer with_group_properties(Layer shapes, const Layer& layer, const FeatureGroups& groups,
                             std::span<const std::string> sums = {},
                             Context& context = unlimited_context());

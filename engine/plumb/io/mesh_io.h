@@ -97,15 +97,15 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
 MeshFile read_mesh_of(const std::string& path, std::string_view bytes,
                       const ReadOptions& options = {}, Context& context = unlimited_context());
 
-/// Returns a sentence for a mesh without faces whose file is not empty. The sentence states what
-/// the file contains instead of faces, such as vertices or contents that the reader left out.
+/// Explains why a mesh has no faces although its file is not empty. Returns a sentence that states
+/// what the file contains instead of faces, such as vertices or contents that the reader left out.
 /// Returns an empty text if the mesh has faces or the file is empty.
 std::string lack_of_faces(const MeshFile& file);
 
 /// Reads the file `path`, or standard input if `path` is "-", and returns its mesh. If `format` is
-/// not given, the format is found as in read_mesh_of(). `options.name` is ignored. The bytes of the
-/// file are no longer charged to `context` when the function returns. Throws the errors of
-/// read_mesh(). Also throws if the file cannot be read.
+/// not given, the function finds the format in the same way as read_mesh_of(). `options.name` is
+/// ignored. The bytes of the file are no longer charged to `context` when the function returns.
+/// Throws the errors of read_mesh(). Also throws if the file cannot be read.
 MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> format,
                         ReadOptions options = {}, Context& context = unlimited_context());
 

@@ -10,7 +10,7 @@
 // stands for the points that all its rings together enclose by the even-odd rule. An SVG file
 // stands for the union of its shapes. The fill rule of a shape decides which points the shape
 // encloses. If the caller chooses another rule than RingRule::Odd, this rule is applied to all
-// rings of the file together, for DXF as for SVG.
+// rings of the file together, both for DXF and for SVG.
 //
 // Reading: a file in any of these formats cannot state which boundary points belong to the set. A
 // set that is read from such a file is closed. Contents of a file that cannot be represented by a

@@ -21,9 +21,9 @@ enum class RingRule : std::uint8_t {
   Negative,  ///< The points for which the winding number of all rings is negative.
 };
 
-/// Which other files a file may name. For example, the file of a scene names the file of its model.
-/// If a file comes from a stranger, the stranger has chosen these names. The names must be limited,
-/// because the messages of a program can reveal contents of the named files.
+/// States which other files a file may name. For example, the file of a scene names the file of its
+/// model. If a file comes from a stranger, the stranger has chosen these names. The names must be
+/// limited, because the messages of a program can reveal contents of the named files.
 enum class NamedFiles : std::uint8_t {
   /// Files in the folder of the naming file and in folders below it. Symbolic links are resolved
   /// first.

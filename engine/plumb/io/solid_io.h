@@ -120,7 +120,7 @@ HalfSpaceList read_half_spaces_file(const std::string& path, ReadOptions options
 ///
 /// Returns nullopt if none of these repairs suffices. The function tests each repair by repairing a
 /// copy of the mesh and making a set from it. The cost is at most about ten times the cost of
-/// reading the mesh. Throws what the context throws.
+/// reading the mesh. Throws the errors of the Context.
 std::optional<RepairOptions> remedy_for(const PolygonMesh& mesh, const SolidReadOptions& options,
                                         Context& context = unlimited_context());
 

@@ -50,8 +50,8 @@ inline constexpr std::size_t kMostTextBytes = 1U << 14U;
 
 /// Returns the outlines of a text. Throws Error{Syntax} if the text is not valid UTF-8,
 /// Error{ResourceLimit} if it is longer than kMostTextBytes, Error{UnknownFormat} if no font with
-/// outlines is found or if plumb was built without FreeType and fontconfig, and what the context
-/// throws.
+/// outlines is found or if plumb was built without FreeType and fontconfig, and the errors of the
+/// Context.
 TextOutlines text_outlines(const TextRequest& request, Context& context);
 
 }  // namespace plumb

@@ -30,8 +30,8 @@ struct MeshoptStream {
 };
 
 /// Returns count * stride bytes, which are charged to `charge`. Throws Error{UnknownFormat} also
-/// for modes and filters that are not known, Error{CountMismatch} and Error{Syntax}; what the
-/// context throws. Cost: O(count * stride).
+/// for modes and filters that are not known, Error{CountMismatch} and Error{Syntax}; the errors of
+/// the Context. Cost: O(count * stride).
 std::string decode_meshopt(const MeshoptStream& stream, MemoryCharge& charge);
 
 /// A mesh that Draco compressed: its triangles, and some attributes of its points.
@@ -41,7 +41,7 @@ class DracoMesh {
   /// these ids. The first id is that of the positions. Other attributes behind them are not
   /// decoded. The memory of the mesh is charged while the object exists. Throws
   /// Error{UnknownFormat}, Error{CountMismatch} and Error{Syntax}; Error{BadIndex} if the positions
-  /// are not there with 3 components; what the context throws. If another attribute is missing or
+  /// are not there with 3 components; the errors of the Context. If another attribute is missing or
   /// damaged, has() says so.
   DracoMesh(std::string_view bytes, std::span<const std::size_t> attributes, Context& context);
   ~DracoMesh();

@@ -104,7 +104,7 @@ class MeshCollector {
 /// Makes equal vertices one, exactly, and leaves out the faces that then have a vertex twice in a
 /// row and the vertices that no face has. Vertices are in order of their first use by a face.
 /// Returns how many faces were left out. Expected cost: O(n). Charges its working memory while it
-/// runs. Throws what the context throws. If `kept` is not null, it receives the faces that were
+/// runs. Throws the errors of the Context. If `kept` is not null, it receives the faces that were
 /// kept.
 std::size_t weld_vertices(PolygonMesh& mesh, Context& context,
                           std::vector<std::uint32_t>* kept = nullptr);

@@ -27,7 +27,7 @@ bool has_threemf();
 class ZipArchive {
  public:
   /// Keeps `bytes` and `context`, which must outlive it. Charges the directory. Throws
-  /// Error{UnknownFormat} if the bytes are no ZIP archive, and what the context throws.
+  /// Error{UnknownFormat} if the bytes are no ZIP archive, and the errors of the Context.
   ZipArchive(std::string_view bytes, Context& context);
   ~ZipArchive();
   ZipArchive(const ZipArchive&) = delete;

@@ -18,7 +18,7 @@ namespace plumb {
 /// Cost: O(n) operations of numbers for n placed triangles. The mesh stays charged to `context`.
 /// Throws, with the place of the component or item: BadIndex if its object does not exist; BadShape
 /// if an object contains itself; ResourceLimit if objects are nested more than 64 deep, or if more
-/// than 2^20 objects are placed; what the context throws.
+/// than 2^20 objects are placed; the errors of the Context.
 MeshFile build_threemf(const ThreeMfScene& scene, const ThreeMfSettings& settings,
                        const std::string& file, Context& context);
 
