@@ -24,8 +24,8 @@ struct PlacedText {
 /// Chooses a position and a height for the text of each group, and returns the texts. The middle of
 /// a text is the sample that is farthest from the border of the visible part of its group. The
 /// height of a text is `most` if a text of this height fits into the visible part. Otherwise the
-/// height is the largest one that fits, but at least `least`. If a text of height `least / 2` does
-/// not fit, the group gets no text. Cost: O(samples).
+/// height is the largest height that fits, but at least `least`. If a text of height `least / 2`
+/// does not fit, the group gets no text. Cost: O(samples).
 std::vector<PlacedText> place_texts(const Scene& scene, const Canvas& canvas, double least,
                                     double most);
 

@@ -22,8 +22,8 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Render options for the image of a page. An image of another size is possible, if the ratio of
-/// its width to its height is the same.
+/// Render options for the image of a page. An image may have another size, but its width and height
+/// must have the same ratio.
 inline constexpr RenderOptions kPageImage{1104, 828};
 
 /// Returns facts about a set in one line, such as "12 vertices, 18 edges, 8 facets, 2 volumes;
@@ -32,8 +32,8 @@ std::string facts_of(const Nef3& set, Context& context = unlimited_context());
 /// Returns the kind of a set in words, such as "bounded, closed".
 std::string kind_of(const Nef3& set);
 
-/// Writes the page of a set. `scene` is the scene of the set. `png` contains the bytes of a PNG
-/// file with the image of this scene. Cost: O(size of the image), plus the cost of facts_of().
+/// Writes a page that shows a set. `scene` is the scene of the set. `png` contains the bytes of a
+/// PNG file with the image of this scene. Cost: O(size of the image), plus the cost of facts_of().
 /// Exceptions of `out` reach the caller.
 void write_space_svg(std::ostream& out, const Nef3& set, const Scene& scene, std::string_view png,
                      const std::string& title, Context& context = unlimited_context());
@@ -47,7 +47,8 @@ struct ScenePage {
   std::string middle;             ///< The text that replaces the image if nothing is visible.
 };
 
-/// Writes the page of any scene. Exceptions of `out` reach the caller.
+/// Writes a page that shows `scene`, with the contents of `page`. Exceptions of `out` reach the
+/// caller.
 void write_scene_svg(std::ostream& out, const Scene& scene, const ScenePage& page);
 
 }  // namespace plumb

@@ -1,8 +1,8 @@
 // The images of textures, as files that a page or a GLB file embeds unchanged.
 //
-// An image is never decoded here. Only its type and its size are read, from the first bytes of the
-// file, and images beyond a bound are refused, because the program that shows the picture decodes
-// them. docs/attributes.md (Pictures) says which pictures show textures.
+// plumb does not decode images. It reads only the type and the size of an image, from the first
+// bytes of its file. The program that shows the picture decodes the image, so images that are too
+// large are refused. docs/attributes.md (Pictures) says which pictures show textures.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +24,13 @@ struct TextureImage {
   std::string bytes;  ///< The bytes of the file.
 };
 
-/// Returns the image whose file has these bytes. Throws Error{BadArgument} with a few words if this
-/// is not a file of PNG or JPEG, if its header is damaged, or if it exceeds a bound of
-/// TextureImage. O(n) for n bytes.
+/// Returns the image whose file has these bytes. Throws Error{BadArgument} if the file is neither
+/// PNG nor JPEG, if its header is damaged, or if the image exceeds a bound of TextureImage. O(n)
+/// for n bytes.
 TextureImage texture_image(std::string bytes);
 
-/// Returns the image that a material of a mesh names, or nothing if it is not to be shown. The
-/// arguments are the name of the source (MeshSource::name) and that of the texture
+/// A function that returns the image of a texture, or nullopt if the texture should not be shown.
+/// The arguments are the name of the source (MeshSource::name) and the name of the texture
 /// (MeshMaterial::texture). The function decides which files may be read.
 using TextureLoader =
     std::function<std::optional<TextureImage>(const std::string& source, const std::string& name)>;

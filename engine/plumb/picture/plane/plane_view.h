@@ -118,7 +118,7 @@ class PlaneWindow {
   double plain_x_ = 0, plain_y_ = 0, plain_half_ = 1;
 };
 
-/// Returns the part of the set inside the window, which is open. Throws what the context throws.
+/// Returns the part of the set inside the window, which is open. Throws the errors of the Context.
 /// Cost: O(n log n).
 Nef2 cut_at(const Nef2& set, const PlaneWindow& window, Context& context);
 
