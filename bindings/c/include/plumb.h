@@ -60,7 +60,8 @@ extern "C" {
 /** The version of the binary interface that this header describes. */
 #define PLUMB_ABI_VERSION 1
 
-/** Returns the PLUMB_ABI_VERSION of the library, for a comparison with that of the header. */
+/** Returns the PLUMB_ABI_VERSION with which the library was compiled. A program can compare it with
+ * the PLUMB_ABI_VERSION of this header. */
 PLUMB_API int plumb_abi_version(void);
 /** Returns the version of the library as text, such as "0.1.0". */
 PLUMB_API const char* plumb_version(void);
@@ -224,8 +225,8 @@ enum plumb_operation {
 
 /** The winding numbers that count as inside. */
 enum plumb_rule {
-  /** For solids: the positive numbers, after components that are inside out were flipped. For sets
-   * of the plane and surfaces: the odd numbers. */
+  /** For solids: the positive numbers. Components that are inside out are flipped first. For sets
+   * of the plane and for surfaces: the odd numbers. */
   PLUMB_RULE_DEFAULT = 0,
   PLUMB_RULE_NONZERO = 1,
   PLUMB_RULE_EVEN_ODD = 2,
@@ -239,14 +240,15 @@ typedef struct plumb_location {
   bool is_inside;    /**< Whether the point belongs to the set. */
 } plumb_location;
 
-/** How a text is read. */
+/** Options for reading a text. */
 typedef struct plumb_read_options {
   size_t struct_size; /**< sizeof(plumb_read_options). */
   /** The name of the text in messages. Its extension determines the format. If it is null, the
    * first bytes of the text determine the format. Functions that read a file by its path ignore
    * this member. */
   const char* name;
-  /** Whether 0.1 is read as exactly 1/10. Otherwise it is the nearest double. */
+  /** Whether decimals are read exactly, for example 0.1 as 1/10. Otherwise they are rounded to the
+   * nearest doubles. */
   bool exact_decimals;
   /** 1 if a mesh gets the attributes of its file, otherwise 0. For solids, use
    * plumb_solid_options::keep instead. The type is not bool, because a bool would be stored in
@@ -263,7 +265,8 @@ typedef struct plumb_write_options {
    * Otherwise they are rounded so that the shapes in the file are valid. */
   bool raw;
   /** The step of a grid: one positive number, or null. Coordinates of sets of the plane are rounded
-   * to multiples of the step, or to doubles if it is null. It has no effect on solids. */
+   * to multiples of the step. If `grid` is null, they are rounded to doubles. The step has no
+   * effect on solids. */
   const plumb_numbers* grid;
 } plumb_write_options;
 #define PLUMB_WRITE_OPTIONS_INIT \
@@ -280,8 +283,8 @@ typedef struct plumb_repair_options {
   /** Whether faces whose orientation disagrees with their neighbours are flipped. */
   bool reorient;
   uint32_t fill_holes; /**< Holes with at most this number of edges are filled. */
-  /** A hole is also filled if the diagonal of the box around its vertices is at most this
-   * length. */
+  /** A hole with more edges is also filled if the diagonal of the box around its vertices is at
+   * most this length. */
   double fill_holes_below;
 } plumb_repair_options;
 #define PLUMB_REPAIR_OPTIONS_INIT \
@@ -338,7 +341,7 @@ PLUMB_API plumb_status plumb_mesh_read(const char* bytes, size_t size,
                                        const plumb_read_options* options, plumb_mesh** out,
                                        plumb_notes** notes, const plumb_context* context,
                                        plumb_error** error);
-/** Reads a file; "-" is standard input. */
+/** Reads a file. The path "-" stands for standard input. */
 PLUMB_API plumb_status plumb_mesh_read_file(const char* path, const plumb_read_options* options,
                                             plumb_mesh** out, plumb_notes** notes,
                                             const plumb_context* context, plumb_error** error);
@@ -405,9 +408,9 @@ PLUMB_API plumb_status plumb_mesh_repair(const plumb_mesh* mesh,
                                          const plumb_repair_options* options, plumb_mesh** out,
                                          plumb_repair_report* report, plumb_notes** notes,
                                          const plumb_context* context, plumb_error** error);
-/** Finds repair options with which plumb_solid_from_mesh() accepts the mesh. Of several possible
- * repairs, the function chooses the one that changes least. Sets *found to false if no repair
- * suffices. */
+/** Finds repair options with which plumb_solid_from_mesh() accepts the mesh. If several repairs are
+ * possible, the function chooses the repair that changes least. If no repair suffices, *found is
+ * set to false. */
 PLUMB_API plumb_status plumb_mesh_find_repair(const plumb_mesh* mesh, plumb_repair_options* options,
                                               bool* found, const plumb_context* context,
                                               plumb_error** error);
@@ -430,7 +433,7 @@ enum plumb_mesh_list {
   PLUMB_MESH_DOUBLED = 4,    /**< Pairs of a face and an earlier face with the same boundary. */
   PLUMB_MESH_CROSSINGS = 5,  /**< Pairs of faces that cross. */
   PLUMB_MESH_FLIPPED = 6,    /**< Faces whose orientation disagrees with their neighbours. */
-  /** A face of each component that has only one side, as a Moebius strip. */
+  /** For each component that has only one side, such as a Moebius strip: one of its faces. */
   PLUMB_MESH_ONE_SIDED = 7,
   PLUMB_MESH_INSIDE_OUT = 8, /**< A face of each component of negative volume. */
   PLUMB_MESH_BORDERS = 9,    /**< Vertices of all borders; see plumb_mesh_report_chains(). */
@@ -450,8 +453,8 @@ PLUMB_API bool plumb_mesh_report_is_closed(const plumb_mesh_report* report);
 PLUMB_API uint64_t plumb_mesh_report_crossing_count(const plumb_mesh_report* report);
 PLUMB_API void plumb_mesh_report_free(plumb_mesh_report* report); /**< Releases a report. */
 
-/** Whether the mesh is the surface of one convex body. `reflex_edges` and `failing` may be null;
- * `failing` receives pairs of a face and a vertex on its outer side. */
+/** Whether the mesh is the surface of one convex body. `failing` receives pairs: a face, and a
+ * vertex on the outer side of this face. `reflex_edges` and `failing` may be null. */
 PLUMB_API plumb_status plumb_mesh_convexity(const plumb_mesh* mesh, bool* is_convex,
                                             uint64_t* reflex_edges, plumb_indices** failing,
                                             const plumb_context* context, plumb_error** error);
@@ -592,7 +595,7 @@ PLUMB_API plumb_status plumb_solid_half_space(const plumb_numbers* plane, bool i
 PLUMB_API plumb_status plumb_solid_plane(const plumb_numbers* plane, plumb_solid** out,
                                          plumb_error** error);
 /** Makes the intersection of half-spaces. `planes` has 4 * count doubles; `is_closed` has `count`
- * entries. If it is null, all half-spaces are closed. */
+ * entries. If `is_closed` is null, all half-spaces are closed. */
 PLUMB_API plumb_status plumb_solid_from_half_spaces(const double* planes, const bool* is_closed,
                                                     size_t count, plumb_solid** out,
                                                     const plumb_context* context,
@@ -610,7 +613,7 @@ PLUMB_API plumb_status plumb_solid_points(const plumb_numbers* points, plumb_sol
 /** Makes the union of the segments from each point to the next one. */
 PLUMB_API plumb_status plumb_solid_polyline(const plumb_numbers* points, plumb_solid** out,
                                             const plumb_context* context, plumb_error** error);
-/** Makes the closed planar polygon with these corners. */
+/** Makes the closed polygon with these corners, which must lie in one plane. */
 PLUMB_API plumb_status plumb_solid_facet(const plumb_numbers* corners, plumb_solid** out,
                                          const plumb_context* context, plumb_error** error);
 /** Makes a ball of 8 * 4^rounds triangles around the origin; rounds is at most 7. */
@@ -623,7 +626,7 @@ PLUMB_API plumb_status plumb_solid_read(const char* bytes, size_t size,
                                         const plumb_solid_options* options, plumb_solid** out,
                                         plumb_notes** notes, const plumb_context* context,
                                         plumb_error** error);
-/** Reads a file; "-" is standard input. */
+/** Reads a file. The path "-" stands for standard input. */
 PLUMB_API plumb_status plumb_solid_read_file(const char* path, const plumb_read_options* reading,
                                              const plumb_solid_options* options, plumb_solid** out,
                                              plumb_notes** notes, const plumb_context* context,
@@ -710,8 +713,8 @@ enum plumb_pieces {
    * of them. */
   PLUMB_PIECES_SAME_ATTRIBUTES = 0,
   PLUMB_PIECES_APART = 1, /**< Each face lies in one triangle of a source. */
-  /** Parts become one face as for the first constant, but only if they lie in one face of a
-   * source. */
+  /** Parts become one face under the conditions of the first constant, and only if they also lie in
+   * one face of a source. */
   PLUMB_PIECES_SAME_FACE = 2
 };
 /** Options for making a mesh with attributes from a solid. */
@@ -726,11 +729,11 @@ typedef struct plumb_attribute_options {
   { sizeof(plumb_attribute_options), 0, false, false }
 /** Makes the mesh of the boundary of the solid, valid after rounding, with the attributes of the
  * sources of the solid. The list of materials consists of the materials of the first source, then
- * those of the second source, and so on; the same holds for groups. Faces are in ascending order of
- * PLUMB_FACE_SOURCE, and faces without a source come last. Channels with the same name become one
- * channel, whose width is the greatest of their widths. Values that a source lacks are set to 1 in
- * the channel "color", and to 0 in all other channels. Fails with PLUMB_BAD_ARGUMENT if the solid
- * is unbounded. `options` and `report` may be null. */
+ * the materials of the second source, and so on. The list of groups is made in the same way. Faces
+ * are in ascending order of PLUMB_FACE_SOURCE, and faces without a source come last. Channels with
+ * the same name become one channel, whose width is the greatest of their widths. Values that a
+ * source lacks are set to 1 in the channel "color", and to 0 in all other channels. Fails with
+ * PLUMB_BAD_ARGUMENT if the solid is unbounded. `options` and `report` may be null. */
 PLUMB_API plumb_status plumb_solid_to_mesh_with_attributes(
     const plumb_solid* solid, const plumb_attribute_options* options, plumb_mesh** out,
     plumb_to_mesh_report* report, const plumb_context* context, plumb_error** error);
@@ -749,9 +752,9 @@ typedef struct plumb_plane_source {
 } plumb_plane_source;
 #define PLUMB_PLANE_SOURCE_INIT \
   { sizeof(plumb_plane_source), NULL, NULL, NULL, PLUMB_NONE }
-/** Makes a half-space as plumb_solid_half_space() does, with its boundary as a source. This source
- * has one face, face 0. Faces of results that the half-space cuts have the attributes of this face.
- * `source` may be null; then the face has no attributes. */
+/** Makes a half-space as plumb_solid_half_space() does. The boundary of the half-space is a source
+ * of the solid. This source has one face, face 0. Faces of results that the half-space cuts have
+ * the attributes of this face. If `source` is null, the face has no attributes. */
 PLUMB_API plumb_status plumb_solid_half_space_with_source(const plumb_numbers* plane,
                                                           bool is_closed,
                                                           const plumb_plane_source* source,
@@ -912,8 +915,9 @@ PLUMB_API plumb_status plumb_solid_centroid(const plumb_solid* solid, plumb_numb
  * returns infinity. */
 PLUMB_API plumb_status plumb_solid_surface_area(const plumb_solid* solid, double* out,
                                                 const plumb_context* context, plumb_error** error);
-/** Whether the solid is convex, with evidence: the number of reflex edges, and pairs of a facet and
- * a vertex on its outer side. `reflex_edges` and `failing` may be null. */
+/** Whether the solid is convex, with evidence. `reflex_edges` receives the number of reflex edges.
+ * `failing` receives pairs: a facet, and a vertex on the outer side of this facet. `reflex_edges`
+ * and `failing` may be null. */
 PLUMB_API plumb_status plumb_solid_convexity(const plumb_solid* solid, bool* is_convex,
                                              uint64_t* reflex_edges, plumb_indices** failing,
                                              const plumb_context* context, plumb_error** error);
@@ -993,7 +997,7 @@ PLUMB_API plumb_status plumb_plane_set_read(const char* bytes, size_t size,
                                             const plumb_read_options* options,
                                             plumb_plane_set** out, plumb_notes** notes,
                                             const plumb_context* context, plumb_error** error);
-/** Reads a file; "-" is standard input. */
+/** Reads a file. The path "-" stands for standard input. */
 PLUMB_API plumb_status plumb_plane_set_read_file(const char* path,
                                                  const plumb_read_options* options,
                                                  plumb_plane_set** out, plumb_notes** notes,
@@ -1351,7 +1355,7 @@ PLUMB_API plumb_status plumb_sphere_set_locate(const plumb_sphere_set* set,
                                                const plumb_numbers* directions,
                                                plumb_location* locations, size_t count,
                                                const plumb_context* context, plumb_error** error);
-/** Finds the first cell that belongs to the set on a walk along a great circle; see
+/** Walks along a great circle, and finds the first cell on the walk that belongs to the set; see
  * plumb_solid_shoot(). `walk` contains six numbers, three for each of two directions. The walk
  * starts at the first direction, takes the shorter way to the second direction, and continues along
  * the circle until it returns to the start. */
@@ -1373,8 +1377,8 @@ PLUMB_API plumb_status plumb_map_from_cycles(const double* xy, size_t point_coun
                                              const uint32_t* cycle_begin, size_t cycle_count,
                                              const uint32_t* corners, size_t corner_count,
                                              plumb_map** out, plumb_error** error);
-/** Makes a map of exact points. `points` contains two numbers for each point. The other arrays are
- * those of plumb_map_from_cycles(). */
+/** Makes a map whose points have exact coordinates. `points` contains two numbers for each point.
+ * The other arrays are those of plumb_map_from_cycles(). */
 PLUMB_API plumb_status plumb_map_from_exact_cycles(const plumb_numbers* points,
                                                    const uint32_t* cycle_begin, size_t cycle_count,
                                                    const uint32_t* corners, size_t corner_count,
@@ -1505,7 +1509,8 @@ PLUMB_API const uint32_t* plumb_map_report_region(const plumb_map_report* report
 PLUMB_API plumb_status plumb_map_report_write(const plumb_map_report* report, const char* format,
                                               const char* title, plumb_bytes** out,
                                               plumb_error** error);
-/** Makes the map as it was checked, after vertices were merged and cycles were added. */
+/** Makes the checked map. In this map, vertices are merged and outer cycles are added if the
+ * options of the check asked for it. */
 PLUMB_API plumb_status plumb_map_report_map(const plumb_map_report* report, plumb_map** out,
                                             plumb_error** error);
 /** Makes the union of some regions of a valid map. `chosen` has an entry for each region, which is
@@ -1570,8 +1575,8 @@ PLUMB_API plumb_status plumb_scene_new(const double* xyz, size_t point_count,
 PLUMB_API plumb_status plumb_scene_read_file(const char* path, const plumb_read_options* options,
                                              plumb_scene** out, plumb_notes** notes,
                                              const plumb_context* context, plumb_error** error);
-/** Writes the scene as JSON. `model` is the path of the file with its mesh, which is written into
- * the scene. */
+/** Writes the scene as JSON. `model` is the path of the file that contains the mesh. This path is
+ * written into the scene. */
 PLUMB_API plumb_status plumb_scene_write(const plumb_scene* scene, const char* model,
                                          plumb_bytes** out, plumb_error** error);
 /** Adds a point of a face. `weights` contains two numbers: the barycentric weights u and v of the
@@ -1589,11 +1594,13 @@ PLUMB_API plumb_status plumb_scene_add_polygon(plumb_scene* scene, const uint32_
  * counts as a shape. */
 PLUMB_API plumb_status plumb_scene_add_shape(plumb_scene* scene, const uint32_t* polygons,
                                              size_t count, uint32_t* index, plumb_error** error);
-/** Sets the face at whose first corner all labels are 0. */
+/** Sets the face that determines where labels are 0: at the first corner of this face, the label of
+ * every shape is 0. */
 PLUMB_API plumb_status plumb_scene_set_outside(plumb_scene* scene, uint32_t face,
                                                plumb_error** error);
-/** Makes all shapes separate the surface. For this, the function adds loops around handles to
- * shapes that do not separate it. *added receives the number of loops; `added` may be null. */
+/** Makes all shapes separate the surface. If a shape does not separate the surface, the function
+ * adds loops around handles to the shape. *added receives the number of these loops; `added` may be
+ * null. */
 PLUMB_API plumb_status plumb_scene_separate(plumb_scene* scene, size_t* added,
                                             const plumb_context* context, plumb_error** error);
 /** A polyline on a surface. */
@@ -1610,7 +1617,7 @@ PLUMB_API plumb_status plumb_scene_trace(const plumb_scene* scene, uint32_t from
                                          const plumb_context* context, plumb_error** error);
 PLUMB_API size_t plumb_path_count(const plumb_path* path); /**< Returns the number of points. */
 PLUMB_API const double* plumb_path_points(const plumb_path* path); /**< Rounded coordinates. */
-/** Returns the face of each segment, one fewer than points. */
+/** Returns the face of each segment. There is one segment fewer than points. */
 PLUMB_API const uint32_t* plumb_path_faces(const plumb_path* path);
 PLUMB_API double plumb_path_length(const plumb_path* path); /**< Returns the rounded length. */
 PLUMB_API void plumb_path_free(plumb_path* path);           /**< Releases a path. */
@@ -1709,7 +1716,7 @@ PLUMB_API plumb_status plumb_self_test(bool* is_ok, plumb_notes** notes, plumb_e
  * Otherwise its lowest corner is the origin. */
 PLUMB_API plumb_status plumb_solid_box(const double size[3], bool is_centred, plumb_solid** out,
                                        const plumb_context* context, plumb_error** error);
-/** Makes a ball around the origin whose equator has `chords` corners. It is exactly convex. */
+/** Makes a ball around the origin. Its equator has `chords` corners. The ball is exactly convex. */
 PLUMB_API plumb_status plumb_solid_sphere(double radius, uint32_t chords, plumb_solid** out,
                                           const plumb_context* context, plumb_error** error);
 /** Makes a cylinder along the z-axis, or a cone or a frustum if the radii differ. */
@@ -1780,7 +1787,8 @@ PLUMB_API plumb_status plumb_solid_slices(const plumb_solid* solid, const plumb_
 /** Makes the closure of the projection of the solid along the z-axis. */
 PLUMB_API plumb_status plumb_solid_shadow(const plumb_solid* solid, plumb_plane_set** out,
                                           const plumb_context* context, plumb_error** error);
-/** Grows the closure of the solid by a positive distance, or shrinks it by a negative distance.
+/** Grows the closure of the solid if `distance` is positive, and shrinks it if `distance` is
+ * negative.
  * The ball of the offset is replaced by a polyhedron: an octahedron whose faces were subdivided
  * `rounds` times (at most 7), with its corners on the sphere. */
 PLUMB_API plumb_status plumb_solid_offset(const plumb_solid* solid, double distance,
@@ -1846,16 +1854,17 @@ typedef struct plumb_offset_options {
 } plumb_offset_options;
 #define PLUMB_OFFSET_OPTIONS_INIT \
   { sizeof(plumb_offset_options), 0, 2.0, 0.0, 0 }
-/** Grows the closure of the set by a positive distance, or shrinks it by a negative distance. */
+/** Grows the closure of the set if `distance` is positive, and shrinks it if `distance` is
+ * negative. */
 PLUMB_API plumb_status plumb_plane_set_offset(const plumb_plane_set* set, double distance,
                                               const plumb_offset_options* options,
                                               plumb_plane_set** out, const plumb_context* context,
                                               plumb_error** error);
 /** Makes the closure of a bounded set with fewer corners. A corner and its two neighbours form a
  * triangle. A corner is removed only under three conditions. The area of its triangle is at most
- * `tolerance`. Of all removable corners, a greater fraction than `kept` is left. No point of a
- * border moves farther than `within`. Infinity means that there is no bound. Coordinates are rounded
- * to doubles. If `moved` is not null, it receives a bound for the distance by which borders have
+ * `tolerance`. More than the fraction `kept` of all removable corners is left. No point of a border
+ * moves farther than `within`. Infinity means that there is no bound. Coordinates are rounded to
+ * doubles. If `moved` is not null, it receives a bound for the distance by which borders have
  * moved. */
 PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, double tolerance,
                                                 double kept, double within, plumb_plane_set** out,
@@ -1870,8 +1879,8 @@ typedef struct plumb_simplify_report {
   /** Corners of a layer that cannot be removed because three or more borders meet there. For a set
    * of the plane, this number is 0. */
   uint64_t fixed;
-  /** Corners that the bounds allow to remove, but that are kept for another reason: their triangle
-   * contains another corner, or a ring would collapse. */
+  /** Corners that the bounds allow the function to remove. They are kept for another reason: their
+   * triangle contains another corner, or a ring would collapse. */
   uint64_t blocked;
   /** Overlaps of features of a layer, which went to the first feature. For a set of the plane, this
    * number is 0. */
@@ -1899,8 +1908,8 @@ PLUMB_API plumb_status plumb_plane_set_minkowski_sum(const plumb_plane_set* a,
                                                      const plumb_context* context,
                                                      plumb_error** error);
 
-/** Makes the constrained Delaunay triangulation of a bounded set, after its coordinates were
- * rounded to doubles. The result is a mesh whose points have z = 0. */
+/** Rounds the coordinates of a bounded set to doubles, and makes the constrained Delaunay
+ * triangulation of the result. The result is a mesh whose points have z = 0. */
 PLUMB_API plumb_status plumb_plane_set_triangulate(const plumb_plane_set* set, plumb_mesh** out,
                                                    const plumb_context* context,
                                                    plumb_error** error);
@@ -1940,7 +1949,7 @@ PLUMB_API plumb_status plumb_layer_read(const char* bytes, size_t size,
                                         const plumb_read_options* options, const char* object,
                                         plumb_layer** out, plumb_notes** notes,
                                         const plumb_context* context, plumb_error** error);
-/** Reads a file; "-" is standard input. */
+/** Reads a file. The path "-" stands for standard input. */
 PLUMB_API plumb_status plumb_layer_read_file(const char* path, const char* object,
                                              plumb_layer** out, plumb_notes** notes,
                                              const plumb_context* context, plumb_error** error);
@@ -1959,7 +1968,7 @@ PLUMB_API plumb_status plumb_layer_of_faces(const plumb_plane_set* set, plumb_la
 PLUMB_API plumb_status plumb_layer_parts(const plumb_layer* layer, const plumb_plane_set* set,
                                          plumb_layer** out, const plumb_context* context,
                                          plumb_error** error);
-/** Makes a layer of the features of `first` and then those of `second`. */
+/** Makes a layer of all features of `first`, followed by all features of `second`. */
 PLUMB_API plumb_status plumb_layer_join(const plumb_layer* first, const plumb_layer* second,
                                         plumb_layer** out, const plumb_context* context,
                                         plumb_error** error);
@@ -2008,8 +2017,8 @@ enum plumb_layer_region_kind {
 typedef struct plumb_layer_report plumb_layer_report;
 /** Makes the layer without overlaps and gaps. `owner` is a constant of plumb_owner. An enclosed
  * region that no feature covers is a gap if it is narrower than `gaps_below`; a negative number
- * stands for 1/10000 of the diagonal of the layer. In this case, narrow regions that look like
- * small lakes are not gaps. `report` may be null. */
+ * stands for 1/10000 of the diagonal of the layer. If `gaps_below` is negative, narrow regions that
+ * look like small lakes are not gaps. `report` may be null. */
 PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                           plumb_layer** out, plumb_layer_report** report,
                                           const plumb_context* context, plumb_error** error);
@@ -2024,13 +2033,14 @@ typedef struct plumb_layer_options {
   /** Whether gaps that open to the outside or into a hole stay as they are. */
   bool enclosed_only;
   double gaps_below; /**< The bound for the widths of gaps; see plumb_layer_repair(). */
-  /** For PLUMB_OWNER_FIRST: ranks[f] is the rank of feature f. The feature of the least rank gets a
-   * region; features of equal ranks rank in the order of the layer. Null stands for this order. */
+  /** For PLUMB_OWNER_FIRST: ranks[f] is the rank of feature f. Of the features that may get a
+   * region, the feature with the least rank gets it. If ranks are equal, the feature that comes
+   * first in the layer gets it. If `ranks` is null, all ranks are equal. */
   const uint32_t* ranks;
   size_t rank_count; /**< The number of ranks, which is 0 or the number of features. */
-  /** Pairs of features, which come before the rule `owner`. Suppose that both features of a pair
-   * may get a region. Then the second feature of the pair is left out, unless all features would be
-   * left out. */
+  /** Pairs of features, which are applied before the rule `owner`. If both features of a pair may
+   * get a region, the second feature of the pair is left out. But if this would leave out all
+   * features, no feature is left out. */
   const uint32_t* preferences;
   size_t preference_count; /**< The number of pairs; `preferences` has twice as many entries. */
 } plumb_layer_options;
@@ -2047,9 +2057,9 @@ PLUMB_API plumb_status plumb_layer_check_with(const plumb_layer* layer,
                                               const plumb_layer_options* options,
                                               plumb_layer_report** out,
                                               const plumb_context* context, plumb_error** error);
-/** Makes a layer with a feature for each group. groups[f] is the group of feature f, which is less
- * than group_count. If groups[f] is 0xffffffff, feature f is left out. `count` is the number of
- * features. */
+/** Makes a layer with one feature for each group. groups[f] is the group of feature f, which is
+ * less than group_count. If groups[f] is 0xffffffff, feature f is left out. `count` is the number
+ * of features. */
 PLUMB_API plumb_status plumb_layer_dissolve(const plumb_layer* layer, const uint32_t* groups,
                                             size_t count, size_t group_count, plumb_layer** out,
                                             const plumb_context* context, plumb_error** error);
@@ -2068,8 +2078,8 @@ PLUMB_API plumb_status plumb_layer_overlay(const plumb_layer* first, const plumb
                                            const plumb_context* context, plumb_error** error);
 /** Makes the layer with fewer corners on its borders. The result is a coverage: features do not
  * overlap. A corner and its two neighbours form a triangle. A corner is removed only under two
- * conditions. The area of its triangle is at most `tolerance`, which may be infinite. Of all
- * removable corners, a greater fraction than `kept` is left. */
+ * conditions. The area of its triangle is at most `tolerance`, which may be infinite. More than the
+ * fraction `kept` of all removable corners is left. */
 PLUMB_API plumb_status plumb_layer_simplify(const plumb_layer* layer, double tolerance, double kept,
                                             plumb_layer** out, const plumb_context* context,
                                             plumb_error** error);
@@ -2086,7 +2096,7 @@ PLUMB_API bool plumb_layer_report_has_defects(const plumb_layer_report* report);
 PLUMB_API int plumb_layer_report_kind(const plumb_layer_report* report, size_t i);
 /** Whether region i is a gap that opens to the outside or into a hole. */
 PLUMB_API bool plumb_layer_report_is_open(const plumb_layer_report* report, size_t i);
-/** Returns the exact area of region i, one number. */
+/** Returns the exact area of region i as a list of one number. */
 PLUMB_API plumb_status plumb_layer_report_area(const plumb_layer_report* report, size_t i,
                                                plumb_numbers** out, plumb_error** error);
 /** Returns twice the area divided by the perimeter of region i. */
