@@ -26,8 +26,8 @@ struct Limits {
   /// Numbers of `.nef` and `.nef2` files, and fractions of map and OFF files, may have up to
   /// 16,384 digits, even if this limit is smaller.
   std::uint32_t max_number_digits = 1100;
-  /// The largest absolute value of a decimal exponent, as in 1e-300, for which a number is read
-  /// exactly.
+  /// The largest absolute value of the decimal exponent of a number that is read exactly. For
+  /// example, 1e-300 has the exponent -300.
   std::uint32_t max_decimal_exponent = 1100;
 };
 
