@@ -424,7 +424,7 @@ class Dcel {
   struct Loop {
     Corner first;  ///< Invalid if the loop was removed.
     FaceId face;
-    LoopId next, prev;  ///< The neighbours in the ring of the loops of the face.
+    LoopId next, prev;  ///< The next and the previous loop in the ring of all loops of the face.
   };
   struct Counts {
     std::size_t vertices = 0, edges = 0, loops = 0, faces = 0;
