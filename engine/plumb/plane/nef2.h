@@ -81,9 +81,8 @@ struct AffineMap2 {
 };
 
 /// The result of shoot() or shoot_to_boundary(): a cell that a ray meets, and the first point of
-/// this cell on the ray. If the ray enters a face, there is no first point of the face on the ray,
-/// because a face does not contain its boundary. In this case, `point` is the point where the ray
-/// crosses the boundary of the face.
+/// this cell on the ray. A face does not contain its boundary. So if the ray enters a face, `point`
+/// is the point where the ray crosses the boundary of the face.
 struct PlaneHit {
   PlaneLocation location;  ///< The cell that the ray meets.
   RationalPoint2 point;    ///< The point where the ray meets the cell.
