@@ -96,9 +96,8 @@ struct SphereLocation {
 };
 
 /// The result of shoot() or shoot_to_boundary(): a cell that a walk along a great circle meets, and
-/// the first direction of this cell on the walk. If the walk enters a face, there is no first
-/// direction of the face on the walk, because a face does not contain its boundary. In this case,
-/// `point` is the direction where the walk crosses the boundary of the face.
+/// the first direction of this cell on the walk. A face does not contain its boundary. So if the
+/// walk enters a face, `point` is the direction where the walk crosses the boundary of the face.
 struct SphereHit {
   SphereLocation location;  ///< The cell that the walk meets.
   SphereVector point;       ///< The direction where the walk meets the cell.
