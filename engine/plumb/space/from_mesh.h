@@ -107,8 +107,8 @@ struct MeshReport {
   /// triangulated. Any other face in this list was replaced by a fan of triangles with the same
   /// winding numbers.
   std::vector<std::uint32_t> not_simple;
-  /// Pairs of a face and an earlier face with the same boundary. The two faces of a pair became the
-  /// same facet.
+  /// Pairs of faces with the same boundary. The second face of a pair comes before the first face
+  /// in the mesh. The two faces became one facet.
   std::vector<FacePair> doubled;
   /// Closed chains of vertices along which faces are missing or flipped. Each chain has the
   /// direction that the boundary of a missing face would have.
