@@ -37,7 +37,7 @@ struct FeatureGroups {
 
 /// Returns groups such that two features are in the same group exactly if they have the same value
 /// of `property`. All features that lack the property form one group. Throws Error{BadArgument} if
-/// there are features and none of them has the property.
+/// the layer has features, but none of them has the property.
 FeatureGroups group_features(const Layer& layer, const std::string& property,
                              Context& context = unlimited_context());
 
