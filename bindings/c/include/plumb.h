@@ -838,8 +838,8 @@ enum plumb_section {
 PLUMB_API plumb_status plumb_solid_section(const plumb_solid* solid, const plumb_numbers* plane,
                                            int section, int operation, plumb_solid** out,
                                            const plumb_context* context, plumb_error** error);
-/** Makes the image of the solid under an invertible affine map. `map` contains 12 numbers: the
- * three rows of the matrix, each followed by the translation of its coordinate. */
+/** Makes the image of the solid under an invertible affine map. `map` contains 12 numbers: for each
+ * of the three coordinates, a row of the matrix and the component of the translation. */
 PLUMB_API plumb_status plumb_solid_transform(const plumb_solid* solid, const plumb_numbers* map,
                                              plumb_solid** out, const plumb_context* context,
                                              plumb_error** error);
@@ -1089,8 +1089,8 @@ PLUMB_API plumb_status plumb_plane_set_is_subset(const plumb_plane_set* a, const
 /** Checks every invariant from scratch; see plumb_solid_audit(). */
 PLUMB_API plumb_status plumb_plane_set_audit(const plumb_plane_set* set, plumb_bytes** flaw,
                                              const plumb_context* context, plumb_error** error);
-/** Makes the image of the set under an invertible affine map. `map` contains 6 numbers: the two
- * rows of the matrix, each followed by the translation of its coordinate. */
+/** Makes the image of the set under an invertible affine map. `map` contains 6 numbers: for each of
+ * the two coordinates, a row of the matrix and the component of the translation. */
 PLUMB_API plumb_status plumb_plane_set_transform(const plumb_plane_set* set,
                                                  const plumb_numbers* map, plumb_plane_set** out,
                                                  const plumb_context* context, plumb_error** error);
@@ -1823,9 +1823,10 @@ PLUMB_API plumb_status plumb_numbers_scaling(const plumb_numbers* factors, plumb
 /** Returns the reflection in the plane through the origin with the given normal, as 12 numbers. */
 PLUMB_API plumb_status plumb_numbers_reflection(const plumb_numbers* normal, plumb_numbers** out,
                                                 plumb_error** error);
-/** Returns the scaling that gives the bounding box of a solid the given sizes, as 12 numbers. Along
- * an axis whose entry in `size` is 0, the factor is 1. If the entry of this axis in `is_automatic`
- * is true, the factor is instead the greatest factor of the other axes. `is_automatic` may be
+/** Returns the scaling after which the bounding box of a solid has the given sizes, as 12 numbers.
+ * Along an axis whose entry in `size` is 0, the factor is 1. If the entry of this axis in
+ * `is_automatic` is true, the factor is instead the greatest factor of the other axes.
+ * `is_automatic` may be
  * null. */
 PLUMB_API plumb_status plumb_numbers_resizing(const plumb_solid* solid, const plumb_numbers* size,
                                               const bool is_automatic[3], plumb_numbers** out,
@@ -2022,7 +2023,8 @@ typedef struct plumb_layer_report plumb_layer_report;
 PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                           plumb_layer** out, plumb_layer_report** report,
                                           const plumb_context* context, plumb_error** error);
-/** Makes the report of the overlaps, gaps and holes of a layer, without owners. */
+/** Makes the report of the overlaps, gaps and holes of a layer. The regions of the report have no
+ * owners. */
 PLUMB_API plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
                                          plumb_layer_report** out, const plumb_context* context,
                                          plumb_error** error);
