@@ -81,7 +81,10 @@ export interface ReadOptions extends Options {
    * is no name, the first bytes of the file determine the format.
    */
   name?: string;
-  /** Whether 0.1 is read as exactly a tenth. Otherwise it is the nearest double. */
+  /**
+   * Whether decimals are read exactly, for example 0.1 as a tenth. Otherwise they are rounded to
+   * the nearest doubles.
+   */
   exactDecimals?: boolean;
   onNote?: (note: Note) => void;
 }
@@ -89,8 +92,8 @@ export interface ReadOptions extends Options {
 /** The contents of a file, as bytes or as text. */
 export type FileData = Uint8Array|ArrayBuffer|ArrayBufferView|string;
 /**
- * The contents of other files to which a file refers, by their names. If it is given, `name` must
- * be given, too.
+ * The contents of other files to which a file refers. The keys are the names of these files. If
+ * `files` is given, `name` must be given, too.
  */
 export interface SiblingFiles {
   files?: Record<string, FileData>;
@@ -192,8 +195,8 @@ export interface MeshAttributes {
   vertexChannels?: Readonly<Record<string, Channel>>;
 }
 /**
- * The attributes of the boundary of a half-space, which is a source with one face. Faces of results
- * that the half-space cuts have them.
+ * The attributes of the boundary of a half-space. The half-space is a source with one face. Faces
+ * of results that the half-space cuts have the attributes of this face.
  */
 export interface PlaneSource {
   /** The name in Solid.sources(). */
@@ -228,8 +231,10 @@ export interface FaceSources {
   sourceFace: Uint32Array;
   /** For each face, 1 if it and the face of the source have opposite orientations, else 0. */
   isFlipped: Uint8Array;
-  /** The attributes. The list of materials contains the materials of the first source, then those
-   * of the second source, and so on. The same holds for groups. */
+  /**
+   * The attributes. The list of materials contains the materials of the first source, then the
+   * materials of the second source, and so on. The list of groups is made in the same way.
+   */
   attributes: FoundAttributes;
   report: ToMeshReport;
 }
@@ -259,12 +264,13 @@ export interface Repair {
   weld?: number;
   /** Whether faces with the same corners as an earlier face are kept or dropped. */
   doubled?: 'keep'|'if better'|'drop';
-  /** Whether faces whose orientation disagrees with their neighbours are flipped. */
+  /** Whether faces that are not oriented like their neighbours are flipped. */
   reorient?: boolean;
   /** Holes with at most this number of edges are filled. */
   fillHoles?: number;
   /**
-   * A hole is also filled if the diagonal of the box around its vertices is at most this length.
+   * A hole with more edges is also filled if the diagonal of the box around its vertices is at most
+   * this length.
    */
   fillHolesBelow?: number;
 }
@@ -331,9 +337,10 @@ export function lostAttributes(mesh: Mesh, format: MeshFormat): string;
 /** Finds the defects of a mesh. At most maxListed crossings are listed, by default 1000. */
 export function checkMesh(mesh: Mesh, options?: Options&{maxListed?: number}): MeshReport;
 /**
- * Repairs a mesh. 'automatic' chooses the repair that changes least so that the mesh bounds a
- * solid, and returns null if there is no such repair. The repaired mesh has no attributes. To keep
- * them, pass `repair` of the result to Solid.fromMesh() with the original mesh.
+ * Repairs a mesh. With 'automatic', the function searches for repairs after which the mesh bounds a
+ * solid, and chooses the repair that changes least. It returns null if there is no such repair. The
+ * repaired mesh has no attributes. To keep the attributes, pass `repair` of the result to
+ * Solid.fromMesh() with the original mesh.
  */
 export function repairMesh(mesh: Mesh, repair?: Repair|'automatic', options?: Options):
     {mesh: Mesh; report: RepairReport; notes: Note[]; repair: Repair}|null;
@@ -429,18 +436,21 @@ export abstract class PointSet<Self, Vector, Kind extends string> extends Handle
   audit(options?: Options): string|null;
 }
 
-/** Which attributes of a mesh its solid keeps: 'colours' are materials and the channel 'color'. */
+/**
+ * The attributes of a mesh that a solid keeps. 'colours' stands for materials and for the channel
+ * 'color'.
+ */
 export type KeptAttributes = 'none'|'colours'|'ids'|'all';
 export interface FromMeshOptions extends Options {
   /**
-   * The attributes that the solid keeps. By default, these are all attributes of a mesh in arrays,
-   * and none of a file. With 'all', a mesh in arrays becomes a source even if it has no attributes,
-   * so that faces of results can be traced to its faces.
+   * The attributes that the solid keeps. By default, a solid keeps all attributes of a mesh in
+   * arrays, and no attributes of a file. With 'all', a mesh in arrays becomes a source even if it
+   * has no attributes, so that faces of results can be traced to its faces.
    */
   keep?: KeptAttributes;
   /**
-   * The winding numbers that count as inside. By default, these are the positive numbers, after
-   * components that are inside out were flipped.
+   * The winding numbers that count as inside. By default, these are the positive numbers. In this
+   * case, components that are inside out are flipped first.
    */
   rule?: Rule;
   /** Whether the set is the union of the faces. Then the mesh may be open. */
@@ -505,13 +515,13 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   static halfSpaces(planes: Coordinates, options?: Options&{closed?: boolean}): Solid;
   static plane(plane: Vector4): Solid;
   static polyline(points: Points3, options?: Options): Solid;
-  /** The closed planar polygon with these corners. */
+  /** The closed polygon with these corners, which must lie in one plane. */
   static facet(corners: Points3, options?: Options): Solid;
   /** The box between two exact corners. */
   static box(low: Vector3, high: Vector3, options?: Options&{closed?: boolean}): Solid;
   /** Returns a ball around the origin, as a polyhedron of 8 * 4 ** rounds triangles. */
   static ball(radius: number, rounds?: number): Solid;
-  /** Returns a ball whose equator has `chords` corners. It is exactly convex. */
+  /** Returns a ball whose equator has `chords` corners. The ball is exactly convex. */
   static sphere(radius: number, chords?: number, options?: Options): Solid;
   static cylinder(height: number, bottomRadius: number, options?: Options&{
     topRadius?: number;
@@ -608,15 +618,15 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   mirrored(normal: Vector3, options?: Options): Solid;
   scaled(factors: Vector3|Exact, options?: Options): Solid;
   /**
-   * Returns the image under the scaling that gives the bounding box the sizes `size`. Along an axis
-   * with the size 0, the factor is 1. If this axis is `automatic`, its factor is instead the
-   * greatest factor of the other axes.
+   * Returns the image under a scaling. After this scaling, the bounding box has the sizes `size`.
+   * Along an axis with the size 0, the factor is 1. If this axis is `automatic`, its factor is
+   * instead the greatest factor of the other axes.
    */
   resized(size: Vector3, options?: Options&{automatic?: readonly[boolean, boolean, boolean]}):
       Solid;
   /**
-   * Returns the closure of the solid, grown by a positive distance or shrunk by a negative
-   * distance. The ball of the offset is replaced by a polyhedron: an octahedron whose faces were
+   * Returns the closure of the solid, grown if `distance` is positive, and shrunk if it is
+   * negative. The ball of the offset is replaced by a polyhedron: an octahedron whose faces were
    * subdivided `rounds` times (by default 3, at most 7).
    */
   offset(distance: number, options?: Options&{rounds?: number}): Solid;
@@ -627,8 +637,8 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
    */
   minkowskiErosion(other: Solid, options?: Options): Solid;
   /**
-   * Returns the convex parts of the solid. Every point belongs to exactly one part. If `closed` is
-   * true, the closures of the parts are returned instead.
+   * Returns the convex parts of the solid. Every point of the solid belongs to exactly one part. If
+   * `closed` is true, the closures of the parts are returned instead.
    */
   decompose(options?: Options&{
     method?: 'best'|'cuts'|'walls';
@@ -649,8 +659,8 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   isSimple(): boolean;
   isConvex(): boolean;
   /**
-   * Returns whether the solid is convex, with evidence. `failing` contains pairs of a facet and a
-   * vertex on its outer side.
+   * Returns whether the solid is convex, with evidence. `failing` contains pairs: a facet, and a
+   * vertex on the outer side of this facet.
    */
   convexity(options?: Options): {isConvex: boolean; reflexEdges: number; failing: Uint32Array};
   /**
@@ -760,7 +770,7 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
   transformed(rows: readonly Vector3[], options?: Options): PlaneSet;
   translated(by: Vector2, options?: Options): PlaneSet;
   /**
-   * Returns the closure of the set, grown by a positive distance or shrunk by a negative distance.
+   * Returns the closure of the set, grown if `distance` is positive, and shrunk if it is negative.
    */
   offset(distance: number, options?: Options&{
     join?: 'round'|'mitre'|'square'|'bevel';
@@ -775,7 +785,7 @@ export class PlaneSet extends PointSet<PlaneSet, Vector2, 'vertex'|'edge'|'face'
    * the removable corners remains. No point of a border moves farther than `within`.
    */
   simplified(options?: SimplifyOptions): PlaneSet;
-  /** Does the same as simplified(), and says what it has changed. */
+  /** Does the same as simplified(), and returns a report on the changes. */
   simplifiedWithReport(options?: SimplifyOptions): {set: PlaneSet; report: SimplifyReport};
   minkowskiSum(other: PlaneSet, options?: Options): PlaneSet;
   decompose(options?: Options&{
@@ -897,7 +907,10 @@ export class MapReport extends Handle {
   warnings(): string[];
   /** Returns, for each region, the cycles that bound it. Region 0 is the unbounded region. */
   regions(): number[][];
-  /** Returns the checked map, after vertices were merged and cycles were added. */
+  /**
+   * Returns the checked map. In this map, vertices are merged and outer cycles are added if the
+   * options of check() asked for it.
+   */
   map(): Map;
   /** Returns the union of the given regions of a valid map. */
   select(regions: readonly number[], options?: Options&{closed?: boolean}): PlaneSet;
@@ -928,7 +941,7 @@ export interface LayerReport {
   hasDefects: boolean;
   regions: {
     kind: 'overlap'|'gap'|'hole'; area: Fraction;
-    /** Whether it is a gap that opens to the outside or into a hole. */
+    /** Whether the region is a gap that opens to the outside or into a hole. */
     isOpen: boolean;
     /** Twice the area divided by the perimeter. */
     width: number;
@@ -939,16 +952,19 @@ export interface LayerReport {
   text: string;
   geoJson: object;
 }
-/** Bounds for the simplification of borders. A corner is removed only if all of them allow it. */
+/** Bounds for the simplification of borders. A corner is removed only if all bounds allow it. */
 export interface SimplifyOptions extends Options {
   /** The largest area of the triangle of a corner and its two neighbours. */
   tolerance?: number;
-  /** The fraction of the removable corners that remains, from 0 to 1. */
+  /**
+   * The removal stops when only this fraction of the removable corners is left. A number from 0 to
+   * 1.
+   */
   kept?: number;
   /** The largest distance by which a point of a border may move. */
   within?: number;
 }
-/** What a simplification has changed. */
+/** A report on the changes that a simplification has made. */
 export interface SimplifyReport {
   cornersBefore: number;
   cornersAfter: number;
@@ -957,13 +973,19 @@ export interface SimplifyReport {
    * set.
    */
   fixed: number;
-  /** The corners that the bounds allow to remove, but that are needed to keep borders apart. */
+  /**
+   * The corners whose removal the bounds allow. They are kept because borders would touch without
+   * them, or because a ring would collapse.
+   */
   blocked: number;
   /** The overlaps of features, which went to the first feature. */
   overlaps: number;
   /** An upper bound for the distance by which borders have moved. */
   bordersMoved: number;
-  /** An upper bound for the distance by which rounding has moved borders before. */
+  /**
+   * An upper bound for the distance by which rounding has moved borders. Rounding comes before the
+   * simplification.
+   */
   roundingMoved: number;
 }
 /** Options of Layer.check(). */
@@ -981,8 +1003,8 @@ export interface LayerRepairOptions extends LayerCheckOptions {
    * region. */
   ranks?: ArrayLike<number>|null;
   /**
-   * Pairs of features, which come before `owner`. The second feature of a pair does not get a
-   * region that the first feature may get. A feature is given by its index, or by a text for
+   * Pairs of features, which are applied before `owner`. The second feature of a pair does not get
+   * a region that the first feature may get. A feature is given by its index, or by a text for
    * find().
    */
   preferences?: readonly(readonly[number | string, number|string])[];
@@ -1009,14 +1031,14 @@ export class Layer extends Handle {
    * id.
    */
   parts(set: PlaneSet, options?: Options): Layer;
-  /** Returns a layer with the features of this layer, followed by those of another layer. */
+  /** Returns a layer with the features of this layer, followed by the features of another layer. */
   joined(other: Layer, options?: Options): Layer;
   readonly featureCount: number;
   ids(): unknown[];
   properties(): (Record<string, unknown>|null)[];
   /**
-   * Returns the index of the feature with the id `idOrName`. If there is none, returns that of the
-   * feature whose property 'name' or 'NAME' is `idOrName`.
+   * Returns the index of the feature with the id `idOrName`. If there is none, returns the index of
+   * the feature whose property 'name' or 'NAME' is `idOrName`.
    */
   find(idOrName: string): number;
   write(format: 'geojson'|'topojson'|'wkt', options?: Options): Uint8Array;
@@ -1037,7 +1059,7 @@ export class Layer extends Handle {
    * border moves farther than `within`.
    */
   simplified(options?: SimplifyOptions): Layer;
-  /** Does the same as simplified(), and says what it has changed. */
+  /** Does the same as simplified(), and returns a report on the changes. */
   simplifiedWithReport(options?: SimplifyOptions): {layer: Layer; report: SimplifyReport};
   /** Returns a layer with one feature for each pair of overlapping features of the two layers. */
   overlaid(other: Layer, options?: Options&{pairs?: 'all' | 'first' | 'both' | 'first only'}):
@@ -1052,12 +1074,15 @@ export class Scene extends Handle {
   /** Makes a scene without polygons. The triangles must form an orientable 2-manifold. */
   static fromMesh(vertices: Coordinates, triangles: Indices): Scene;
   static read(data: FileData, options?: ReadOptions&SiblingFiles): Scene;
-  /** Returns the scene as JSON. `model` is the name of the file with its mesh. */
+  /**
+   * Returns the scene as JSON. `model` is the name of the file that contains the mesh. This name is
+   * written into the scene.
+   */
   write(model: string): Uint8Array;
   readonly polygonCount: number;
   /**
-   * Adds the point of a face whose second and third corner have these weights, and returns its
-   * index.
+   * Adds a point of a face, and returns the index of the point. `weights` contains the weights of
+   * the second and the third corner of the face.
    */
   addPoint(face: number, weights: Vector2): number;
   /** Adds the closed polygon of geodesics through points, and returns its index. */
@@ -1067,7 +1092,10 @@ export class Scene extends Handle {
    * counts as a shape.
    */
   addShape(polygons: Indices): number;
-  /** Sets the face at whose first corner all labels are 0. */
+  /**
+   * Sets the face that determines where labels are 0: at the first corner of this face, the label
+   * of every shape is 0.
+   */
   setOutside(face: number): void;
   /**
    * Adds loops around handles so that all shapes separate the surface. Returns the number of loops.
