@@ -73,7 +73,7 @@ class MeshWithAttributes:
     source_face: npt.NDArray[np.int64]
     """For each face, the face of this mesh, or -1."""
     is_flipped: npt.NDArray[np.bool_]
-    """For each face, whether its orientation is opposite to that of the face of the source."""
+    """For each face, whether it and its source face have opposite orientations."""
     materials: list[Material]
     """The materials of all sources."""
     face_material: npt.NDArray[np.int64] | None

@@ -70,11 +70,11 @@ class OpenMesh(Error):
     borders: list[list[int]] = []
     """Closed chains of vertices along which faces are missing or flipped."""
     holes: list[list[int]] = []
-    """Chains along which faces are missing after `flipped` have been turned."""
+    """Chains along which faces are missing after the faces `flipped` were flipped."""
     flipped: list[int] = []
-    """Faces that disagree with their neighbours."""
+    """Faces that are not oriented like their neighbours."""
     one_sided: list[int] = []
-    """The least face of each connected set of faces that has only one side."""
+    """For each connected set of faces that has only one side, the face with the least index."""
 
 
 class BrokenInvariant(Exception):

@@ -40,13 +40,13 @@ class MeshReport:
     not_simple: list[int]
     """Faces that are not simple polygons."""
     doubled: list[tuple[int, int]]
-    """Pairs of a face and an earlier face with the same boundary."""
+    """Pairs of faces with the same boundary."""
     flipped: list[int]
-    """Faces whose orientation disagrees with their neighbours."""
+    """Faces that are not oriented like their neighbours."""
     one_sided: list[int]
-    """A face of each component that has only one side, as a Moebius strip."""
+    """For each component that has only one side, such as a Moebius strip, one of its faces."""
     inside_out: list[int]
-    """A face of each component of negative volume."""
+    """For each component of negative volume, one of its faces."""
 
     @property
     def is_closed(self) -> bool:
@@ -130,10 +130,10 @@ class Mesh:
         """Return the repaired mesh without attributes, and sentences that describe the repairs.
 
         weld: points whose distance is at most this value are merged. doubled: whether faces with
-        the same corners as an earlier face are kept or dropped. reorient: whether faces whose
-        orientation disagrees with their neighbours are flipped. fill_holes: holes with at most this
-        number of edges are filled. fill_holes_below: holes whose bounding box has a diagonal of at
-        most this length are filled, too.
+        the same corners as an earlier face are kept or dropped. reorient: whether faces that are
+        not oriented like their neighbours are flipped. fill_holes: holes with at most this number
+        of edges are filled. fill_holes_below: holes whose bounding box has a diagonal of at most
+        this length are filled, too.
         """
         arrays, done = _core.repair_mesh_arrays(
             self.vertices,

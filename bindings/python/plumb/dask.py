@@ -19,8 +19,8 @@ def _unite(sets: list[Set]) -> Set:
 def union_of(client: Any, sets: Sequence[Set], width: int = 8) -> Any:
     """Return a future of the union of `sets`, reduced in a tree of `width` branches at each node.
 
-    The union is associative and exact, so that the result equals that of one machine, byte for
-    byte in canonical form (`to_bytes()`). Raise ValueError if there are no sets.
+    The union is associative and exact. So the result is the same as on one machine, byte for byte
+    in canonical form (`to_bytes()`). Raise ValueError if there are no sets.
     """
     if not sets:
         raise ValueError("there is nothing to unite")

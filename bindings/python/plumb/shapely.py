@@ -84,7 +84,7 @@ def overlay(first: Any, second: Any) -> Any:
 def repair_coverage(frame: Any, **options: Any) -> tuple[Any, LayerReport]:
     """Return a GeoDataFrame without overlaps and gaps, and a report on the changes.
 
-    Options are those of Layer.repaired(). Rows keep their order and their attributes. If
+    Accepts the options of Layer.repaired(). Rows keep their order and their attributes. If
     other rows get the whole area of a row, the geometry of this row is None.
     """
     features = [

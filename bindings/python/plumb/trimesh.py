@@ -50,19 +50,19 @@ def to_trimesh(solid: Solid, visual: bool = True, materials: Sequence[Any] | Non
 
 
 def union(meshes: Iterable[Any], visual: bool = True, **limits: Any) -> Any:
-    """Return the union of meshes. Keywords are those of plumb's operations."""
+    """Return the union of meshes. Accepts the keywords of plumb's operations."""
     given = list(meshes)
     return _result(Solid.union_of(_solids(given, visual), **limits), given, visual)
 
 
 def intersection(meshes: Iterable[Any], visual: bool = True, **limits: Any) -> Any:
-    """Return the intersection of meshes. Keywords are those of plumb's operations."""
+    """Return the intersection of meshes. Accepts the keywords of plumb's operations."""
     given = list(meshes)
     return _result(Solid.intersection_of(_solids(given, visual), **limits), given, visual)
 
 
 def difference(meshes: Sequence[Any], visual: bool = True, **limits: Any) -> Any:
-    """Return the first mesh minus all others. Keywords are those of plumb's operations."""
+    """Return the first mesh minus all others. Accepts the keywords of plumb's operations."""
     first, *others = _solids(meshes, visual)
     rest = first.difference(Solid.union_of(others, **limits), **limits)
     return _result(rest, meshes, visual)

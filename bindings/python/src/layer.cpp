@@ -271,7 +271,8 @@ void def_making(nb::class_<Layer>& c) {
 
 void bind_simplify_report(nb::module_& m) {
   nb::class_<SimplifyReport> c(m, "SimplifyReport",
-                               "What simplified_with_report() of a set or a layer has changed.");
+                               "A report on the changes that simplified_with_report() of a set "
+                               "or a layer has made.");
   c.def_ro("corners_before", &SimplifyReport::corners_before,
            "The number of corners of the original borders.");
   c.def_ro("corners_after", &SimplifyReport::corners_after,
@@ -280,14 +281,15 @@ void bind_simplify_report(nb::module_& m) {
            "The number of corners of a layer that cannot be removed because three or more borders "
            "meet there. It is 0 for a set.");
   c.def_ro("blocked", &SimplifyReport::blocked,
-           "The number of corners that the bounds allow to remove, but that are kept for another "
+           "The number of corners whose removal the bounds allow. They are kept for another "
            "reason: their triangle contains another corner, or a ring would collapse.");
   c.def_ro("overlaps", &SimplifyReport::overlaps,
            "The number of overlaps of features, which went to the first feature.");
   c.def_ro("borders_moved", &SimplifyReport::borders_moved,
            "An upper bound for the distance by which borders have moved.");
   c.def_ro("rounding_moved", &SimplifyReport::rounding_moved,
-           "An upper bound for the distance by which rounding has moved borders before.");
+           "An upper bound for the distance by which rounding has moved borders. Rounding comes "
+           "before the simplification.");
 }
 
 }  // namespace
@@ -329,8 +331,9 @@ void bind_layer(nb::module_& m) {
           "remains.",
           "path"_a);
   def_run(c, "check", &checked_layer,
-          "Return the overlaps, gaps and holes of the layer as a LayerReport without owners. Gaps "
-          "that open to the outside or into a hole are found unless `enclosed_only` is true.",
+          "Return the overlaps, gaps and holes of the layer as a LayerReport. Its regions have "
+          "no owners. If `enclosed_only` is true, gaps that open to the outside or into a hole "
+          "are not found.",
           "gaps_below"_a = nb::none(), "enclosed_only"_a = false);
   c.def(
       "find",
@@ -338,8 +341,8 @@ void bind_layer(nb::module_& m) {
         return feature_called(layer, id_or_name);
       },
       "id_or_name"_a,
-      "Return the index of the feature that has the id `id_or_name`. If there is none, return that "
-      "of the feature whose property 'name' or 'NAME' is `id_or_name`.");
+      "Return the index of the feature that has the id `id_or_name`. If there is none, return "
+      "the index of the feature whose property 'name' or 'NAME' is `id_or_name`.");
   def_run(c, "dissolved", &dissolved,
           "Return a layer with a feature for each group. `groups` contains the group of each "
           "feature, which is a number 0, 1, ...",
@@ -362,8 +365,8 @@ void bind_layer(nb::module_& m) {
           "covers form the last feature, which has no id.",
           "set"_a);
   def_run(c, "joined", &joined,
-          "Return a layer with the features of this layer, followed by "
-          "those of another layer.",
+          "Return a layer with the features of this layer, followed by the features of another "
+          "layer.",
           "other"_a);
   def_run(c, "overlaid", &overlaid,
           "Return the overlay with another layer: a layer with a feature for each pair of "
@@ -390,13 +393,13 @@ void bind_layer(nb::module_& m) {
       "progress"_a = nb::none(),
       with_limits(
           "Return the layer without overlaps and gaps, and a LayerReport. `rule` selects the "
-          "feature that gets an overlap or a gap: 'longest-border', 'largest', 'smallest', 'first' "
-          "or 'lowest-id'. A region that no feature covers is a gap if it is narrower than "
-          "`gaps_below`. Gaps that open to the outside or into a hole are filled unless "
-          "`enclosed_only` is true. `ranks` contains a number for each feature; under the rule "
+          "feature that gets an overlap or a gap: 'longest-border', 'largest', 'smallest', "
+          "'first' or 'lowest-id'. A region that no feature covers is a gap if it is narrower "
+          "than `gaps_below`. If `enclosed_only` is true, gaps that open to the outside or into "
+          "a hole are not filled. `ranks` contains a number for each feature; under the rule "
           "'first', the feature with the least number gets a region. `preferences` are pairs of "
-          "features, as indices or as texts for find(): the second feature of a pair does not get "
-          "a region that the first may get."));
+          "features, as indices or as texts for find(): the second feature of a pair does not "
+          "get a region that the first feature may get."));
 }
 
 }  // namespace plumb::python

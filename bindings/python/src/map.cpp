@@ -97,8 +97,8 @@ void bind_map_class(nb::module_& m) {
           "Write the map without loss. If writing fails, no incomplete file remains.", "path"_a);
   def_run(c, "check", &checked,
           "Decide exactly whether the cycles subdivide the plane. outer='listed' requires that "
-          "outer boundaries are listed, 'infer' adds missing ones, and 'ignore' accepts that they "
-          "are missing.",
+          "outer boundaries are listed. 'infer' adds missing outer boundaries. 'ignore' accepts "
+          "that they are missing.",
           "outer"_a = "listed", "merge_vertices"_a = false, "max_defects"_a = 1000U);
   c.def(
       "points", [](const Map& map) { return ArrayOut<double, 2>{coordinates_of(map.points)}; },
@@ -230,7 +230,8 @@ void bind_report(nb::module_& m) {
            "comes first.");
   c.def_prop_ro(
       "map", [](const MapReport& r) { return r.map; },
-      "The checked map, after vertices were merged and cycles were inferred.");
+      "The checked map. In this map, vertices are merged and outer cycles are added if the "
+      "options of check() asked for it.");
   c.def("dcel", &dcel_of,
         "Return the half-edges of a valid map in arrays: origin, next and face, uint32 (h,), where "
         "the twin of h is h ^ 1, and halfedge_of_corner, uint32 (corners,).");

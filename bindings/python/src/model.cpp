@@ -94,13 +94,14 @@ Nef3 solid_offset(Context& context, const Nef3& set, double distance, unsigned r
 void def_solid_makers(nb::class_<Nef3>& c) {
   def_run_static(
       c, "sphere", &sphere,
-      "Return a ball around the origin whose equator has `chords` corners. It is exactly "
+      "Return a ball around the origin. Its equator has `chords` corners. The ball is exactly "
       "convex.",
       "radius"_a, "chords"_a = 30U);
   def_run_static(
       c, "cylinder", &cylinder,
-      "Return a cylinder along the z-axis. If the radius at the top differs from that at the "
-      "bottom, it is a cone or a frustum. It extends upwards from z = 0, unless it is `centred`.",
+      "Return a cylinder along the z-axis. If the radii at the top and at the bottom differ, the "
+      "result is a cone or a frustum. It extends upwards from z = 0. If `centred` is true, its "
+      "centre is the origin.",
       "height"_a, "bottom_radius"_a, "top_radius"_a = nb::none(), "chords"_a = 30U,
       "centred"_a = false);
   def_run_static(c, "torus", &torus,
@@ -128,8 +129,8 @@ void def_solid_facts(nb::class_<Nef3>& c) {
       c, "components", +[](Context& k, const Nef3& set) { return components(set, k); },
       "Return the connected components of the set.");
   def_run(c, "offset", &solid_offset,
-          "Return the closure of the set, grown by a positive distance or shrunk by a negative "
-          "distance. The ball of the offset is replaced by a polyhedron: an octahedron whose "
+          "Return the closure of the set, grown if `distance` is positive, and shrunk if it is "
+          "negative. The ball of the offset is replaced by a polyhedron: an octahedron whose "
           "faces were subdivided `rounds` times.",
           "distance"_a, "rounds"_a = 2U);
   c.def("genus", &genus,
@@ -283,8 +284,8 @@ void def_plane_models(nb::class_<Nef2>& c) {
           "tolerance"_a = std::numeric_limits<double>::infinity(), "kept"_a = 0.0,
           "within"_a = std::numeric_limits<double>::infinity());
   def_run(c, "offset", &offset_of,
-          "Return the closure of the set, grown by a positive distance or shrunk by a negative "
-          "distance. `join` is the shape at convex corners: 'round', 'mitre', 'square' or "
+          "Return the closure of the set, grown if `distance` is positive, and shrunk if it is "
+          "negative. `join` is the shape at convex corners: 'round', 'mitre', 'square' or "
           "'bevel'. An arc is replaced by chords. Their distance from the arc is at most "
           "`chord_error`, by default a thousandth of the distance of the offset. If "
           "`circle_segments` is given, it is the number of chords of a full circle.",

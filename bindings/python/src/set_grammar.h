@@ -121,7 +121,8 @@ void def_booleans(nb::class_<Set>& c) {
   def_run(
       c, "union",
       +[](Context& k, const Set& a, const Set& b) { return boolean_op(a, b, kUnion, k); },
-      "Return the points that belong to this set or to the other. `a | b` and `a + b` do the same.",
+      "Return the points that belong to this set or to the other set. `a | b` and `a + b` do the "
+      "same.",
       "other"_a);
   def_run(
       c, "intersection",
@@ -130,7 +131,7 @@ void def_booleans(nb::class_<Set>& c) {
   def_run(
       c, "difference",
       +[](Context& k, const Set& a, const Set& b) { return boolean_op(a, b, kDifference, k); },
-      "Return the points of this set that do not belong to the other. `a - b` does the same.",
+      "Return the points of this set that do not belong to the other set. `a - b` does the same.",
       "other"_a);
   def_run(
       c, "symmetric_difference",
@@ -218,7 +219,7 @@ void def_queries(nb::class_<Set>& c) {
   def_run(
       c, "is_subset_of",
       +[](Context& k, const Set& a, const Set& b) { return a.is_subset_of(b, k); },
-      "Whether every point of this set belongs to the other.", "other"_a);
+      "Whether every point of this set belongs to the other set.", "other"_a);
   def_run(
       c, "contains",
       +[](Context& k, const Set& a, const P& p) { return a.contains(Traits::point_of(p), k); },
@@ -247,8 +248,8 @@ void def_queries(nb::class_<Set>& c) {
         return ray_hit<Set>(
             a.shoot_to_boundary(Traits::point_of(origin), Traits::point_of(direction), k));
       },
-      "Return the first cell of the boundary that the ray meets, whether or not it is marked. The "
-      "result has the same form as that of shoot().",
+      "Return the first cell of the boundary that the ray meets, whether or not it is marked. "
+      "The result has the same form as the result of shoot().",
       "origin"_a, "direction"_a);
   def_run(
       c, "audit",
@@ -257,7 +258,8 @@ void def_queries(nb::class_<Set>& c) {
         if (!flaw) return std::nullopt;
         return Flaw{flaw->invariant, flaw->place};
       },
-      "Check every invariant from scratch. Return the first broken invariant, or None.");
+      "Check every invariant from scratch. Return the first broken invariant, or None if all "
+      "invariants hold.");
 }
 
 /// Binds what all sets have.

@@ -361,7 +361,7 @@ void def_makers(nb::class_<Nef3>& c) {
       c, "from_polygons", &from_polygons,
       "Return the solid that polygons bound. vertices: float64 (n, 3). face_begin: uint32 (faces "
       "+ 1,), the indices in `corners` at which the corners of each face begin. corners: uint32 "
-      "(k,). The other parameters are those of from_mesh().",
+      "(k,). The other parameters are the same as for from_mesh().",
       "vertices"_a, "face_begin"_a, "corners"_a, "rule"_a = nb::none(), "surface"_a = false,
       "attributes"_a = nb::none());
   def_run_static(c, "half_spaces", &half_spaces,
@@ -375,9 +375,9 @@ void def_makers(nb::class_<Nef3>& c) {
         return with_plane_source(Nef3::half_space(boundary, boundary_of(closed)), boundary,
                                  attributes);
       },
-      "Return the points with a x + b y + c z + d <= 0, or < 0 if not `closed`. The `attributes` "
-      "are those of the boundary, which is one face without channels. Faces of results that the "
-      "half-space cuts have them:\n\n"
+      "Return the points with a x + b y + c z + d <= 0, or < 0 if not `closed`. `attributes` "
+      "describes the boundary, which is one face without channels. Faces of results that the "
+      "half-space cuts have the attributes of this face:\n\n"
       "    cuts = plumb.MeshAttributes(name='saw', face_id=[7])\n"
       "    solid & plumb.Solid.half_space((0, 0, 1, -1), attributes=cuts)",
       "plane"_a, "closed"_a = true, "attributes"_a = nb::none());
@@ -398,7 +398,8 @@ void def_makers(nb::class_<Nef3>& c) {
       +[](Context& k, const std::vector<Exact<3>>& corners) {
         return Nef3::facet(points_of(corners), k);
       },
-      "Return the closed planar polygon with these exact corners.", "corners"_a);
+      "Return the closed polygon with these exact corners, which must lie in one plane.",
+      "corners"_a);
   def_run_static(
       c, "polyline",
       +[](Context& k, const std::vector<Exact<3>>& points) {
@@ -436,10 +437,10 @@ void def_reading(nb::class_<Nef3>& c) {
       "each face, it states the source from which the face was made, and its material, group and "
       "id. It also has interpolated numbers at the corners. A facet consists of parts, each of "
       "which lies in one triangle of a source. `pieces` states which parts are joined to one "
-      "face: with 'same-attributes', neighbouring parts with the same attributes; with "
-      "'same-face', only those within one face of a source; with 'apart', none. If `polygons` is "
-      "true, planar faces stay polygons. If `floats` is true, coordinates are rounded to float32 "
-      "numbers, and stored as float64.\n\n"
+      "face. With 'same-attributes', neighbouring parts with the same attributes are joined. "
+      "With 'same-face', they are joined only if they also lie in one face of a source. With "
+      "'apart', no parts are joined. If `polygons` is true, planar faces stay polygons. If "
+      "`floats` is true, coordinates are rounded to float32 numbers, and stored as float64.\n\n"
       "    made = (red - blue).to_mesh_with_attributes()\n"
       "    from_blue = made.triangles[made.source == 1]",
       "pieces"_a = "same-attributes", "polygons"_a = false, "floats"_a = false);
