@@ -54,7 +54,7 @@ Fixed<L> on_grid(const Grid& grid, double value) {
   }
 }
 
-/// Returns one coordinate of N points minus that of an origin, on `grid`.
+/// Returns one coordinate of N points, minus the same coordinate of an origin, on `grid`.
 template <int L, std::size_t N>
 std::array<Fixed<L>, N> differences(const Grid& grid, const std::array<double, N>& values,
                                     double origin) {
@@ -97,7 +97,7 @@ namespace plumb::rung {
 /// Returns the integer value / 2^grid.low().
 Integer big_on_grid(const Grid& grid, double value);
 
-/// Returns one coordinate of N points minus that of an origin.
+/// Returns one coordinate of N points, minus the same coordinate of an origin.
 template <std::size_t N>
 std::array<Integer, N> big_differences(const std::array<double, N>& values, double origin,
                                        const Grid& grid) {
@@ -127,7 +127,7 @@ Sign big_insphere(const std::array<Integer, 4>& x, const std::array<Integer, 4>&
 // every later intermediate is an integer that is either at most the permanent in magnitude, hence
 // exact (the true permanent is below 2^53, the computed one having a relative error far below 1),
 // or multiplied by an exact zero, hence without effect. So the sign of the determinant is its sign,
-// zero included. This is what makes exactly degenerate small integers cheap.
+// zero included. Therefore degenerate inputs of small integers take little time.
 namespace plumb::rung {
 
 /// Whether all values are integers of [-2^51, 2^51). Adding 1.5 * 2^52 rounds to an integer, in

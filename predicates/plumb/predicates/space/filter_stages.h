@@ -107,9 +107,9 @@ inline PlaneResidues residues(const PlaneTable& planes, PlaneId id) {
 
 }  // namespace plumb
 
-// The exact stages of every sign about planes: the narrowest width that holds the operands, then
-// wider ones, then GMP. A *form* computes the sign from an array of loaded planes of any number
-// type:
+// The exact stages of every sign about planes. First, the narrowest width that can represent the
+// operands; then wider widths; then GMP. A *form* computes the sign from an array of loaded planes
+// of any number type:
 //
 //   form(const std::array<Plane, K>&) -> Sign      Plane = FixedPlane<W> or BigPlane, aligned
 //

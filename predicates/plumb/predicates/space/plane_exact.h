@@ -117,9 +117,9 @@ inline Operand operand(const PlaneTable& table, PlaneId plane) {
 
 /// Returns the side of `plane` on which the input point x lies, or Unsure. The function decides
 /// only for planes that are orthogonal to a coordinate axis. The three points that define such a
-/// plane have the same coordinate along this axis. The function compares this coordinate with that
-/// of x. For all other planes, the function returns Unsure. Requires that `plane` is defined by
-/// three input points.
+/// plane have the same coordinate along this axis. The function compares this coordinate with the
+/// coordinate of x. For all other planes, the function returns Unsure. Requires that `plane` is
+/// defined by three input points.
 FilteredSign side_across(const PlaneTable& table, InputPointId x, const PlaneSource& plane);
 
 /// Returns the side of `plane` on which the input point x lies. Requires that `plane` is defined by

@@ -1,6 +1,6 @@
 // Exact homogeneous coordinates of the points of a Point3Table, in fixed widths and in integers of
-// GMP, the forms that compare them, and their rounding to the nearest doubles. The notation and the
-// limits (L) are those of plane_exact.h.
+// GMP, the forms that compare them, and their rounding to the nearest doubles. plane_exact.h
+// explains the notation and the limits (L).
 //
 // Every kind of point obeys the bounds of the three-plane point, |x| < 2^(O+2M-5), |w| < 2^(3M-6):
 //   three planes   plane_exact.h
@@ -67,7 +67,7 @@ std::optional<double> coordinate_along(const PlaneTable& planes, const PointSour
 int width_of_bits(int bits);
 
 /// Loads a part of a point in the number types of Plane = FixedPlane<W> or BigPlane. Returns false
-/// if a common scale breaks (L). Requires that operand.width is at most that of W.
+/// if a common scale breaks (L). Requires that operand.width is at most the width of W.
 template <class Plane>
 bool load_point(const PointOperand& operand, Part part, PointOf<Plane>& point);
 

@@ -149,7 +149,7 @@ class Point3Table {
   /// Whether the middle of the box is known to be the point rounded to the nearest doubles. If the
   /// result is true and the radius is 0, the middle is the point itself. The result is true for
   /// every input point. It is also true for a constructed point if its box was computed with more
-  /// precision than that of doubles. For two kinds of such points the result may be false
+  /// precision than doubles have. For two kinds of such points the result may be false
   /// nevertheless:
   ///   - points that depend on the frame;
   ///   - points with a coordinate that is a double or half-way between two doubles, unless a plane

@@ -54,7 +54,7 @@ class QueryPoint3 {
 // filter cannot decide, they compute with rational numbers.
 
 /// Returns the side of `plane`, in its canonical orientation, on which the query point lies. The
-/// signs have the same meaning as those of side() in point3_signs.h.
+/// signs have the same meaning as the results of side() in point3_signs.h.
 Sign side(const Point3Table& points, const QueryPoint3& q, PlaneId plane);
 
 /// Compares a coordinate of the point x of the table with the same coordinate of the query point q.
