@@ -38,15 +38,15 @@ class MapClaims {
   bool is_region(std::uint32_t cycle) const { return is_region_[cycle] != 0; }
   /// Returns the faces left of those pieces of half-edge h that no cycle lists, ascending.
   std::vector<std::uint32_t> unlisted_faces(std::uint32_t h) const;
-  /// Returns the least region but one that claims one of these faces, or kNoCycle. O(number of
-  /// faces).
+  /// Of the regions other than `but` that claim one of these faces, returns the region with the
+  /// least index, or kNoCycle if there is none. O(number of faces).
   std::uint32_t other_claimant(const std::vector<std::uint32_t>& faces, std::uint32_t but) const;
   /// Whether a region, and no other one, claims a face.
   bool is_only_claimant(std::uint32_t region, std::uint32_t face) const {
     return claims(face).size() == 1 && claims(face).front() == region;
   }
-  /// Returns an edge of the map, other than that of h, from which a cycle lists the left side of
-  /// the first piece of h; kNoEdge if there is none.
+  /// Returns another edge of the map than the edge of h, from which a cycle lists the left side of
+  /// the first piece of h. Returns kNoEdge if there is none.
   std::uint32_t lister_beside(std::uint32_t h) const;
   /// Returns a region of `first` and another one of `second` that claim one face beside edge e.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> overlap_beside(

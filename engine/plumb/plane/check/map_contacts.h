@@ -44,10 +44,12 @@ struct VertexOnEdge {
 
 /// The results of the sweep.
 struct MapContacts {
-  std::uint64_t count = 0;             ///< The number of all pairs of edges in contact.
-  std::vector<EdgeContact> described;  ///< The first ones that the sweep meets, sorted by edges.
-  std::vector<VertexOnEdge> on_edge;   ///< The first ones, by edge, then along it left to right.
-  MapRotation rotation;                ///< The order of edges around vertices.
+  std::uint64_t count = 0;  ///< The number of all pairs of edges in contact.
+  /// The first contacts that the sweep meets, sorted by edges.
+  std::vector<EdgeContact> described;
+  /// The first contacts, sorted by edge, and along each edge from left to right.
+  std::vector<VertexOnEdge> on_edge;
+  MapRotation rotation;  ///< The order of edges around vertices.
 };
 
 /// Sweeps the edges once. Describes at most `max_described` contacts, and counts all.

@@ -78,9 +78,9 @@ MapComponents connect(const Map& map, const MapEdges& edges);
 // The borders of the area that the listed cycles cover. Each border is a chain of half-edges that
 // no cycle lists.
 
-/// A closed chain of half-edges that are not listed, but whose twins are listed. The direction of
-/// the chain is that of a missing cycle. If the chain were added to the map as a cycle, its edges
-/// would no longer be open.
+/// A closed chain of half-edges that are not listed, but whose twins are listed. The chain has the
+/// direction of a missing cycle. If the chain were added to the map as a cycle, its edges would no
+/// longer be open.
 struct OpenChain {
   std::vector<std::uint32_t> halfedges;  ///< The half-edges in order.
   /// The sign of the area that the chain encloses. The sign is Negative for a clockwise chain,

@@ -1,9 +1,9 @@
-// The hints of a map check: for each defect a sentence that says what is wrong there and what to
-// do.
+// The hints of a map check. The hint of a defect is a sentence that says what is wrong and how to
+// correct it.
 //
 // A hint that names a change leads to a valid map if it is followed, where the defect is the only
-// one; tests/plane/map_hints_test.cpp follows every kind of hint. Where a change would lead to the
-// next defect, because another one is to be mended first, the hint says so.
+// one; tests/plane/map_hints_test.cpp follows every kind of hint. If another defect must be mended
+// first, because otherwise a change would lead to this other defect, the hint says so.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@
 
 namespace plumb {
 
-/// Makes the hints of one map. Faces are counted from 1 in all texts, and so are vertices unless
-/// MapFindings::names_places is set.
+/// Makes the hints of one map. In all texts, faces are counted from 1. Vertices are counted from 1,
+/// too, unless MapFindings::names_places is set.
 class MapHints {
  public:
   /// Requires that both outlive the object.

@@ -24,9 +24,9 @@
 //                       support
 //  7. finish
 //
-// One pass gives the minimal form because the kept pieces do not depend on each other, faces are
-// the connected parts that they leave, and a vertex is needed unless nothing but one straight edge,
-// or one face, of its own mark is at it.
+// One pass gives the minimal form, for three reasons. Whether a piece is kept does not depend on
+// other pieces. Faces are the connected parts that the kept pieces leave. A vertex is superfluous
+// only if it lies inside one straight edge or one face, and has the same mark.
 #pragma once
 
 #include <algorithm>
@@ -303,8 +303,8 @@ bool PlaneBuilder<Rule>::vertex_mark(const SweepEvent& event, const State& below
       PlaneSurroundings<Rule>{below.above, event, values_in_, any_marked_, all_marked_});
 }
 
-/// Whether the one kept piece to the left goes straight on in the one to the right, with its mark
-/// and that of the place.
+/// Whether the only kept piece to the left continues straight in the only kept piece to the right,
+/// and both pieces and the place have the same mark.
 template <PlaneRule Rule>
 bool PlaneBuilder<Rule>::passes(bool mark) const {
   if (Rule::kKeepsAll || kept_in_.size() != 1 || kept_out_ != 1) return false;
@@ -383,8 +383,8 @@ EdgeId PlaneBuilder<Rule>::new_edge(VertexId left, const Piece& piece) {
   return e;
 }
 
-/// Sets the states of all outgoing pieces, and starts edges for those that are kept and do not
-/// continue one. Without a left vertex new edges come from infinity.
+/// Sets the states of all outgoing pieces. Starts an edge for each kept piece that does not
+/// continue an edge. Without a left vertex new edges come from infinity.
 template <PlaneRule Rule>
 void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
   for (Piece& piece : pieces_) {
@@ -400,8 +400,8 @@ void PlaneBuilder<Rule>::start_edges(VertexId left, HalfedgeId support) {
 
 // ---------------------------------------------------------------- ends at infinity
 
-/// The face to the left of the vertical is the bottom so far; the one to its right is the new
-/// bottom.
+/// The face to the left of the vertical is the bottom face so far. The face to its right is the new
+/// bottom face.
 template <PlaneRule Rule>
 void PlaneBuilder<Rule>::start_vertical(const SweepEvent& event) {
   const Value value = value_of(event, 0);

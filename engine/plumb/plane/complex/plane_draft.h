@@ -69,13 +69,13 @@ struct PlaneFaceClasses {
 };
 
 /// Adds a frame vertex for each end and a frame edge from each end to the next. Returns the
-/// half-edge of the frame with face 0 to its left; one that is not valid if there are no ends.
+/// half-edge of the frame that has face 0 to its left, or an invalid id if there are no ends.
 HalfedgeId close_frame(PlaneDraft& draft);
 
 /// Returns the boundary loops of a draft with complete links.
 PlaneLoops trace_loops(const PlaneDraft& draft);
 
-/// Returns the least vertex of each loop; one that is not valid for a loop along the frame.
+/// Returns the least vertex of each loop, or an invalid id for a loop along the frame.
 std::vector<VertexId> least_vertices(const PlaneDraft& draft, const PlaneLoops& loops);
 
 /// A finished complex.
@@ -85,8 +85,7 @@ struct FinishedDraft {
   std::vector<HalfedgeId> first_of_face;
 };
 
-/// Builds the complex. `points` are those to which vertex_point and line refer; only what is used
-/// is kept.
+/// Builds the complex. vertex_point and line refer to `points`. Only points that are used are kept.
 FinishedDraft finish(const PlaneDraft& draft, const PlaneLoops& loops,
                      const PlaneFaceClasses& classes, PlanePoints points);
 
@@ -111,12 +110,12 @@ struct ReducedComplex {
   std::vector<FaceId> merged;  ///< For each face of it, one of the faces that it consists of.
 };
 
-/// Returns the complex of the edges that are kept, in linear time and without a sweep: the steps
-/// are those of simplify(). A vertex with kept edges stays if it is a corner, or if its kept edges
-/// are not two on one line; the others vanish. Marks of what stays are those that it had, and faces
-/// that are joined must have one mark. Requires a complex in which audit(complex, AuditForm::Any)
-/// finds no flaw, and an entry for each edge and for each vertex. The result has the numbering of
-/// an arrangement of the same edges.
+/// Returns the complex of the edges that are kept. The steps are the same as in simplify(); they
+/// take linear time and need no sweep. A vertex with kept edges stays if it is a corner, or if its
+/// kept edges are not two on one line; the others vanish. Cells that stay keep their marks. Faces
+/// that are joined must have the same mark. Requires a complex in which audit(complex,
+/// AuditForm::Any) finds no flaw, and an entry for each edge and for each vertex. The result has
+/// the numbering of an arrangement of the same edges.
 ReducedComplex without_edges(const PlaneComplex& complex, std::span<const std::uint8_t> is_kept,
                              std::span<const std::uint8_t> is_corner);
 

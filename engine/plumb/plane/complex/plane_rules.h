@@ -30,8 +30,9 @@ class WindingNumberRule {
   static constexpr bool kKeepsLabels = false;
 
   /// `jump` says for each curve by how much the winding number rises from its right side to its
-  /// left, seen along the curve as given: 1, -1, or 0 for a slit. `is_point` says for each input
-  /// point whether it is a chain of its own, which a closed set contains whatever lies around it.
+  /// left, seen along the curve as given: 1, -1, or 0 for a slit. For each input point, `is_point`
+  /// states whether the point is a chain of its own. A closed set contains such a point in any
+  /// case.
   WindingNumberRule(std::span<const SweepCurve> curves, std::vector<std::int8_t> jump,
                     std::vector<std::uint8_t> is_point, WindingRule rule, Boundary boundary,
                     Label bottom = 0)
@@ -145,7 +146,7 @@ class OverlayLabels {
   Label bottom_;
 };
 
-/// The marks of an operand, or those that a selector accepts.
+/// The marks of an operand. If there is a selector, only the marks of the cells that it accepts.
 struct PlaneMarksView {
   std::span<const std::uint8_t> vertex;
   std::span<const std::uint8_t> edge;
@@ -160,8 +161,8 @@ class BooleanRule : public OverlayLabels {
   static constexpr std::uint32_t kNoVertex = 0xffffffff;
   static constexpr std::uint32_t kSecondOperand = std::uint32_t{1} << 31U;
 
-  /// `vertex_at` has for each point of the scene the vertex of the first operand there, that of the
-  /// second with kSecondOperand set, or kNoVertex.
+  /// For each point of the scene, `vertex_at` contains the vertex of the first operand at this
+  /// point, or the vertex of the second operand with kSecondOperand added, or kNoVertex.
   BooleanRule(OverlayLabels labels, std::array<PlaneMarksView, 2> marks, MarkFunction f,
               std::vector<std::uint32_t> vertex_at)
       : OverlayLabels(std::move(labels)),

@@ -20,7 +20,7 @@ using FeatureList = std::span<const std::uint32_t>;
 /// The faces that a checkpoint of a walk over faces stands for.
 inline constexpr std::size_t kFacesPerCheckpoint = 1024;
 
-/// Segments that are arranged together with the rings. They do not change what is covered.
+/// Segments that are arranged together with the rings. They do not change which points are covered.
 struct Bridges {
   std::vector<SweepSegment> segments;  ///< Segments between `points`.
   PointTable2 points;                  ///< The ends of the segments.

@@ -54,13 +54,14 @@ struct RoundedLabels {
   PlaneRoundingReport rounding;  ///< What rounding has changed.
 };
 
-/// Returns the subdivision of the labels of faces, rounded to doubles. `is_corner` is that of
-/// without_inner_edges().
+/// Returns the subdivision of the labels of faces, rounded to doubles. `is_corner` has the same
+/// meaning as in without_inner_edges().
 RoundedLabels rounded_labels(const PlaneComplex& complex, const std::vector<std::uint32_t>& label,
                              Context& context, std::span<const std::uint8_t> is_corner = {});
 
 /// Returns the layer whose feature k consists of the faces with label k. Requires that all vertices
-/// are doubles. Ids and properties are those of `named`; there are none if it is null.
+/// are doubles. The features get the ids and properties of the features of `named`. If `named` is
+/// null, they get none.
 Layer layer_of_labels(const LabelledComplex& labelled, std::size_t label_count, const Layer* named,
                       Context& context);
 

@@ -2,8 +2,8 @@
 //
 // Notation: columns are the different abscissae of vertices and vertical edges; slab i lies left of
 // column i (slab 0 left of all, the last one right of all). The slabs are the leaves of a segment
-// tree. An edge that spans the slabs of a node, but not those of the node's parent, is in the list
-// of the node. As edges do not cross, each list has a vertical order.
+// tree. If an edge spans all slabs of a node, but not all slabs of the parent of the node, it is in
+// the list of the node. As edges do not cross, each list has a vertical order.
 //
 // Main flow of locate():
 //  1. find_column       finds the column of the point or the slab around it, by binary search; on a
@@ -36,8 +36,8 @@ class PlaneLocator {
   PlaneLocation locate(Point2 p) const { return locate(QueryPoint2(p)); }
   PlaneLocation locate(const QueryPoint2& q) const;
 
-  /// Returns the edge next below a point that lies in a face, just right of it; one that is not
-  /// valid if there is none.
+  /// Returns the next edge below a point that lies in a face, just to the right of the point.
+  /// Returns an invalid id if there is none.
   EdgeId edge_below(const QueryPoint2& q) const;
   /// Returns the same for a vertex without edges to its left.
   EdgeId edge_below(VertexId v) const;

@@ -4,8 +4,8 @@
 // sheared a little, so that no two vertices have one abscissa and no edge is vertical. A trapezoid
 // lies between two edges, its bottom and top, and between the walls of two vertices, left and
 // right; a wall goes up and down from its vertex to the next edges. An id that is not valid is at
-// infinity. Ends at infinity of vertical edges (vertices of the frame) have walls, too: at the
-// bottom (below all of its x) one that only goes up, at the top one that only goes down.
+// infinity. The ends at infinity of vertical edges (vertices of the frame) have walls, too. At the
+// lower end, the wall only goes up. At the upper end, it only goes down.
 //
 // Main flow of the constructor. The complex numbers everything as a sweep meets it, so the sweep
 // can be repeated without arithmetic:
@@ -68,7 +68,7 @@ class PlaneTrapezoids {
   bool is_low(VertexId at_infinity) const;
 
  private:
-  /// Lists by id, one after the other. The last is that of the id that is not valid.
+  /// Lists by id, one after the other. The last entry belongs to the invalid id.
   template <class Key, class Item>
   struct Lists {
     IdVector<Key, std::uint32_t> begin;

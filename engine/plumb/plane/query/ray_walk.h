@@ -21,7 +21,7 @@ class RayWalk {
   RayWalk(const PlaneComplex& complex, const PlaneLocator& locator,
           const PlaneTrapezoids& trapezoids, const QueryRay2& ray);
 
-  /// Returns the cell at hand. The first one is that of the origin.
+  /// Returns the cell at hand. The first cell is the cell of the origin.
   const PlaneLocation& here() const { return here_; }
   /// Returns the first point of the ray in that cell, or, for a face or edge that the ray enters
   /// from its boundary, the point where it does.

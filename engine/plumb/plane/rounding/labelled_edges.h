@@ -1,10 +1,10 @@
 // Labelled edges: a subdivision of the plane as a list of edges, each with the two faces beside it.
 //
 // Rounding works on such lists. A face of the exact subdivision is a label. The edges with label L
-// on their left, less those with L on their right, form closed curves. These curves stay closed
-// while vertices move and edges are bent, because an edge always leads from the place of one end to
-// the place of the other end. So every point off the edges has a winding number of each label, and
-// the sum of these numbers is 1 (docs/design/rounding.md, Labels).
+// on their left, minus the edges with label L on their right, form closed curves. These curves stay
+// closed while vertices move and edges are bent, because an edge always leads from the place of one
+// end to the place of the other end. So every point off the edges has a winding number of each
+// label, and the sum of these numbers is 1 (docs/design/rounding.md, Labels).
 //
 // Main flow, once for each arrangement:
 //  1. arrange_edges   arranges the edges exactly; every meeting becomes a vertex
@@ -40,8 +40,9 @@ struct LabelledEdge {
 struct LabelledEdges {
   std::vector<Point2> points;       ///< The points; different points may be equal.
   std::vector<LabelledEdge> edges;  ///< The edges; their ends are not equal.
-  std::vector<Point2> lone;         ///< Points that belong to the set whatever is around them.
-  double drift = 0;                 ///< The greatest drift of an edge that was ever appended.
+  /// Points that belong to the set in any case, whatever cells are around them.
+  std::vector<Point2> lone;
+  double drift = 0;  ///< The greatest drift of an edge that was ever appended.
 };
 
 /// What happened to edges of the exact subdivision on the way.
@@ -77,8 +78,9 @@ EdgePieces pieces_of(const PlaneComplex& exact);
 Arrangement arrange_edges(const LabelledEdges& scene, Context& context);
 
 /// Returns the pieces of the edges of a scene. `arrangement` is arrange_edges(scene). Pieces that
-/// fall together become one piece with the sum of their labels; nothing if the sum is zero and none
-/// of them is a line; several pieces with the same ends if the sum is not the jump of one edge.
+/// coincide become one piece with the sum of their labels. If the sum is zero and none of the
+/// pieces is a line, they vanish. If the sum is not the jump of one edge, they become several
+/// pieces with the same ends.
 EdgePieces pieces_of(const LabelledEdges& scene, const Arrangement& arrangement, EdgeTrace& trace);
 
 /// Returns an upper bound for the sum of two distances.

@@ -112,8 +112,7 @@ enum class SweepPlace : std::uint8_t {
 /// An event at a point or at infinity (SweepPlace), with the curves that start, end or pass there.
 /// The spans are valid only during the call of on_event(). Each bundle is represented by one of its
 /// curves. The representative is the curve of the bundle that ends last. Curves can join a bundle
-/// at an event, so the representative of an outgoing bundle can differ from that of the incoming
-/// bundle.
+/// at an event, so an outgoing bundle and the incoming bundle can have different representatives.
 struct SweepEvent {
   static constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 

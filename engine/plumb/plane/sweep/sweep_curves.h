@@ -94,9 +94,9 @@ class SweepCurves {
 
 // All curves of the bundles at an event, for visitors that have to look at every one of them.
 //
-// An event costs the number of curves there, with those that pass through in a bundle: n nested
-// segments on one line cost n^2 / 2 in all. Visitors for which the changes at an event suffice
-// should ask the event itself.
+// The cost of an event is the number of curves at the event, including the curves that pass through
+// in a bundle. So n nested segments on one line cost n^2 / 2 in total. Visitors for which the
+// changes at an event suffice should ask the event itself.
 
 /// A curve at an event. Curves of equal `bundle` overlap on that side of the event.
 struct SweepIncidence {
@@ -112,7 +112,8 @@ class SweepMembers {
   explicit SweepMembers(std::size_t curve_count)
       : next_(curve_count), head_(curve_count), is_ended_(curve_count, 0) {}
 
-  /// Takes an event. Requires every event that is not plain, in order; plain ones may be left out.
+  /// Takes an event. Requires every event that is not plain, in order. Plain events may be left
+  /// out.
   void update(const SweepEvent& event);
 
   // The curves at the last event, bottom to top.
