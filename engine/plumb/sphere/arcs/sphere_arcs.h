@@ -13,7 +13,7 @@
 //
 // A turn, counter-clockwise seen from outside (from the positive side of c), falls into one of four
 // classes: none, less than half a circle, half a circle, more. Classes order all turns from one
-// start except those in one open half, which a second sign orders.
+// start, except the turns in one open half. A second sign orders these turns.
 //
 // Planes of one map with different ids have different normals, as all contain the centre. So equal
 // ids are asked before any arithmetic, and two headings run along one circle if and only if their
@@ -49,7 +49,8 @@ inline SphereDirection direction_of(PlaneId circle, CirclePlace place) {
                            : SphereDirection{circle, place.other};
 }
 
-/// Returns the side of the circle on which u lies; Positive is that of the circle's normal.
+/// Returns the side of the circle on which u lies. Positive is the side of the normal of the
+/// circle.
 Sign side_of(const PlaneTable& planes, SphereDirection u, PlaneId circle);
 
 /// Whether u and v are one direction.
@@ -229,7 +230,7 @@ class SphereParts {
   void find(
       const PlaneTable& planes, const SphereMap& map, const std::function<void()>& look = [] {});
 
-  // A part is a number below bound(). Not all of them are used.
+  // A part is a number below bound(). Some of them may be unused.
   std::uint32_t bound() const { return static_cast<std::uint32_t>(parent_.size()); }
   std::uint32_t of_point(std::uint32_t v) { return find_root(parent_, v); }
   std::uint32_t of_arc(std::uint32_t a) { return find_root(parent_, point_count_ + a); }

@@ -67,10 +67,10 @@ struct SphereBound {
   UnitBall normal;  ///< The normal of an arc's circle.
 };
 
-/// Returns the bounds of the points of a map, then those of its arcs.
+/// Returns the bounds of the points of a map, followed by the bounds of its arcs.
 std::vector<SphereBound> bounds_of(const PlaneTable& planes, const SphereMap& map);
 
-/// A tree over bounds, which finds those that may meet another bound.
+/// A tree over bounds, which finds the bounds that may meet a given bound.
 class SphereBoundTree {
  public:
   /// Builds the tree in O(n log n).
@@ -122,8 +122,8 @@ class SphereBoundTree {
   Node node_over(std::uint32_t begin, std::uint32_t end) const;
   void build(std::uint32_t node, std::uint32_t begin, std::uint32_t end);
 
-  /// Visits what may meet the query below a node, which has the bounds order_[begin .. end) and the
-  /// children 2 node + 1 and 2 node + 2.
+  /// Visits the bounds below a node that may meet the query. The node has the bounds order_[begin
+  /// .. end) and the children 2 node + 1 and 2 node + 2.
   template <class Visit>
   bool descend(std::uint32_t node, std::uint32_t begin, std::uint32_t end, const Query& query,
                Visit& visit) const {

@@ -31,8 +31,8 @@ class SphereLimits {
  public:
   explicit SphereLimits(Context& context) : context_(context), memory_(context) {}
 
-  /// Charges what has been found so far, and throws Cancelled or ResourceLimit as the context
-  /// demands. To be called every few thousand steps.
+  /// Charges the memory of the contacts that have been found so far, and throws the errors of the
+  /// Context. To be called every few thousand steps.
   void look(std::uint64_t pairs, std::uint64_t crossings) {
     context_.checkpoint("overlay", 0, 0);
     const std::uint64_t bytes = kBytesPerPair * pairs + kBytesPerCrossing * crossings;
@@ -70,7 +70,7 @@ class SphereContacts {
   /// their points in each map.
   static constexpr std::size_t kMostTabled = 128 * 128;
 
-  /// Whether there are so few items that tables are made.
+  /// Whether the number of items is so small that tables are made.
   static bool are_small(const SphereMap& a, const SphereMap& b,
                         std::size_t most_tabled = kMostTabled) {
     return (a.point_count() + a.arc_count()) * (b.point_count() + b.arc_count()) <= most_tabled;
@@ -80,7 +80,7 @@ class SphereContacts {
   void find(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
             std::size_t most_tabled = kMostTabled, SphereLimits* limits = nullptr);
 
-  /// The points of the overlay: those of a, those of b alone, then crossings.
+  /// The points of the overlay: the points of a, then the points that only b has, then crossings.
   std::vector<SphereDirection> direction;
   /// For each point of the overlay the point or arc of each map on which it lies; not valid if it
   /// lies in a face, which is not known here.

@@ -28,9 +28,9 @@ class SpherePieces {
   void build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b,
              SphereContacts& contacts, SphereLimits* limits = nullptr);
 
-  /// The overlaid map: the points of the contacts and one arc for each piece, without marks. In it
-  /// face is the cycle of each half-arc, and point_face of an isolated point is a number after
-  /// those of the cycles.
+  /// The overlaid map: the points of the contacts and one arc for each piece, without marks. In
+  /// this map, `face` is the cycle of each half-arc, and `point_face` of an isolated point is a
+  /// number that follows the numbers of the cycles.
   SphereMap map;
   /// For each piece the arc of each map of which it is a part, or kNone.
   std::vector<std::array<std::uint32_t, 2>> arc;
@@ -106,7 +106,7 @@ class SphereLabels {
   const PlaneTable* planes_ = nullptr;
   std::array<const SphereMap*, 2> map_{};
   SpherePieces* pieces_ = nullptr;
-  std::vector<std::array<SphereCell, 2>> point_cell_;  // Not valid while not known.
+  std::vector<std::array<SphereCell, 2>> point_cell_;  // Invalid as long as it is unknown.
   // For each piece that is no part of an arc of map k, its face there, or kNone if not known.
   std::array<std::vector<std::uint32_t>, 2> label_;
   std::vector<std::uint32_t> stack_;  // Pieces from which to flood.

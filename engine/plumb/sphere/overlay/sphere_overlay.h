@@ -47,16 +47,16 @@ class SphereOverlay {
   SphereOverlay& operator=(const SphereOverlay&) = delete;
 
   /// Sets `out` to the minimal map of table(mark in a, mark in b). Requires that `out` is no
-  /// operand. With a context, an overlay of large maps charges memory beyond that of the maps to it
-  /// until the end, and throws as it demands.
+  /// operand. If there is a context, an overlay of large maps charges the memory that it needs in
+  /// addition to the maps, until it ends. It throws the errors of the Context.
   void boolean_op(const SphereMap& a, const SphereMap& b, const MarkTable& table, SphereMap& out,
                   SphereOrigins& origins, Context* context = nullptr);
 
-  /// Brings a map into minimal form: removes arcs whose mark is that of both faces, then points
-  /// that are mere points of an arc, a loop or a face. Returns whether anything changed. Sets
-  /// `kept` to the former cell of each cell that is left, or to one of several that were merged.
-  /// Cost: O(n a(n)) for n cells, without arithmetic: two arcs of one circle at a point are
-  /// opposite there.
+  /// Brings a map into minimal form. First removes each arc that has the same mark as both faces
+  /// beside it. Then removes each point that only divides an arc or a loop, or lies in a face, and
+  /// has the same mark. Returns whether anything changed. Sets `kept` to the former cell of each
+  /// cell that is left. If several cells were merged, it is one of them. Cost: O(n a(n)) for n
+  /// cells, without arithmetic: two arcs of one circle at a point are opposite there.
   bool simplify(SphereMap& map, SphereOrigins* kept = nullptr);
 
  private:
@@ -64,8 +64,8 @@ class SphereOverlay {
   std::unique_ptr<Work> work_;
 };
 
-/// Returns what the set is at the centre of its map: inside a volume, a facet or an edge, or a
-/// vertex. Requires a minimal map.
+/// Returns the kind of the cell at the centre of a map: a volume, a facet, an edge or a vertex.
+/// Requires a minimal map.
 PyramidKind classify(const PlaneTable& planes, const SphereMap& map);
 
 /// Returns the cell of the map in which a direction lies. The planes of the direction need not

@@ -26,8 +26,8 @@ class SphereSimplifier {
   /// leaves `out` as it is, if `in` is minimal.
   bool run(const SphereMap& in, SphereMap& out);
 
-  // After run() has returned true: for each point, arc and face of `out` the one of `in` that it
-  // was, or one of several that were merged.
+  // After run() has returned true: for each point, arc and face of `out`, the corresponding cell of
+  // `in`. If several cells were merged, it is one of them.
   const std::vector<std::uint32_t>& old_point() const { return old_point_; }
   const std::vector<std::uint32_t>& old_arc() const { return old_arc_; }
   const std::vector<std::uint32_t>& old_face() const { return old_face_; }

@@ -1,5 +1,5 @@
-// The first thing that a shot once around on a great circle meets, given what lies on the circle in
-// order. Internal.
+// Finds the first cell that a walk once around a great circle meets. The caller passes the cells on
+// the circle in order. Internal.
 #pragma once
 
 #include <optional>
@@ -24,9 +24,9 @@ class SphereRound {
               CirclePlace from, SphereCell start, const SphereVector& origin)
       : planes_(planes), map_(map), circle_(circle), from_(from), start_(start), origin_(origin) {}
 
-  /// Returns the first marked cell, and where it is met; nothing if there is none. next() returns
-  /// the next PathHit, with entry and exit in the direction of the shot, or nothing; what is met at
-  /// the start comes first.
+  /// Returns the first marked cell and the place where the walk meets it, or nullopt if there is
+  /// none. next() returns the next PathHit, with entry and exit in the direction of the shot, or
+  /// nothing; what is met at the start comes first.
   template <class Next>
   std::optional<SphereHit> first_marked(Next next) const {
     if (is_marked(map_, start_)) return SphereHit{{start_, true}, origin_};
