@@ -1,4 +1,4 @@
-// The steps of audit() (space_audit.h) and what they have in common. Internal.
+// The steps of audit() (space_audit.h), and the code that they share. Internal.
 #pragma once
 
 #include <cstdint>

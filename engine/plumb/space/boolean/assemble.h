@@ -38,7 +38,7 @@ struct SpaceDraft {
     std::uint32_t face;   ///< Index of its first face.
   };
 
-  /// Makes a draft without vertices whose points will be those of the tables.
+  /// Makes a draft without vertices. Its points will come from the tables.
   explicit SpaceDraft(std::shared_ptr<const SpaceTables> used_tables)
       : tables(std::move(used_tables)) {}
 

@@ -18,10 +18,10 @@
 // No plane is added and no two constructed points are compared for equality. Every step is proved
 // in docs/design/boolean.md, Lemmas 1 to 7.
 //
-// Cost: O((n + m + c) log(n + m + c)) for n and m cells and c pairs of boxes that meet, besides the
-// overlays, each of which costs the product of degrees at a contact of two vertices. Source: P.
-// Hachenberger, L. Kettner, K. Mehlhorn, Computational Geometry 38 (2007) 64-99;
-// docs/design/boolean.md.
+// Cost: O((n + m + c) log(n + m + c)) for n and m cells and c pairs of boxes that meet, plus the
+// cost of the overlays. The overlay at a contact of two vertices costs the product of their
+// degrees. Source: P. Hachenberger, L. Kettner, K. Mehlhorn, Computational Geometry 38 (2007)
+// 64-99; docs/design/boolean.md.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@
 namespace plumb {
 
 /// Makes both complexes refer to one table and returns it: the table of a, which is copied if
-/// another complex shares it. The ids of b become those of that table. Cost: O(size of b), and of a
-/// if its table is copied.
+/// another complex shares it. The ids of b are replaced by ids of this table. Cost: O(size of b),
+/// and of a if its table is copied.
 std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b);
 
 /// Returns f(a, b) in minimal form. Requires that both operands have a frame or none has. A facet

@@ -56,8 +56,8 @@ class Combiner {
   /// there. `labels` has the volume around each of them.
   void keep_vertices(std::size_t operand, const TouchedComplex& own,
                      std::span<const VolumeId> labels, Context& context);
-  /// Appends what other combiners of the same operands have made, in the order given, and uses
-  /// them.
+  /// Appends the results of other combiners of the same operands, in the given order, and consumes
+  /// these combiners.
   void append(std::span<std::optional<Combiner>> parts, Context& context);
   /// Pairs all half-edges and returns the draft. The combiner is used up.
   CombinedDraft finish();

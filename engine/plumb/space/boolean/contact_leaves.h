@@ -63,8 +63,8 @@ class PlacedPoint {
 /// The slabs of one facet. Immutable after construction, so several threads may ask at once.
 class FacetSlabs {
  public:
-  /// Builds the slabs. Keeps a reference to the complex, none to the context. Throws what the
-  /// context's checkpoints throw.
+  /// Builds the slabs. Keeps a reference to the complex, none to the context. Throws the errors of
+  /// the Context.
   FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context);
 
   /// Returns the vertex, edge or facet on which a point lies; invalid if it lies outside. Requires
@@ -160,8 +160,8 @@ class FacetSites {
 //   vertex        one leaf if it has no edges: isolated or inside a facet
 //
 // An edge belongs to the facet of edge_use. A vertex belongs to the facet of its first edge with
-// facets, else to its first edge. Few leaves ever meet another one, so what belongs to a leaf is
-// looked up when one does (LeafItems).
+// facets, else to its first edge. Few leaves meet another leaf. So the items of a leaf are looked
+// up only if the leaf meets another leaf (LeafItems).
 //
 // Cost: O(complex). Memory: about 60 bytes a facet within reach.
 
@@ -187,7 +187,8 @@ class LeafItems {
   static constexpr std::size_t kMostCorners = 8;  ///< The largest number of corners of a leaf.
   static constexpr std::size_t kMostVertices = 3 * kMostCorners;  ///< A bound of its vertices.
 
-  /// Replaces the contents by those of a leaf. O(corners, and the degrees of their vertices).
+  /// Replaces the contents by the contents of a leaf. O(corners, and the degrees of their
+  /// vertices).
   void fill(const SpaceComplex& complex, const ContactLeaf& leaf);
 
   /// Returns the vertices that belong to the leaf, then the other ends of its edges.

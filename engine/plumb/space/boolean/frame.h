@@ -27,7 +27,8 @@ bool has_frame(const SpaceComplex& complex);
 std::vector<std::uint8_t> unbounded_volumes(const SpaceComplex& complex);
 
 /// Returns the same set inside the cube. Requires that the complex has no frame, and that `tables`
-/// holds at least what the complex's tables do, under the same ids. O(n), besides the assembly.
+/// contains all planes and points of the tables of the complex, with the same ids. O(n), besides
+/// the assembly.
 SpaceComplex with_frame(const SpaceComplex& complex, const std::shared_ptr<SpaceTables>& tables,
                         Context& context);
 

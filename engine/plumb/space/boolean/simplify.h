@@ -1,9 +1,9 @@
-// Bringing a complex into minimal form after its marks have changed: cells that do not differ from
-// what is around them are removed. CoplanarMerge does so in the arrays where no facet, free edge or
+// Brings a complex into minimal form after its marks have changed. A cell is removed if it does not
+// differ from the cells around it. CoplanarMerge does so in the arrays where no facet, free edge or
 // isolated vertex is removed; simplified() takes every case, by sphere maps where it has to.
 //
 // CoplanarMerge unites facets of one plane over the edges between them, and edges over places
-// inside them. Volumes stay what they are.
+// inside them. Volumes do not change.
 //
 // Notation
 //   flat edge   lies between two facets of one plane, all three with one mark: it is removed, and
@@ -52,10 +52,10 @@ class CoplanarMerge {
   /// is superfluous. Requires is_needed().
   SpaceComplex run(Context& context);
 
-  /// Returns, after run(), the new numbers of facets, the same for those that were united. They
-  /// ascend where each comes first.
+  /// After run(), returns the new numbers of facets. Facets that were united have the same number.
+  /// They ascend where each comes first.
   std::span<const FacetId> facet_numbers() const { return facet_number_; }
-  /// Returns, after run(), the new numbers of vertices, invalid for those that were removed.
+  /// After run(), returns the new numbers of vertices. The number of a removed vertex is invalid.
   std::span<const VertexId> vertex_numbers() const { return vertex_number_; }
 
  private:
@@ -118,8 +118,8 @@ class CoplanarMerge {
 /// assembly.
 SpaceComplex simplified(SpaceComplex complex, Context& context);
 
-/// Returns the same by steps 3 and 4 alone, whatever is removed. Takes several times as long where
-/// step 2 would do.
+/// Returns the same, but takes only steps 3 and 4, whichever cells are removed. Takes several times
+/// as long where step 2 would do.
 SpaceComplex simplified_by_maps(const SpaceComplex& complex, Context& context);
 
 }  // namespace plumb

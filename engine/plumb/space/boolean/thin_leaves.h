@@ -1,6 +1,7 @@
-// Pairs of leaves of two complexes (contact_leaves.h) that may meet, where boxes along any one set
-// of axes nearly all overlap, as those of two cones do whose sides run in all directions: trees of
-// oriented boxes (oriented_boxes.h) over triangles that cover the leaves.
+// Finds pairs of leaves of two complexes (contact_leaves.h) that may meet, if nearly all boxes of
+// leaves overlap for every choice of common axes. An example are two cones whose sides run in all
+// directions. The search uses trees of oriented boxes (oriented_boxes.h) over triangles that cover
+// the leaves.
 //
 // Cost: O(n log n) to build, about 2 us a corner. Memory: about 700 bytes a corner.
 #pragma once
@@ -23,9 +24,9 @@ class ThinLeaves {
   /// Builds the tree. on_step() is called for each triangle of each node.
   ThinLeaves(const ContactLeaves& leaves, const std::function<void()>& on_step);
 
-  /// Calls visit(x, y) for all pairs of leaves that meet, x of `a` and y of `b`, and for some that
-  /// are near; for some pairs more than once. on_step() is called for each pair of nodes that is
-  /// compared.
+  /// Calls visit(x, y) for all pairs of leaves that meet, where x is a leaf of `a` and y is a leaf
+  /// of `b`. Also calls it for some pairs that are near each other, and for some pairs more than
+  /// once. on_step() is called for each pair of nodes that is compared.
   template <class Visit, class OnStep>
   static void for_each_pair(const ThinLeaves& a, const ThinLeaves& b, Visit&& visit,
                             OnStep&& on_step) {

@@ -61,7 +61,7 @@ IdVector<VertexId, VolumeId> label_vertices(const TouchedComplex& own, const Spa
 /// Carries vertices of a complex into drafts and remembers where their half-edges went.
 class VertexCarrier {
  public:
-  /// A vertex, and what the marks 0, 1 and kBeyond around it become.
+  /// A vertex, and the marks that replace the marks 0, 1 and kBeyond around it.
   struct Remarked {
     VertexId vertex;              ///< The vertex.
     std::array<Mark, 3> becomes;  ///< The new mark for each old one.
@@ -74,13 +74,14 @@ class VertexCarrier {
         overlay_(overlay),
         point_of_(complex.origin.size(), kNone) {}
 
-  /// Forgets what was carried, in time proportional to that, and continues with another draft.
+  /// Forgets the vertices that were carried, in time proportional to their number, and continues
+  /// with another draft.
   void start(SpaceDraft& draft);
 
   /// Adds `local`, the map of v with other marks. Requires that it is minimal.
   void add(VertexId v, const LocalMap& local);
-  /// Brings the map into minimal form and adds it. Adds nothing if v is no longer a vertex, but a
-  /// place inside an edge if it is that.
+  /// Brings the map into minimal form and adds it. If v is not a vertex of the result, adds no
+  /// vertex. If v is then a place inside an edge, adds this place.
   void add_simplified(VertexId v, LocalMap& local);
   /// Adds vertices as add() does, up to the first whose corners make several rings, and returns how
   /// many it added. Requires vertices with may_have_ring() whose maps are minimal with the new

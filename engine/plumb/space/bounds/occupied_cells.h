@@ -1,7 +1,8 @@
 // Cells of a coarse grid that boxes occupy. Two boxes can meet only where both occupy a cell, so
 // boxes of one list that are far from all boxes of another one are found without a tree.
 //
-// Cost: O(boxes) to build and O(1) for a question, whatever the sizes of the boxes. Memory: 32 KB.
+// Cost: Building takes O(boxes), and a question takes O(1), whatever the sizes of the boxes are.
+// Memory: 32 KB.
 #pragma once
 
 #include <cstddef>

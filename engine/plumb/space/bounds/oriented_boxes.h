@@ -1,6 +1,6 @@
-// Pairs of triangles that come close to each other among many thin ones that run in many
-// directions, where boxes along any one set of axes nearly all meet: a tree whose every node has a
-// box along the axes of its own triangles.
+// Finds pairs of triangles that are close to each other, among many thin triangles that run in many
+// directions. Nearly all boxes of such triangles meet for every choice of common axes. So in this
+// tree, the box of each node has axes that suit the triangles of the node.
 //
 // Main flow of building: the principal axes of all corners (space_boxes.h) and the extents along
 // them make the box of a node. Below it are two nodes:

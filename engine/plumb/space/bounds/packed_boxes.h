@@ -60,7 +60,8 @@ struct MortonCoded {
   std::uint32_t item;  ///< Its number.
 };
 
-/// Returns the bits of three numbers of 10 bits, interleaved; those of the first are the highest.
+/// Returns the bits of three numbers of 10 bits, interleaved. In each group of three bits, the bit
+/// of the first number is the highest.
 inline std::uint32_t morton_code(const std::array<std::uint32_t, 3>& cell) {
   const auto spread = [](std::uint32_t x) {  // Bit i becomes bit 3 i.
     x = (x | x << 16) & 0x030000ffU;
@@ -96,14 +97,14 @@ inline void sort_by_code(std::vector<MortonCoded>& items) {
   }
 }
 
-// Pairs of boxes that meet among many boxes of about one scale, such as those of the triangles of a
-// mesh: a tree like BoxTree (box_tree.h) whose boxes take 12 bytes instead of 48, and where a box
-// is compared with eight others at a time.
+// Finds pairs of boxes that meet, among many boxes of similar size, such as the boxes of the
+// triangles of a mesh. The tree is like a BoxTree (box_tree.h), but a box takes 12 bytes instead of
+// 48, and is compared with eight other boxes at a time.
 //
 // Notation: a place is a coordinate on a grid of 2^16 - 2 cells an axis around all boxes. Places
 // follow coordinates monotonically, so boxes that meet still do; some that do not may now. A group
-// is eight boxes that are neighbours in a Morton order, their places side by side. Level 0 has the
-// boxes themselves; box i of a level above goes around group i of the one below.
+// is eight boxes that are neighbours in a Morton order, their places side by side. Level 0 contains
+// the boxes themselves. Box i of any other level encloses group i of the level below.
 //
 // The tree requires boxes that the grid separates (fits()). For others, of many scales or with
 // infinite bounds, use BoxTree. Even with fits(), very many boxes may share places along one axis.
@@ -144,8 +145,8 @@ class PackedBoxTree {
     return for_each_pair_in_order(
         [&](std::uint32_t i, std::uint32_t j) { visit(order_[i], order_[j]); }, may_go_on);
   }
-  /// Does the same with the indices of boxes in order(): a caller may keep what it reads for many
-  /// pairs in that order.
+  /// Does the same, but passes the indices of boxes in order(). So a caller can store data in this
+  /// order, and read them faster for many pairs.
   template <class Visit, class MayGoOn>
   bool for_each_pair_in_order(Visit&& visit, MayGoOn&& may_go_on) const {
     return levels_.empty() || inside(levels_.size() - 1, 0, visit, may_go_on);
@@ -255,7 +256,8 @@ void PackedBoxTree::visit_below(std::size_t level, std::uint32_t group, const Bo
   }
 }
 
-// Each box of the group is compared with the later ones of its group; `later` masks the others.
+// Each box of the group is compared with the later boxes of its group. `later` masks all other
+// boxes.
 template <class MayGoOn, class Take>
 bool PackedBoxTree::inside(std::size_t level, std::uint32_t group, Take& take,
                            MayGoOn& may_go_on) const {

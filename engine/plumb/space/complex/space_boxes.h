@@ -56,8 +56,8 @@ using Matrix3 = std::array<Vector3, 3>;  ///< Three rows.
 /// angles up to some roundings. Returns the coordinate axes if numbers are not finite.
 Matrix3 principal_axes(Matrix3 m);
 
-// Boxes along other directions than the coordinate axes: thin parts along a diagonal have large
-// boxes that all meet, but small ones in a frame of their own.
+// Boxes along other directions than the coordinate axes. Thin parts along a diagonal have large
+// boxes that all meet, but their boxes in a suitable frame are small.
 //
 // A frame is three linear functions; boxes hold their values. The choice of a frame has influence
 // on speed alone: boxes are surely large enough in any. The frame of edges has the eigenvectors of
@@ -68,7 +68,8 @@ class BoxFrame {
  public:
   /// Makes the frame of the coordinate axes.
   BoxFrame() = default;
-  /// Returns the frame of the directions in which edges run; longer ones count more. O(edges).
+  /// Returns a frame that suits the directions of the edges. Longer edges have a greater weight.
+  /// O(edges).
   static BoxFrame of_edges(std::span<const SpaceComplex* const> complexes);
 
   /// Returns a box of this frame around a box of the coordinate axes; infinite if that is.
@@ -86,7 +87,7 @@ class BoxFrame {
 };
 
 /// Returns how many pairs of boxes, one of each list, would meet if they lay at random places
-/// within the box around all. Not finite if boxes are not.
+/// within the box around all. Not finite if a box is not finite.
 double expected_pairs(std::span<const Box3> a, std::span<const Box3> b);
 
 /// Whether so many pairs are expected that another frame is worth a try. `items` is the number of

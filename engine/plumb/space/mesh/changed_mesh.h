@@ -10,7 +10,8 @@ namespace plumb {
 
 /// The result of a step that changes a mesh.
 struct ChangedMesh {
-  PolygonMesh mesh;                   ///< The points are those of the input; some have no face.
+  /// The points are the points of the input. Some points have no face.
+  PolygonMesh mesh;
   std::vector<std::uint32_t> origin;  ///< The face of the input from which each face was made.
   /// For each face of the input, 1 if it was removed or has other corners now. Empty if the step
   /// changed nothing; all other members are then empty or 0.

@@ -1,4 +1,4 @@
-// Finds what is wrong with faces that rounding may have damaged.
+// Finds the defects of faces that rounding may have damaged.
 #pragma once
 
 #include <cstdint>

@@ -27,11 +27,11 @@ struct DoubtfulFaces {
 std::vector<std::uint8_t> faces_at(const PolygonMesh& mesh,
                                    std::span<const std::uint8_t> is_chosen);
 
-/// Returns those of the faces with is_checked = 1 that rounding may have damaged, and the faces
-/// that they may meet. All tests refer to mesh.points, the rounded coordinates. A mesh that is far
-/// from any damage gives empty lists. Requires finite coordinates. O(n log n + c) for c pairs of a
-/// face that is checked and a face whose box meets its box. If c exceeds 64 n + 4096, all faces of
-/// such pairs are returned.
+/// Of the faces with is_checked = 1, returns the faces that rounding may have damaged. Also returns
+/// the faces that these faces may meet. All tests refer to mesh.points, the rounded coordinates. A
+/// mesh that is far from any damage gives empty lists. Requires finite coordinates. O(n log n + c)
+/// for c pairs of a face that is checked and a face whose box meets its box. If c exceeds 64 n +
+/// 4096, all faces of such pairs are returned.
 DoubtfulFaces doubtful_faces(const PolygonMesh& mesh, std::span<const std::uint8_t> is_checked,
                              Context& context);
 

@@ -22,15 +22,15 @@ struct FlattenedMesh {
 /// the triangles on each side of this segment are at most `width` away from one plane. If such a
 /// vertex is removed, the segment becomes an edge, and each side is triangulated again.
 ///
-/// A vertex stays if is_removable is 0 for it, if it has a face that is not a triangle, more than
-/// 32 triangles or triangles that are not one closed fan, if a triangle without v would be thinner
-/// than twice the width or flipped, or if an edge would get more than two faces. It also stays if
-/// the sum of the distances over vertices that were removed one after the other near the same place
-/// exceeds 16 times the width.
+/// A vertex v stays in any of these cases: is_removable is 0 for v; a face of v is not a triangle;
+/// v has more than 32 triangles; its triangles do not form one closed fan; a triangle without v
+/// would be flipped or thinner than twice the width; an edge would get more than two faces. It also
+/// stays if the sum of the distances over vertices that were removed one after the other near the
+/// same place exceeds 16 times the width.
 ///
-/// Doubles decide what is near, because no decision makes an edge that lacks a face, and each is
-/// accounted for in largest_move. A triangle that was made from several faces has the least of them
-/// as its origin.
+/// Whether things are near each other is decided in doubles. This is allowed, because no decision
+/// makes an edge that lacks a face, and largest_move includes the effect of each decision. A
+/// triangle that was made from several faces has the least of them as its origin.
 ///
 /// `is_near` has an entry for each face. It is 1 for each face with a removable vertex, and may be
 /// 1 for other faces. O(1) for each face with is_near = 1 and for each removed vertex whose

@@ -1,6 +1,6 @@
-// Edges of a mesh, and its complex. The first part finds which corners of facets run along which
-// edge and merges facets that come twice; the second makes a complex of facets that meet in common
-// vertices and edges: edges, edge uses, radial orders and stars.
+// Edges of a mesh, and its complex. The first part finds the corners of facets that run along each
+// edge, and merges doubled facets. The second part makes a complex of facets that meet only in
+// common vertices and edges. It makes edges, edge uses, radial orders and stars.
 #pragma once
 
 #include <array>
@@ -40,9 +40,9 @@ struct MeshLinks {
 MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count);
 
 /// Whether every edge has two uses at which its facets balance, no facet comes twice, and no face
-/// is without area. Nearly all closed meshes are so, and need no search for facets that come twice
-/// or for borders. The result may be false if facets of one plane begin with one edge. O(n) for n
-/// corners.
+/// is without area. Nearly all closed meshes have this property. They need no search for doubled
+/// facets or for borders. The result may be false if facets of one plane begin with one edge. O(n)
+/// for n corners.
 bool is_plainly_closed(const MeshFacets& facets, const MeshLinks& links);
 
 /// Merges facets with equal boundaries into one with the sum of their jumps, and links again if

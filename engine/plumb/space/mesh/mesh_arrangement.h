@@ -40,17 +40,17 @@ struct MeshLayers {
 
 /// Divides the facets into layers of which none crosses itself: greedy colours of the graph of
 /// crossing pairs. Facets that meet in common vertices and edges only may share a layer. A
-/// component that crosses others but not itself stays whole; in one that crosses itself, neighbours
-/// stay together as long as they can, since borders of layers are edges that an overlay has to find
-/// again. `component` has the component of each facet. O(n + pairs), and the number of layers for
-/// each facet in the worst case.
+/// component that crosses other components, but not itself, stays whole. If a component crosses
+/// itself, neighbours stay together as long as possible, because an overlay has to find the edges
+/// between layers again. `component` has the component of each facet. O(n + pairs), and the number
+/// of layers for each facet in the worst case.
 MeshLayers find_layers(const SpaceComplex& complex, std::span<const std::uint32_t> component,
                        std::span<const std::pair<FacetId, FacetId>> crossings);
 
 /// Returns some facets of a mesh, each of one cycle, as a complex of their own: all marks 0,
 /// volumes labelled, facet_origin their number in `complex`. Auxiliary planes are added to
-/// `tables`, which must be those of `complex` or a copy. O(k log k) for k corners, and a ray for
-/// each connected piece.
+/// `tables`, which must be the tables of `complex` or a copy of them. O(k log k) for k corners, and
+/// a ray for each connected piece.
 SpaceComplex layer_of(const SpaceComplex& complex, std::span<const FacetId> facets,
                       const std::shared_ptr<SpaceTables>& tables, Context& context);
 

@@ -1,7 +1,7 @@
 // The faces of a mesh as simple polygons in planes, ready to be linked.
 //
 // A face whose corners lie in one plane and that is simple becomes one facet. Any other face
-// becomes triangles with the same boundary chain, so that winding numbers stay what they are
+// becomes triangles with the same boundary chain, so that winding numbers do not change
 // (docs/design/meshes.md, "Winding numbers").
 #pragma once
 
@@ -36,8 +36,8 @@ struct MeshFacets {
   }
 };
 
-/// Returns the facets of a mesh and adds their planes to the tables. Notes in `report` what it
-/// changes. Throws the errors of the Context. O(n log n).
+/// Returns the facets of a mesh and adds their planes to the tables. Reports the changes in
+/// `report`. Throws the errors of the Context. O(n log n).
 ///
 /// Main flow: trims repeated corners, finds a plane by three corners, tests whether all others lie
 /// on it and the polygon is simple, else makes triangles.
@@ -46,8 +46,8 @@ MeshFacets flatten_mesh(const MeshView& mesh, const MeshVertices& vertices, Spac
 
 // Trimming of faces. The corners of a face are the end of a list, from index `first` on.
 
-/// Appends a corner to a face, unless it repeats the last one; removes a corner between two equal
-/// ones, an edge that is run forth and back.
+/// Appends a corner to a face, unless it repeats the last corner. If the two corners beside a
+/// corner are equal, removes this corner, because the face would run forth and back along an edge.
 void push_corner(std::vector<std::uint32_t>& corner, std::size_t first, std::uint32_t v);
 /// Trims in the same way where the end of a face meets its beginning. Fewer than three corners may
 /// be left. The edges of such a face cancel.

@@ -32,17 +32,17 @@ namespace plumb {
 /// that determine each other's direction.
 struct MeshOrientation {
   std::vector<std::uint32_t> flipped;  ///< Faces to be turned so that neighbours agree.
-  /// The least face of each patch that has only one side, as a Moebius strip: whichever of its
-  /// faces are turned, some neighbours disagree.
+  /// For each patch that has only one side, such as a Moebius strip, the face with the least index.
+  /// Some neighbours in such a patch disagree, whichever faces are flipped.
   std::vector<std::uint32_t> one_sided;
   /// Where the mesh is open after `flipped` have been turned: closed chains of vertices, each in
   /// the direction that a face would have that closes it.
   std::vector<std::vector<std::uint32_t>> holes;
 };
 
-/// Returns which faces to turn. `vertices` are those of the mesh, with points in `table`. If the
-/// borders of the mesh as it is are known, they need not be traced again where no face is turned.
-/// Throws the errors of the Context.
+/// Returns which faces to turn. `vertices` are the vertices of the mesh, whose points are in
+/// `table`. If the borders of the mesh as it is are known, they need not be traced again where no
+/// face is turned. Throws the errors of the Context.
 MeshOrientation orient_faces(const MeshView& mesh, const MeshVertices& vertices,
                              const Point3Table& table, Context& context,
                              const std::vector<std::vector<std::uint32_t>>* borders = nullptr);

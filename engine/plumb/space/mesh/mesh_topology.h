@@ -1,5 +1,5 @@
-// What the incidences of a mesh say: where it is open, what its components are and which way they
-// face, and around which vertices it cannot cross itself.
+// Derives facts from the incidences of a mesh: where it is open, its components and their
+// orientations, and the vertices around which it cannot cross itself.
 #pragma once
 
 #include <array>
@@ -48,16 +48,16 @@ struct InnerVertices {
 };
 
 /// Finds the ends of the edges that lie inside other edges. The ends of an edge must be different
-/// points. `points` has the place of each vertex. O((m + k) log m) for m edges, if k nodes of a
-/// tree over the ends have boxes that edges meet: no more than a few times m log m unless many
-/// edges run closely along each other. Charges `memory` for what it allocates, the result included.
-/// Throws the errors of the Context.
+/// points. `points` has the place of each vertex. O((m + k) log m) for m edges, where k is the
+/// number of nodes of a tree over the ends whose boxes meet edges. This is a few times m log m,
+/// unless many edges run closely along each other. Charges all memory that it allocates to
+/// `memory`, including the memory of the result. Throws the errors of the Context.
 InnerVertices vertices_inside(std::span<const std::array<std::uint32_t, 2>> edges,
                               std::span<const SpacePoint> points, const Point3Table& table,
                               MemoryCharge& memory, Context& context);
 
 /// Cuts the edges of a collected list at the ends of others that lie on them. Returns the collected
-/// list of the parts. Cost and errors are those of vertices_inside().
+/// list of the parts. Cost and errors are the same as for vertices_inside().
 EdgeSurpluses cut_at_vertices(const EdgeSurpluses& edges, std::span<const SpacePoint> points,
                               const Point3Table& table, MemoryCharge& memory, Context& context);
 

@@ -41,8 +41,8 @@ std::vector<std::uint32_t> drop_unused_points(PolygonMesh& mesh);
 // contains them. Grid cells are in Morton order (G. Morton, A computer oriented geodetic data base
 // and a new technique in file sequencing, IBM, 1966). Faces are sorted by the least grid cell of
 // their corners. Points with equal coordinates are in the same grid cell, and faces with the same
-// corners have the same least grid cell. Points of the same grid cell keep their order, and so do
-// faces with the same least grid cell.
+// corners have the same least grid cell. Points of the same grid cell keep their order. Faces with
+// the same least grid cell keep their order, too.
 
 /// A mesh of triangles after sorting.
 struct OrderedMesh {

@@ -1,6 +1,6 @@
 // Tests whether two triangles of different facets of a mesh have a common point that is in no
-// common vertex or edge of the facets: what mesh_crossings.h asks of each pair. The second part
-// groups triangles that need not be looked at in pairs.
+// common vertex or edge of the facets. mesh_crossings.h asks this question for each pair. The
+// second part groups triangles that need not be looked at in pairs.
 #pragma once
 
 #include <array>
@@ -71,9 +71,9 @@ class TriangleCrossing {
 // k triangles. But two of them have another point in common only if their directions from the
 // vertex do, and boxes of directions separate most of them.
 //
-// Notation: a group is a facet of many triangles, or a hub: a vertex of many. A triangle is in its
-// facet's group if there is one, else in that of its corner with the most triangles, if that is a
-// hub.
+// Notation: a group is a facet of many triangles, or a hub: a vertex of many. A triangle is in the
+// group of its facet, if the facet has a group. Otherwise, if the corner with the most triangles is
+// a hub, the triangle is in the group of this corner.
 
 /// The groups of the triangles of a mesh.
 struct TriangleGroups {

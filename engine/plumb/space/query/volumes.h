@@ -101,9 +101,9 @@ struct VolumeLabels {
   std::size_t count = 0;                ///< The number of volumes.
 };
 
-/// Returns the volumes of a complex; those that it names itself are not read. `connected` has for
-/// each vertex a number that is not 0 if the sphere map is surely connected; it is empty if nothing
-/// is known. Throws the errors of the Context.
+/// Returns the volumes of a complex. The volumes that are stored in the complex are not read.
+/// `connected` has for each vertex a number that is not 0 if the sphere map is surely connected; it
+/// is empty if nothing is known. Throws the errors of the Context.
 VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
                           std::span<const std::uint8_t> connected = {});
 
@@ -114,8 +114,8 @@ void label_volumes(SpaceComplex& complex, Context& context,
                    std::span<const std::uint8_t> connected = {});
 
 /// Returns the winding number of each volume: 0 in volume 0, rising by jump[f] from the negative to
-/// the positive side of facet f. Facets link all volumes. Jumps that are not those of a closed
-/// surface stop the program. O(facets). Proof: docs/design/meshes.md, Lemma 1.
+/// the positive side of facet f. Facets link all volumes. If the jumps do not belong to a closed
+/// surface, an invariant is broken (PLUMB_CHECK). O(facets). Proof: docs/design/meshes.md, Lemma 1.
 IdVector<VolumeId, std::int32_t> winding_numbers(const SpaceComplex& complex,
                                                  std::span<const std::int32_t> jump);
 

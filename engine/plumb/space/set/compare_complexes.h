@@ -16,9 +16,9 @@ namespace plumb {
 /// else can differ. Requires minimal complexes. Expected O(n), besides merging tables.
 bool is_same(const SpaceComplex& a, const SpaceComplex& b);
 
-/// Whether the arrays are equal, and what the tables say of planes and points. They are so for sets
-/// made in the same way; false says nothing of the sets. O(n) comparisons of numbers, few if it is
-/// false.
+/// Whether the arrays are equal, and what the tables say of planes and points. Sets that were made
+/// in the same way have equal arrays. If the result is false, the sets may still be equal. O(n)
+/// comparisons of numbers, few if it is false.
 bool is_identical(const SpaceComplex& a, const SpaceComplex& b);
 
 // The canonical order of cells.

@@ -34,7 +34,7 @@ class PlacesBeforeRounding {
     std::size_t operator()(const Key& key) const noexcept;
   };
   struct Place {
-    SpacePoint at;   // Not valid if the coordinates were doubles.
+    SpacePoint at;   // Invalid if the coordinates were doubles.
     Point3 nearest;  // The nearest doubles.
     IntegerRow row;  // Its coordinates, all 0 until they are needed.
   };

@@ -76,12 +76,12 @@ class HullPolytope {
   /// Returns for each bound 1 if there is a facet on it, else 0.
   std::vector<std::uint8_t> facets_left(std::size_t bounds) const;
 
-  std::vector<Vertex> vertex;      ///< All vertices, removed ones too.
-  std::vector<Halfedge> halfedge;  ///< All half-edges, removed ones too.
+  std::vector<Vertex> vertex;      ///< All vertices, including removed vertices.
+  std::vector<Halfedge> halfedge;  ///< All half-edges, including removed half-edges.
 };
 
-/// Returns the complex of a bounded polytope in minimal form. `touching` lists open bounds that cut
-/// nothing off but take away what they touch. O(n).
+/// Returns the complex of a bounded polytope in minimal form. `touching` lists open half-spaces
+/// that cut nothing off, but remove the points that touch their planes. O(n).
 SpaceComplex complex_of_polytope(const HullPolytope& polytope, std::span<const HullBound> bounds,
                                  std::span<const std::uint32_t> touching,
                                  std::shared_ptr<SpaceTables> tables);
@@ -109,8 +109,8 @@ SpaceComplex complex_of_polytope(const HullPolytope& polytope, std::span<const H
 struct HalfSpaceHull {
   /// The polytope in minimal form; empty if the intersection is unbounded or has no interior.
   std::optional<SpaceComplex> polytope;
-  /// Half-spaces that have the same intersection: those with a facet of it, and open ones that
-  /// touch it; ascending. All, if it has no interior.
+  /// Half-spaces that have the same intersection: the half-spaces with a facet of it, and open
+  /// half-spaces that touch it. In ascending order. All, if it has no interior.
   std::vector<std::uint32_t> needed;
 };
 

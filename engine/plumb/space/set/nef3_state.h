@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-/// A complex with what is known of it. The locator is made at most once, by any thread; nothing
+/// A complex, with known facts about it. The locator is made at most once, by any thread; nothing
 /// else changes while copies share the state.
 struct Nef3::State {
   /// Takes the complex, and boxes around its parts if they are known.

@@ -25,7 +25,7 @@ class PlanesByCorners {
 
   /// Returns the hash of the coordinates of a point.
   static std::uint32_t hash_of(const Point3& p);
-  /// Returns the hash of a triangle from those of its corners in any order.
+  /// Returns the hash of a triangle, computed from the hashes of its corners in any order.
   static std::uint32_t hash_of_all(const std::array<Corner, 3>& corners) {
     return hash_of_all({corners[0].hash, corners[1].hash, corners[2].hash});
   }

@@ -15,7 +15,8 @@ namespace plumb {
 struct SourceLists {
   using List = std::shared_ptr<const std::vector<PlacedSource>>;  ///< The list of a set.
 
-  /// Returns the sources of the first list and then those of the second one that are not in it.
+  /// Returns the sources of the first list, followed by the sources of the second list that are not
+  /// in the first list.
   static List joined(const List& first, const List& second);
   /// Returns the sources of sets in their order.
   static List joined(std::span<const Nef3> sets);

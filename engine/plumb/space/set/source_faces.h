@@ -18,9 +18,8 @@ struct FaceTriangle {
 
 /// Returns the triangles of all faces, in the order of faces. Faces of fewer than three corners
 /// have none. A planar and simple polygon is cut as triangulated() (repair_mesh.h) cuts it. Any
-/// other polygon is cut as Nef3::from_mesh() cuts it, so that the planes of its triangles are those
-/// of the set; triangles without an area are left out. Throws the errors of the Context. O(n log
-/// n).
+/// other polygon is cut as Nef3::from_mesh() cuts it, so that its triangles have the same planes as
+/// the set. Triangles without area are left out. Throws the errors of the Context. O(n log n).
 std::vector<FaceTriangle> triangles_of_faces(const PolygonMesh& mesh, Context& context);
 
 }  // namespace plumb

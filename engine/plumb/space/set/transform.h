@@ -7,9 +7,9 @@
 
 namespace plumb {
 
-/// Returns the image under an invertible map. Planes are transformed exactly; points remain what
-/// they are: input points if doubles hold the image, else points of three planes. Numbers grow with
-/// every map that is not dyadic, by no more than the map's own.
+/// Returns the image under an invertible map. Planes are transformed exactly. An image of a point
+/// is an input point if its coordinates are doubles, and otherwise a point of three planes. Numbers
+/// grow with every map that is not dyadic, by no more than the map's own.
 ///
 /// O(n); for a framed complex up to twelve cuts by planes besides (frame.h): none for a shift of a
 /// set that meets the cube in general position, or for maps that permute axes. Throws
