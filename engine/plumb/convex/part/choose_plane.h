@@ -9,8 +9,8 @@
 //               planes with small integer factors, so that numbers stay short
 //  3. judge     counts the reflex edges that lie in the plane (resolved) and those it crosses
 //               (doubled), against what the planes of its own faces would do for each edge in it.
-//               Of equal planes the one that leaves most on either side wins, because a cut costs
-//               the size of the piece
+//               If planes are equally good, the plane that leaves most on both sides wins, because
+//               a cut costs the size of the piece
 //
 // The choice affects the number of pieces alone, so it may be made in doubles: a plane is interned
 // from input points or from planes, and the cut takes exact signs. Cost: one product per end for
@@ -33,10 +33,11 @@ namespace plumb {
 /// is no plane.
 PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 2> c);
 
-/// A plane through a reflex edge, named by how it is interned, and what it would do.
+/// A plane through a reflex edge, given by the way in which it is interned, and the effects of a
+/// cut by this plane.
 struct CutCandidate {
   HalfedgeId seed;  ///< A reflex edge in the plane.
-  PlaneId plane;    ///< The plane, if it is that of a face of the seed; otherwise not valid.
+  PlaneId plane;    ///< The plane, if it is the plane of a face of the seed. Otherwise not valid.
   /// An input point that the plane holds; not valid if `plane` or `pencil` names the plane.
   InputPointId through;
   /// Factors of the primitive rows of the planes of the seed's and its twin's face.
@@ -88,7 +89,7 @@ class CutChooser {
   std::vector<signed char> signs_;
   IdVector<VertexId, std::uint32_t> end_stamp_, end_index_;
   std::uint32_t stamp_ = 0;
-  // Vertices that planes may go through; those of the input come first.
+  // Vertices that planes may pass through. Vertices of the input come first.
   std::vector<VertexId> targets_;
   std::size_t input_targets_ = 0;
   IdVector<PlaneId, Row> primitive_;  // Rounded primitive rows, filled on demand.
@@ -103,9 +104,10 @@ class CutChooser {
 // through the tip, the solid may touch the plane there from one side, and PlaneSection::find()
 // fails.
 //
-// The plane of an edge is that of the first of its faces that holds no such tip, else the first
-// plane of the pencil between both with that property, by small integer factors. A tip off the
-// edge's line lies in one plane of the pencil, so one is found. Tips on the line are not tested.
+// The plane of an edge is the plane of the first of its faces that contains no such tip. If both
+// contain one, it is the first plane of the pencil between the two faces, by small integer factors,
+// that contains none. A tip off the edge's line lies in one plane of the pencil, so one is found.
+// Tips on the line are not tested.
 //
 // Each plane enters the solid on one side of its edge only, so both angles are at most half a turn
 // after the cut. Cost: O(n + r t) signs as a rule, for r reflex edges and t ends of reflex edges at

@@ -96,8 +96,9 @@ struct CutSurface {
   Sign turn_at(HalfedgeId h) const;
 };
 
-/// Returns the surface of the one marked volume of a set, or no value if it cannot be held as one:
-/// if it is not bounded, not connected, or has facets, edges or vertices inside the volume.
+/// Returns the surface of the only marked volume of a set. Returns no value if the volume is
+/// unbounded, if its surface is not connected, or if facets, edges or vertices lie inside the
+/// volume.
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part);
 
 /// Whether the piece touches itself along an edge, or has both sides of a cut, so that it bounds no

@@ -145,7 +145,7 @@ class PlaneSection {
   std::uint32_t stamp_ = 0;
 };
 
-/// The faces of one or two pieces; the one below comes first.
+/// The faces of one or two pieces. The piece below the plane comes first.
 using CutPieces = std::vector<std::vector<FaceId>>;
 
 /// Cuts pieces of one surface along planes. Scratch memory is kept from cut to cut.

@@ -2,9 +2,10 @@
 // plane_partition).
 //
 // The region lies to the left of the half-edges that have a next one; their twins outside have
-// none. A corner is the wedge of the region from a half-edge h counter-clockwise to the one before
-// it, and is named by h; an isolated vertex has one corner, all around. The boundary loops are at
-// first the outer ring, holes, slits and points, and at the end the convex parts.
+// none. A corner is the wedge of the region between a half-edge h and the previous half-edge,
+// counter-clockwise from h. It is named by h; an isolated vertex has one corner, all around. The
+// boundary loops are at first the outer ring, holes, slits and points, and at the end the convex
+// parts.
 //
 // Vertices of the face are input points, even if the set knows them as crossings; vertices that
 // cuts make are crossings. Ends at infinity are vertices without a point, joined by frame edges

@@ -57,8 +57,9 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
 //
 // Each cut of step 1 joins two loops and each cut of step 2 divides one, so r reflex corners and h
 // holes of positive area give at most r + 1 - h parts; a point or slit inside the region adds to r
-// alone. A cut lies on a line of the set, and so does what it meets: a new point is the crossing of
-// two lines of the set. Cost: O(n) for each cut, less when parts get small.
+// alone. A cut lies on a line of the set, and everything that it meets also lies on such a line. So
+// a new point is the crossing of two lines of the set. Cost: O(n) for each cut, less when parts get
+// small.
 
 /// Cuts the region into convex parts. Throws the errors of the Context.
 void cut_by_sides(PlaneRegion& region, Context& context);

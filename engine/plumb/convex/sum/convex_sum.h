@@ -10,9 +10,10 @@
 //
 // A facet of A + B with outer normal u is A(u) + B(u), and no vertex of the sum is a + b for two
 // pairs of vertices. So facets can be made one by one, each from its pair of faces, and fit
-// together by the names (a, b) of their corners; there are no degenerate cases. The directions are
-// the normals of facets of A and of B, and those in which an edge of A and an edge of B, not
-// parallel, are both extreme: arcs of the two Gaussian maps cross there.
+// together by the names (a, b) of their corners; there are no degenerate cases. There are two kinds
+// of directions: the normals of facets of A and of B, and the directions in which an edge of A and
+// an edge of B that are not parallel are both extreme. At a direction of the second kind, arcs of
+// the two Gaussian maps cross.
 //
 // Main flow of convex_sum():
 //  1. facet_directions   finds for each facet of one operand the face of the other: climbs from

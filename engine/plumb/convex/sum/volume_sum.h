@@ -1,4 +1,4 @@
-// Whether the volumes of pieces add up to that of their set, exactly.
+// Tests exactly whether the volumes of pieces add up to the volume of their set.
 //
 // Main flow of do_volumes_add_up():
 //  1. gather   collects the sides of all facets between inside and outside, each with its facet's
@@ -19,8 +19,8 @@
 
 namespace plumb {
 
-/// Whether the volumes of the pieces add up exactly to that of the set; no value if the set's
-/// volume is infinite. Throws the errors of the Context.
+/// Whether the volumes of the pieces add up exactly to the volume of the set. Returns no value if
+/// the volume of the set is infinite. Throws the errors of the Context.
 std::optional<bool> do_volumes_add_up(const Nef3& set, std::span<const Nef3> pieces,
                                       Context& context);
 

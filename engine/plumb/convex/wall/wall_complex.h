@@ -14,8 +14,9 @@ namespace plumb {
 /// facet_origin kWallOrigin; their edges and vertices have mark kBeyond too. Walls may cross,
 /// overlap, and reach out of the volumes: what is in no marked volume is left out. Steps: equal
 /// points become one vertex; the walls are arranged among themselves (mesh_arrangement.h); the
-/// result is combined with the complex once. Requires polygons over `tables`, those of the complex.
-/// Cost: O((n + c) log(n + c)) for c contacts. Throws the errors of the Context.
+/// result is combined with the complex once. Requires that the polygons refer to `tables`, which
+/// are the tables of the complex. Cost: O((n + c) log(n + c)) for c contacts. Throws the errors of
+/// the Context.
 SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>& tables,
                         const std::vector<WallPolygon>& walls, Context& context);
 
@@ -23,7 +24,7 @@ SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>
 /// volume before it has, in minimal form. Cost: O(n log n).
 std::vector<Nef3> volumes_as_sets(const SpaceComplex& complex, Context& context);
 
-/// Returns the set of what is in the boundary of no marked volume.
+/// Returns the set of the points that lie on the boundary of no marked volume.
 Nef3 without_volumes(const Nef3& set, Context& context);
 
 }  // namespace plumb

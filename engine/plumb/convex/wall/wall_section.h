@@ -126,7 +126,7 @@ struct Obstacle {
 /// The section of a complex with a vertical plane, as obstacles.
 class WallSection {
  public:
-  /// Points are added to `tables`, those of the complex.
+  /// Points are added to `tables`, the tables of the complex.
   WallSection(const SpaceComplex& complex, SpaceTables& tables, Vertical& vertical, PlaneId wall)
       : c_(complex), tables_(tables), vertical_(vertical), wall_(wall) {}
 
