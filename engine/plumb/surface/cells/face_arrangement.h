@@ -9,8 +9,8 @@
 //  5. nest       places components that do not reach the boundary in a piece: the one below their
 //                leftmost point, which a sweep over the points finds if there are many
 //
-// Equal crossings are found where they are neighbours on a segment: whatever else runs through the
-// point meets that segment there, too. So only the order along segments is ever asked, never
+// Equal crossings are found as neighbours on a segment, because every other segment through the
+// point meets this segment at the same point. So only the order along segments is ever asked, never
 // equality of two points anywhere (docs/design/surface.md, Lemma 1).
 //
 // Cost: O(k log k) for k pieces, plus pairs of boxes that meet.
@@ -59,8 +59,8 @@ class FaceArrangement {
   /// Arranges the segments. Throws Error{Cancelled} and Error{ResourceLimit}.
   void run(SurfaceBundles& bundles, Context& context);
 
-  // Output. Half-edge r < ring_size runs from point r along the boundary; ring_size + 2 a and the
-  // one after it are arc a and its reverse.
+  // Output. Half-edge r < ring_size runs from point r along the boundary; half-edges ring_size + 2
+  // a and ring_size + 2 a + 1 are arc a and its reverse.
   std::vector<FaceArc> arcs;
   std::vector<std::uint32_t> next;
   std::vector<std::uint32_t> piece;  ///< Piece to the left of each half-edge.
