@@ -2,11 +2,12 @@
 //
 // Main flow of nearest_points(a, b):
 //  1. candidates  descends into both trees, nearer pairs of nodes first. A pair of nodes is left
-//                 out if the boxes are farther apart than the least upper bound so far, and a pair
-//                 of leaves also if they are so far apart in the direction of the shortest segment
-//                 so far. (Curved surfaces have many boxes that are nearly as near as the nearest
-//                 ones; in this direction, they are well apart.) A pair of simplices is a candidate
-//                 if its lower bound (simplex_pair.h) is not greater
+//                 out if the distance of their boxes is greater than the least upper bound so far.
+//                 A pair of leaves is also left out if their distance in the direction of the
+//                 shortest segment so far is greater than this bound. (Curved surfaces have many
+//                 boxes that are nearly as near as the nearest ones; in this direction, they are
+//                 well apart.) A pair of simplices is a candidate if its lower bound
+//                 (simplex_pair.h) is not greater
 //  2. decide      computes the exact nearest points of the candidates in the order of their lower
 //                 bounds, until the next lower bound is greater than the exact distance
 //
@@ -31,7 +32,8 @@ namespace plumb {
 /// at the same time.
 class SimplexTree {
  public:
-  using Corners = std::array<std::uint32_t, 3>;  ///< Vertices; kNone for missing ones.
+  /// The vertices of the simplex. Missing vertices are kNone.
+  using Corners = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   std::vector<std::array<double, 3>> vertex;  ///< Doubles near each vertex.
