@@ -27,7 +27,7 @@ struct CsgImport {
   bool is_inverted = false;               ///< Of a surface.
 
   bool has_placement() const { return origin != std::array<double, 2>{0, 0} || scale != 1; }
-  /// Whether the import gives what another import of the same file gives.
+  /// Whether the import gives the same as another import of the same file.
   friend bool is_same_shape(const CsgImport& a, const CsgImport& b) {
     return a.layer == b.layer && a.origin == b.origin && a.scale == b.scale &&
            a.division.count == b.division.count && a.division.angle == b.division.angle &&

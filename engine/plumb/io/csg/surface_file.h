@@ -23,23 +23,22 @@ struct HeightGrid {
   double at(std::size_t row, std::size_t column) const { return heights[row * columns + column]; }
 };
 
-/// Throws Error{ResourceLimit} if the memory that is left cannot hold the solid of a grid. It is
-/// called as soon as the size of a grid is known, because reading and building a large grid takes
-/// seconds.
+/// Throws Error{ResourceLimit} if there is too little memory for the solid of a grid. It is called
+/// as soon as the size of a grid is known, because reading and building a large grid takes seconds.
 void require_room_for_solid(std::size_t rows, std::size_t columns, Context& context);
 
 /// Reads a file: an image if it begins like PNG, otherwise a text. Each line of a text is a row of
 /// numbers; blank lines and lines that begin with # are passed over. Heights that are missing at
-/// the end of a row are 0. `is_inverted` has an effect on images alone. `charge` pays for the grid
-/// and for what reading needs. Errors: Syntax, NotText and NumberOutOfRange with FILE:LINE:COLUMN,
-/// and those of read_height_image().
+/// the end of a row are 0. `is_inverted` has an effect on images only. The memory of the grid and
+/// of reading is charged to `charge`. Errors: Syntax, NotText and NumberOutOfRange with
+/// FILE:LINE:COLUMN, and the errors of read_height_image().
 HeightGrid read_heights(std::string_view bytes, const std::string& name, bool is_inverted,
                         MemoryCharge& charge, Context& context);
 
 /// Returns the mesh that OpenSCAD makes of a grid: each square is four triangles that meet in the
 /// mean of its corners, and the bottom is the plane 1 below the least height, or below 0. A centred
 /// field has the middle of the grid at (0, 0). A grid with one row or column has no faces.
-/// `charge` pays for the mesh.
+/// The memory of the mesh is charged to `charge`.
 PolygonMesh surface_mesh(const HeightGrid& grid, bool is_centred, MemoryCharge& charge,
                          Context& context);
 

@@ -6,8 +6,8 @@
 //  3. place    the characters one after the other, with the kerning of the font's table `kern`
 //  4. divide   each curve into chords, and scale and move the outlines to their place
 //
-// Sizes are those of OpenSCAD: a text of size s has an em of s * 100 / 72, and the characters are
-// moved by 1000 / 1024 of their advances. Ligatures and other substitutions are not made.
+// Sizes are the same as in OpenSCAD: a text of size s has an em of s * 100 / 72, and the characters
+// are moved by 1000 / 1024 of their advances. Ligatures and other substitutions are not made.
 // Cost: O(n) for n points of outlines, and the search for the font.
 #pragma once
 
@@ -38,7 +38,7 @@ struct GlyphOutline {
   std::vector<std::uint32_t> path_sizes;      ///< The number of points of each path.
 };
 
-/// The characters of a text, without those that have no outline, such as blanks.
+/// The characters of a text. Characters without an outline, such as blanks, are left out.
 struct TextOutlines {
   std::vector<GlyphOutline> glyphs;
   std::string family;    ///< The name of the font that was used.

@@ -23,9 +23,9 @@ namespace plumb {
 /// each material and group of a face exists. O(n).
 void require_complete(const MeshAttributes& attributes, const PolygonMesh& mesh);
 
-/// Leaves out the materials that no face has, and makes one material of those that have the same
-/// name, colour and texture: the first one. The order stays. Cost: O(n + m log m) for n faces and m
-/// materials.
+/// Leaves out the materials that no face has. If several materials have the same name, colour and
+/// texture, they become one material, the first of them. The order stays. Cost: O(n + m log m) for
+/// n faces and m materials.
 void keep_used_materials(MeshAttributes& attributes);
 
 /// Returns the channel of this name if it has a width from `least` to `most`, otherwise nullptr.

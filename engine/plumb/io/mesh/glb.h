@@ -21,7 +21,7 @@ namespace plumb {
 
 /// Throws Error{BadArgument} if the mesh has no faces or a face is no triangle,
 /// Error{NumberOutOfRange} if a coordinate lies beyond the largest float, Error{CannotWrite} if the
-/// file would have 2^32 bytes or more, and what `out` throws.
+/// file would have 2^32 bytes or more, and the exceptions of `out`.
 void write_glb(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes = {});
 
 /// Returns the channels that a file of glTF holds, in the order in which they are written: colours,

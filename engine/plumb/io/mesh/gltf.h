@@ -30,8 +30,8 @@
 
 namespace plumb {
 
-/// Returns the mesh of a glTF file. Its memory stays charged to `context`; that of the document and
-/// its buffers is released.
+/// Returns the mesh of a glTF file. The memory of the mesh stays charged to `context`. The memory
+/// of the document and of its buffers is released.
 MeshFile read_gltf(std::string_view bytes, const GltfLoader& loader, const ReadOptions& options,
                    Context& context);
 

@@ -76,7 +76,7 @@ class GltfAccessors {
     bool is_normalized, is_sparse;
   };
   using ViewBytes = std::pair<std::string_view, std::size_t>;
-  /// A stream of Draco with what was asked of it.
+  /// A stream of Draco, and the data that were requested from it.
   struct Stream {
     struct Vectors {
       std::size_t component, parts;
@@ -85,8 +85,9 @@ class GltfAccessors {
     std::size_t points = 0;
     std::string corners;
     std::map<std::size_t, Vectors> vectors;  // Per attribute.
-    std::set<std::size_t> asked;             // Attributes, also those that the stream lacks.
-    std::size_t times = 0;                   // How often the stream was read.
+    // Attributes, including attributes that the stream lacks.
+    std::set<std::size_t> asked;
+    std::size_t times = 0;  // How often the stream was read.
   };
 
   const Accessor& accessor_of(std::size_t accessor, const std::string& where);

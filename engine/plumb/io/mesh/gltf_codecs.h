@@ -1,8 +1,8 @@
 // Decoders of compressed glTF: Draco and meshoptimizer, if plumb is built with these libraries.
 //
 // Without a library, its function throws Error{UnknownFormat} that says how to get at the data. The
-// streams are hostile input: what is announced is compared with the length of the stream and
-// charged before a decoder runs. All errors are thrown without a place.
+// streams are hostile input. Before a decoder runs, the announced sizes are compared with the
+// length of the stream, and charged. All errors are thrown without a place.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,8 @@ namespace plumb {
 bool has_draco();
 bool has_meshopt();
 
-/// The compressed bytes of a view of a buffer, and what they are (EXT_meshopt_compression).
+/// The compressed bytes of a view of a buffer, and the kind of their contents
+/// (EXT_meshopt_compression).
 struct MeshoptStream {
   std::string_view bytes;
   std::size_t count = 0;   ///< How many elements are compressed.
@@ -38,7 +39,7 @@ std::string decode_meshopt(const MeshoptStream& stream, MemoryCharge& charge);
 class DracoMesh {
  public:
   /// Decodes `bytes`, at a cost that is linear in the mesh, up to the last of the attributes with
-  /// these ids. The first id is that of the positions. Other attributes behind them are not
+  /// these ids. The first id is the id of the positions. Other attributes behind them are not
   /// decoded. The memory of the mesh is charged while the object exists. Throws
   /// Error{UnknownFormat}, Error{CountMismatch} and Error{Syntax}; Error{BadIndex} if the positions
   /// are not there with 3 components; the errors of the Context. If another attribute is missing or
@@ -54,7 +55,7 @@ class DracoMesh {
   /// Whether the attribute with this id was decoded and has this number of components.
   bool has(std::size_t attribute, std::size_t parts) const;
 
-  // The caller charges what these two return.
+  // The caller charges the memory of the results of these two functions.
   /// Returns the corners of all triangles as std::uint32_t.
   std::string corners() const;
   /// Returns the 2, 3 or 4 components of an attribute for each point, as numbers of a component

@@ -38,7 +38,7 @@ class GltfDocument {
   GltfDocument& operator=(const GltfDocument&) = delete;
 
   const JsonValues& json() const { return json_; }
-  /// Returns what is not JSON in the document.
+  /// Returns the parts of the document that are not JSON.
   JsonReplaced replaced() const { return lenient_.replaced(); }
 
   [[noreturn]] void fail(ErrorCode code, const std::string& where, const std::string& what) const {

@@ -1,5 +1,5 @@
-// Extensions of glTF by what they do to the shape, and what a reader says of those that it does not
-// read.
+// The extensions of glTF: how they change the shape, and the messages about extensions that the
+// reader does not read.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,15 @@ enum class GltfEffect : std::uint8_t {
 /// Returns the effect of an extension.
 GltfEffect effect_of_extension(std::string_view name);
 
-/// What a reader says of the extensions that a document uses and that it does not read.
+/// Messages about extensions that a document uses, but that the reader does not read.
 struct GltfExtensions {
-  std::vector<std::string> notes;     ///< Those that it does not know.
-  std::vector<std::string> warnings;  ///< Those that change the shape.
+  std::vector<std::string> notes;     ///< Sentences about unknown extensions.
+  std::vector<std::string> warnings;  ///< Sentences about extensions that change the shape.
 };
 
 /// Throws Error{UnknownFormat} if the document requires an extension that may change the shape and
-/// is not read. Returns sentences that name those that the document only uses.
+/// is not read. Returns sentences that name the extensions that the document uses but does not
+/// require.
 GltfExtensions check_extensions(const GltfDocument& document, Context& context);
 
 }  // namespace plumb

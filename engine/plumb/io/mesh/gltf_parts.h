@@ -59,7 +59,7 @@ std::string decoded_uri(std::string_view uri);
 
 /// Returns the bytes that a uri names, charged to the context. Throws errors without a place:
 /// UnknownFormat, Syntax, CannotOpen for files outside the folder, or for all files if `loader` is
-/// empty; and what `loader` throws.
+/// empty; and the exceptions of `loader`.
 std::string bytes_of_uri(std::string_view uri, const GltfLoader& loader, Context& context);
 
 // Where a node of glTF puts its mesh: affine maps of space, in doubles.
@@ -261,8 +261,8 @@ class GltfTriangles {
   /// Throws "FILE: where: what": BadIndex, NumberOutOfRange, ResourceLimit; Cancelled.
   void add(const GltfPrimitive& p, const GltfTransform& placed, const std::string& where);
   /// Returns the mesh with equal points made one. Triangles with two equal corners are left out,
-  /// with a note. If materials are kept, attributes.face_material has those of the document, and
-  /// attributes.channels the channels of all primitives.
+  /// with a note. If materials are kept, attributes.face_material has the materials of the
+  /// document, and attributes.channels has the channels of all primitives.
   MeshFile take();
 
  private:
@@ -273,8 +273,8 @@ class GltfTriangles {
   std::uint64_t add_points(const GltfElements& positions, const GltfTransform& m,
                            const std::string& where);
 
-  /// The numbers of a channel at all corners up to the last one that has some. Colours have four
-  /// numbers until all are known.
+  /// The numbers of a channel, at all corners up to the last corner that has numbers. Colours have
+  /// four numbers until all are known.
   struct Collected {
     MeshChannel channel;
     bool has_opacity = false;

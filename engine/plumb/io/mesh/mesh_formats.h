@@ -34,7 +34,7 @@ class MeshCollector {
 
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(mesh_.points.size()); }
   std::size_t face_count() const { return mesh_.face_count(); }
-  /// Returns what has been collected so far.
+  /// Returns the mesh that has been collected so far.
   const PolygonMesh& mesh() const { return mesh_; }
 
   /// Adds a point. Requires finite coordinates. Negative zeros become zeros.
@@ -71,7 +71,7 @@ class MeshCollector {
   /// Does the same for geometry, which the mesh lacks; the report is a warning.
   void leave_out(std::string_view geometry) { add_once(geometry, left_out_); }
 
-  /// Returns the mesh, with a note and a warning on what was skipped.
+  /// Returns the mesh, with a note and a warning about the skipped contents.
   MeshFile take();
   /// Forgets everything and releases the memory that was charged.
   void clear();

@@ -34,7 +34,7 @@ MeshFile read_obj(std::string_view text, const ReadOptions& options, Context& co
 
 /// Writes a mesh. read_obj() of the text gives the same mesh, except that exact coordinates are
 /// rounded. The threads of the context make the text. Throws Error{NumberOutOfRange} if a vertex
-/// lies beyond the largest double, and what `out` throws.
+/// lies beyond the largest double, and the exceptions of `out`.
 void write_obj(std::ostream& out, const PolygonMesh& mesh, Context& context = unlimited_context());
 
 }  // namespace plumb

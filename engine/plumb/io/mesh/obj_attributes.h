@@ -32,7 +32,7 @@ class ObjAttributes {
         builder_(context) {}
 
   bool is_wanted() const { return is_wanted_; }
-  /// The numbers of the statement vt or vn, of which missing ones are 0.
+  /// The numbers of the statement vt or vn. Missing numbers are 0.
   void add_texture(const std::vector<AttributeNumber>& numbers) { add(textures_, 2, numbers); }
   void add_normal(const std::vector<AttributeNumber>& numbers) { add(normals_, 3, numbers); }
   /// The numbers behind the coordinates of a vertex: a weight, a colour, or both.
@@ -44,7 +44,7 @@ class ObjAttributes {
   void use_material(std::string_view name);
   void use_group(std::string_view name);
   void use_library(std::string_view name);
-  /// Adds the attributes to the file, and notes for what could not be read.
+  /// Adds the attributes to the file, and notes about contents that could not be read.
   void give(MeshFile& file);
 
  private:

@@ -46,7 +46,7 @@ enum class MeshNumbers : std::uint8_t {
 /// Writes a mesh. read_off() of the text gives the same mesh; with MeshNumbers::Nearest, exact
 /// coordinates are rounded. The threads of the context make the text. Throws
 /// Error{NumberOutOfRange} if a vertex that is to be rounded lies beyond the largest double, and
-/// what `out` throws.
+/// the exceptions of `out`.
 void write_off(std::ostream& out, const PolygonMesh& mesh,
                MeshNumbers numbers = MeshNumbers::Nearest, Context& context = unlimited_context());
 /// Whether a material stands for an index of a colour: it has no colour, and a number for a name.

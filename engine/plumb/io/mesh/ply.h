@@ -37,7 +37,7 @@ MeshFile read_ply(std::string_view bytes, const ReadOptions& options, Context& c
 
 /// Writes a mesh as text. read_ply() of it gives the same mesh, except that exact coordinates are
 /// rounded to doubles. Both writers throw Error{NumberOutOfRange} if a vertex lies beyond the
-/// largest double, and what `out` throws.
+/// largest double, and the exceptions of `out`.
 /// Both write the attributes that PLY holds, which must be complete (attribute_writer.h).
 void write_ply_text(std::ostream& out, const PolygonMesh& mesh,
                     const MeshAttributes& attributes = {});

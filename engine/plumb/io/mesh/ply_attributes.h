@@ -35,7 +35,7 @@ class PlyAttributes {
   void add_texture(double value);
   /// Notes that the faces of the element begin at this face of the mesh; strips may precede them.
   void begin_faces(std::size_t face) { first_face_ = face; }
-  /// Adds the attributes to the file, and notes for what they do not hold.
+  /// Adds the attributes to the file, and notes about contents that they do not represent.
   void give(MeshFile& file);
 
  private:

@@ -77,9 +77,9 @@ struct PlyHeader {
   std::uint32_t vertex_count() const;
 };
 
-/// Reads the header, from the first line to the end of that of end_header. A file has one element
-/// of vertices, with x, y and z, and at most one of faces and one of triangle strips, each with a
-/// list of vertices. Counts are compared with the bytes that follow. Throws with the place:
+/// Reads the header, from the first line to the end of the line `end_header`. A file has one
+/// element of vertices, with x, y and z, and at most one of faces and one of triangle strips, each
+/// with a list of vertices. Counts are compared with the bytes that follow. Throws with the place:
 /// NotText, Syntax, UnknownFormat, CountMismatch. If `keeps_attributes` is true, scalar properties
 /// of vertices and faces and the texture coordinates of faces are kept, up to a number of
 /// properties.

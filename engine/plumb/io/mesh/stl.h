@@ -14,8 +14,8 @@
 // Normals of facets are ignored. Triangles with two equal corners are left out. In a text, normals,
 // facet, endfacet and the last endsolid may be missing, ends may be two words, and lines may end
 // with CR. In a binary file, the count of triangles may disagree with the size, and bytes may
-// follow the last triangle or, as its attribute announces, each triangle. Notes say what was left
-// out or missing. A facet that the end of the file cuts off is refused.
+// follow the last triangle or, as its attribute announces, each triangle. Notes name the contents
+// that were left out or are missing. A facet that the end of the file cuts off is refused.
 //
 // Cost: O(n log n). Errors in a text are thrown with the place (file, line, column), in a binary
 // file with the number of the byte: NotText, Syntax, NumberOutOfRange, CountMismatch,
@@ -48,7 +48,7 @@ MeshFile read_stl(std::string_view bytes, const ReadOptions& options, Context& c
 /// Writes a mesh as text. read_stl() of it gives the same triangles up to rounding, with vertices
 /// numbered by first use. Both writers throw Error{BadArgument} if a face is no triangle,
 /// Error{NumberOutOfRange} if a coordinate lies beyond the largest double (text) or float (binary),
-/// and what `out` throws.
+/// and the exceptions of `out`.
 void write_stl_text(std::ostream& out, const PolygonMesh& mesh);
 /// Writes a mesh in binary; coordinates become floats.
 void write_stl_binary(std::ostream& out, const PolygonMesh& mesh);

@@ -15,9 +15,9 @@
 // file requires and that are not supported, document types, archives that unpack to more than 256
 // times their size.
 //
-// Cost: O(bytes that the archive unpacks to), and the cost of step 4. Errors: those of these steps
-// with the place FILE(PART):LINE:COLUMN, or FILE for the archive; UnknownFormat if plumb is built
-// without libzip or expat.
+// Cost: O(bytes that the archive unpacks to), and the cost of step 4. Errors: the errors of these
+// steps with the place FILE(PART):LINE:COLUMN, or FILE for the archive; UnknownFormat if plumb is
+// built without libzip or expat.
 #pragma once
 
 #include <iosfwd>
@@ -40,7 +40,7 @@ MeshFile read_threemf(std::string_view bytes, const ReadOptions& options, Contex
 /// Writes one object in millimetres, with the materials, colours and groups of its faces. Equal
 /// meshes give equal bytes. Throws Error{NumberOutOfRange}
 /// if a vertex lies beyond the largest double, Error{BadArgument} if a face is no triangle, the
-/// errors of write_zip(), and what `out` throws.
+/// errors of write_zip(), and the exceptions of `out`.
 void write_threemf(std::ostream& out, const PolygonMesh& mesh,
                    const MeshAttributes& attributes = {});
 

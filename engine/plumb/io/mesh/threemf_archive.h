@@ -40,7 +40,7 @@ class ZipArchive {
   /// Decompresses an entry and calls `take` for each block. Throws Error{Syntax} if the data are
   /// damaged, Error{UnknownFormat} if they are encrypted or compressed in an unknown way,
   /// Error{ResourceLimit} if the entries read so far are more than 64 MiB and 256 times as large as
-  /// the archive; what the context and `take` throw.
+  /// the archive; the errors of the Context and the exceptions of `take`.
   void read(std::uint64_t entry, const std::function<void(std::string_view)>& take);
 
  private:

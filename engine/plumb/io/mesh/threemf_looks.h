@@ -1,4 +1,4 @@
-// Materials, colours and names of parts in 3MF: what a model part states of them, and how they are
+// Materials, colours and names of parts in 3MF: how a model part states them, and how they are
 // written.
 //
 // A part lists groups of entries: base materials (a name and a colour) and colours. A triangle

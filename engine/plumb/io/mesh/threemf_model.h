@@ -69,7 +69,7 @@ struct ThreeMfPart {
 struct ThreeMfScene {
   explicit ThreeMfScene(Context& context) : source(context), charge(context) {}
 
-  std::vector<ThreeMfPart> parts;  ///< The first is the one that the package starts with.
+  std::vector<ThreeMfPart> parts;  ///< The package starts with the first of them.
   std::vector<ThreeMfObject> objects;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> object_of;  ///< (part, id).
   std::vector<ThreeMfPlacement> components;

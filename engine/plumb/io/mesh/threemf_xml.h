@@ -3,7 +3,7 @@
 // The text is hostile input. A document type is refused, and with it every entity that a text could
 // declare. Elements may be nested 256 deep, a tag may have 1 MiB, and a text may have 4096
 // different names: the parser keeps no more. Errors have the place TEXT:LINE:COLUMN: Syntax, and
-// what the listener throws without a place.
+// the exceptions of the listener without a place.
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 // Reads and writes drawings in DXF (docs/formats.md, "DXF"), the exchange format of programs that
 // draw plans, as polygons.
 //
-// A drawing has lines and curves without width. Closed ones, and those that join to closed chains,
-// are the rings of one polygon; the even-odd rule of all of them together says what they enclose,
-// so a ring in a ring is a hole.
+// A drawing has lines and curves without width. Closed curves, and open curves that join to closed
+// chains, are the rings of one polygon. The even-odd rule of all rings together decides which
+// points they enclose, so a ring in a ring is a hole.
 //
 // Main flow of read_dxf():
 //  1. records  reads pairs of a code and a value, and collects the curves of section ENTITIES,
@@ -54,7 +54,7 @@ struct DxfSelection {
   std::optional<CircleDivision> division = {};
   double scale = 1;
 };
-/// Returns the polygon of what is selected of a drawing.
+/// Returns the polygon of the selected parts of a drawing.
 PlaneFile read_dxf_selection(std::string_view text, const DxfSelection& selection,
                              const ReadOptions& options, Context& context);
 /// Returns the set of this polygon.
@@ -65,8 +65,8 @@ PlaneRead read_dxf_set(std::string_view text, const DxfSelection& selection,
 bool begins_like_dxf(std::string_view text);
 
 /// Writes a closed LWPOLYLINE for each ring, on layer 0. Lines and points are not written. Numbers
-/// are the nearest doubles, as in format_double(). Throws what `out` throws, and Error{Cancelled}
-/// or Error{ResourceLimit} as the context says.
+/// are the nearest doubles, as in format_double(). Throws the exceptions of `out` and the errors of
+/// the Context.
 void write_dxf(std::ostream& out, const PlaneShapes& shapes, Context& context);
 
 }  // namespace plumb

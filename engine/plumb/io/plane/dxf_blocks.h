@@ -14,7 +14,7 @@
 
 namespace plumb {
 
-/// Curves and inserts that were read together: those of a block, or those of the drawing itself.
+/// Curves and inserts that were read together. They belong to one block, or to the drawing itself.
 struct DxfBlock {
   Point2 base;  ///< The point of the block that an insert places.
   std::uint32_t first_curve = 0, end_curve = 0;

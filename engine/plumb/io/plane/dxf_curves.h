@@ -1,4 +1,5 @@
-// The lines and curves of a drawing, and how open ones join to rings: for the reader of DXF.
+// The lines and curves of a drawing, and how open curves are joined to rings, for the reader of
+// DXF.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +45,7 @@ struct DxfCurve {
   std::uint32_t area = 0;
   const char* where = nullptr;  ///< Where the text states it.
   std::string_view layer = "0";
-  SvgTransform transform;  ///< From the coordinates of the curve to those of the drawing.
+  SvgTransform transform;  ///< Maps coordinates of the curve to coordinates of the drawing.
 };
 
 /// The curves of a drawing, in flat arrays.
@@ -63,8 +64,8 @@ struct DxfRingRules {
   bool closes_open_chains = false;  ///< Whether a straight line closes an open chain, with a note.
 };
 
-/// Adds the rings of all curves to `shapes`, area by area: flattens the curves and joins open ones.
-/// Errors: see read_dxf().
+/// Adds the rings of all curves to `shapes`, area by area. For this, it flattens the curves and
+/// joins open curves. Errors: see read_dxf().
 void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOptions& options,
                    const DxfRingRules& rules, ShapeCollector& shapes, Context& context);
 

@@ -1,5 +1,5 @@
-// The cubic spline through given points: what programs draw for a SPLINE that has fit points and no
-// control points, for the reader of DXF.
+// The cubic spline through given points, for the reader of DXF. Programs draw this curve for a
+// SPLINE that has fit points and no control points.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ struct FitCurve {
   std::vector<double> begin;  ///< The parameters, k + 1.
 };
 
-/// Returns the curve through `points`; points equal to the one before them are left out. The curve
+/// Returns the curve through `points`. Points that equal the previous point are left out. The curve
 /// is empty if fewer than two different points are left. Cost: O(n).
 FitCurve fit_curve(std::span<const Point2> points, const FitEnds& ends, Context& context);
 

@@ -3,8 +3,8 @@
 // plane sets take, so that every rule of GeoJSON holds for it.
 //
 // Main flow of read_gdal_layer():
-//  1. open      with the one driver that belongs to the extension. Few other drivers are
-//               registered, and none of them opens network addresses or files elsewhere
+//  1. open with the only driver that belongs to the extension. Few other drivers are registered,
+//               and none of them opens network addresses or files elsewhere
 //  2. features  geometries go through WKB and the reader of plumb (wkb.h); fields become properties
 //
 // Errors: CannotOpen, UnknownFormat, Syntax, BadArgument, CannotWrite, ResourceLimit, Cancelled.
@@ -27,9 +27,9 @@ bool is_gdal_format(const std::string& path);
 bool has_gdal();
 
 /// Returns the features of a layer of the file as a GeoJSON text, with the coordinate reference
-/// system as "crs". `object` is the name of the layer; if it is empty, the first one that may have
-/// polygons is read. Appends what was not read to `notes`. The memory of the text stays charged to
-/// `context`. Requires is_gdal_format(path) and has_gdal().
+/// system as "crs". `object` is the name of the layer; if it is empty, the first layer that may
+/// have polygons is read. Appends sentences about contents that were not read to `notes`. The
+/// memory of the text stays charged to `context`. Requires is_gdal_format(path) and has_gdal().
 std::string read_gdal_layer(const std::string& path, const std::string& object,
                             std::vector<std::string>& notes, Context& context);
 

@@ -1,7 +1,8 @@
 // Reads and writes GeoJSON (RFC 7946; docs/formats.md, "GeoJSON"): geometries, Features and
 // FeatureCollections, one of them or a sequence (one a line, or with the record separators of RFC
 // 8142). Members may come in any order. Properties, ids, bounding boxes and other members are
-// skipped, whatever they hold; numbers of positions after x and y are dropped. A note names both.
+// skipped, whatever their values are; numbers of positions after x and y are dropped. A note names
+// both.
 //
 // Main flow of read_geojson():
 //  1. split    JsonScanner finds one token after the other (no recursion, no tree)
@@ -30,8 +31,7 @@ PlaneFile read_geojson(std::string_view text, const ReadOptions& options, Contex
 
 /// Writes one geometry object on one line: a Point .. MultiPolygon, or a GeometryCollection of
 /// those if dimensions mix or there is nothing. Numbers are the nearest doubles, as in
-/// format_double(). Throws what `out` throws, and Error{Cancelled} or Error{ResourceLimit} as the
-/// context says.
+/// format_double(). Throws the exceptions of `out` and the errors of the Context.
 void write_geojson(std::ostream& out, const PlaneShapes& shapes, Context& context);
 
 }  // namespace plumb

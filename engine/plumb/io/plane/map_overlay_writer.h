@@ -8,7 +8,7 @@
 
 namespace plumb {
 
-/// Two maps, their overlay and its areas: what the writers need.
+/// The data that the writers need: two maps, their overlay and its areas.
 struct OverlayReport {
   const MapReport& first;
   const MapReport& second;

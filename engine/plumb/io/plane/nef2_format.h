@@ -8,8 +8,8 @@
 //
 // Errors of steps 1 to 3 are thrown with the place (file, line, column): NotText, Syntax,
 // NumberOutOfRange, CountMismatch, BadIndex, BadShape (a line through equal points, parallel lines
-// of a crossing), UnknownFormat (another version), ResourceLimit; those of step 4 as BadShape with
-// the file; Cancelled. Cost: O(n log n).
+// of a crossing), UnknownFormat (another version), ResourceLimit; the errors of step 4 as BadShape
+// with the file; Cancelled. Cost: O(n log n).
 #pragma once
 
 #include <ostream>
@@ -31,8 +31,8 @@ Nef2 read_nef2(std::string_view text, const ReadOptions& options, Context& conte
 // Writes sets of the plane as `.nef2` (docs/formats.md, ".nef2").
 
 /// Writes a complex without loss: read_nef2_records() of the text gives to_records(complex).
-/// Coordinates are integers or fractions, never decimals. Throws what `out` throws, and
-/// Error{Cancelled} or Error{ResourceLimit} as the context says.
+/// Coordinates are integers or fractions, never decimals. Throws the exceptions of `out` and the
+/// errors of the Context.
 void write_nef2(std::ostream& out, const PlaneComplex& complex, Context& context);
 
 }  // namespace plumb

@@ -58,8 +58,8 @@ class ShapeCollector {
     push_point(shapes_.points, x, y);
   }
 
-  // Each of these takes the positions [first, last) and returns what is wrong with them, in which
-  // case they are not added; else an empty string.
+  // Each of these functions takes the positions [first, last). If the positions are wrong, the
+  // function returns the reason and adds nothing. Otherwise it returns an empty string.
   /// Adds a closed ring to the polygon that end_polygon() ends.
   std::string add_ring(std::uint32_t first, std::uint32_t last);
   std::string add_line(std::uint32_t first, std::uint32_t last);
@@ -67,7 +67,7 @@ class ShapeCollector {
   /// Ends a polygon; does nothing without a ring.
   void end_polygon();
   std::size_t polygon_count() const { return shapes_.polygon_count(); }
-  /// States that the polygons from `first` on are those of one MULTIPOLYGON.
+  /// States that the polygons from `first` on belong to one MULTIPOLYGON.
   template <class Input>
   void join_polygons(const Input& in, std::size_t first) {
     charge(in, (polygon_count() - std::min(first, polygon_count())) * kCornerBytes);

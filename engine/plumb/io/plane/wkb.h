@@ -21,7 +21,7 @@
 namespace plumb {
 
 /// Returns the shapes of a file, with notes. The memory of the shapes stays charged to `context`.
-/// Doubles are read as they are, whatever the options say of decimals.
+/// Doubles are read unchanged. The option for decimals has no effect on them.
 PlaneFile read_wkb(std::string_view bytes, const ReadOptions& options, Context& context);
 
 /// Whether bytes begin like WKB: with a byte order and the code of a geometry, as bytes or as
@@ -29,8 +29,8 @@ PlaneFile read_wkb(std::string_view bytes, const ReadOptions& options, Context& 
 bool begins_like_wkb(std::string_view bytes);
 
 /// Writes one geometry, with little-endian numbers: Point .. MultiPolygon, a GeometryCollection of
-/// those if dimensions mix, an empty GeometryCollection if there is nothing. Throws what `out`
-/// throws, and Error{Cancelled} or Error{ResourceLimit} as the context says.
+/// those if dimensions mix, an empty GeometryCollection if there is nothing. Throws the exceptions
+/// of `out` and the errors of the Context.
 void write_wkb(std::ostream& out, const PlaneShapes& shapes, Context& context);
 
 }  // namespace plumb

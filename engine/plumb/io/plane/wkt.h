@@ -33,8 +33,7 @@ bool begins_like_wkt(std::string_view text);
 
 /// Writes one geometry on one line: POINT .. MULTIPOLYGON, a GEOMETRYCOLLECTION of those if
 /// dimensions mix, GEOMETRYCOLLECTION EMPTY if there is nothing. Numbers are the nearest doubles,
-/// as in format_double(). Throws what `out` throws, and Error{Cancelled} or Error{ResourceLimit} as
-/// the context says.
+/// as in format_double(). Throws the exceptions of `out` and the errors of the Context.
 void write_wkt(std::ostream& out, const PlaneShapes& shapes, Context& context);
 
 }  // namespace plumb

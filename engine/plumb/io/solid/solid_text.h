@@ -54,11 +54,11 @@ class SolidText {
   SolidText(const Nef3& set, const SolidFormat& format, OutputRounding rounding, Context& context,
             std::string library = {}, SolidFaces faces = {});
 
-  /// Returns what the file does not say of the set, or says otherwise after rounding; one sentence
-  /// each.
+  /// Returns sentences about properties of the set that the file does not represent, or that
+  /// rounding has changed.
   const std::vector<std::string>& losses() const { return losses_; }
-  /// Returns what the file says otherwise without a loss to users of meshes, one sentence each:
-  /// that the closure of the set is written, and that rounding needed a repair.
+  /// Returns sentences about changes that are no loss for users of meshes: that the closure of the
+  /// set is written, and that rounding needed a repair.
   const std::vector<std::string>& changes() const { return changes_; }
   /// Returns a sentence on the attributes of the sources that the file does not have, or an empty
   /// text.
@@ -92,8 +92,9 @@ class SolidText {
 // The check that the links of a complex can be followed, which a reader makes before anything else
 // uses it.
 
-/// Returns what is wrong with the links, or an empty string. Requires arrays whose sizes agree and
-/// ids in range, as the reader's records have them. The rules:
+/// Returns a text that states what is wrong with the links, or an empty string if nothing is wrong.
+/// Requires arrays whose sizes agree and ids in range, as the reader's records have them. The
+/// rules:
 ///
 ///   edges     An edge joins two vertices, lies on two planes, and is free in a volume or on a
 ///             facet

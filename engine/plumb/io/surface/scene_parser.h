@@ -78,8 +78,8 @@ struct DrawingFile {
   SvgDrawing drawing;
 };
 
-/// Returns the scene (steps 3 to 5). `text` is what was parsed; `drawings` holds the file of each
-/// drawing of the scene.
+/// Returns the scene (steps 3 to 5). `text` is the parsed text. `drawings` contains the file of
+/// each drawing of the scene.
 SurfaceScene make_scene(const ParsedScene& scene, std::shared_ptr<const SurfaceMesh> mesh,
                         std::string_view text, const ReadOptions& options, Context& context,
                         std::span<const DrawingFile* const> drawings = {});

@@ -45,7 +45,8 @@ class XmlScanner {
   /// `text` must outlive it; `name` is the file in messages.
   XmlScanner(std::string_view text, const std::string& name, Context& context);
 
-  /// Returns whether an element starts, ends (one without content does both), or there is no more.
+  /// Returns whether an element starts, whether an element ends, or whether the text ends. An
+  /// element without content starts and ends.
   Event next();
 
   /// Returns the name of the element that started or ended last.
@@ -59,7 +60,7 @@ class XmlScanner {
   XmlScanner of_element() const;
   /// Whether the root has ended.
   bool finished() const { return has_root_ && open_.empty(); }
-  /// Gives back what the attributes of the element that started last are charged.
+  /// Releases the memory that is charged for the attributes of the element that started last.
   void release_attributes();
 
   /// Returns a cursor at a byte of the tag read last.
@@ -112,10 +113,10 @@ class SvgValue {
   /// Returns the next byte, or 0. Requires a call of at_end() first.
   char peek() const { return rest_.empty() ? '\0' : rest_.front(); }
   const char* position() const { return rest_.data(); }
-  /// Skips a byte that is no number.
+  /// Skips a byte that belongs to no number.
   void skip();
 
-  /// Returns a finite number and takes what separates it from the next.
+  /// Returns a finite number, and skips the characters that separate it from the next number.
   double number();
   /// Does the same for a number with a unit: px counts as none, in, cm, mm, pt and pc are
   /// converted, a percentage is one of `whole` unless this is 0, others fail.

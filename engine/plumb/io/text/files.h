@@ -29,7 +29,7 @@ bool lies_below(const std::string& folder, const std::string& file);
 /// file.
 std::string named_file(const std::string& input, const std::string& name, NamedFiles named_files);
 
-/// Returns what `path` is called in messages: itself, or "stdin" for "-".
+/// Returns the name of `path` in messages: `path` itself, or "stdin" for "-".
 std::string input_name(const std::string& path);
 
 // Output that is complete or absent.
@@ -85,7 +85,7 @@ class OutputFile {
   const std::string& path() const { return path_; }
   std::ostream& stream() { return *stream_; }
 
-  /// Writes what is buffered and waits until the disk has it. Requires no earlier finish().
+  /// Writes the buffered bytes, and waits until they are on the disk. Requires no earlier finish().
   void finish();
   /// Renames the file to its final name. Requires finish().
   void commit();

@@ -1,9 +1,10 @@
-// Files of another kind than the one that is read: what they are, and what to do.
+// Recognizes files of another kind than the reader expects, and states what the file is and what
+// the user can do.
 //
-// A reader that is given a file of another kind fails at its first word, and what it expected there
-// tells nobody that the file is packed, is in UTF-16, or is a STEP model. naming_foreign_files()
-// looks at the first bytes of a file that a reader refused. It never decides how a file is read, so
-// a file that a reader accepts may begin with anything.
+// A reader that gets a file of another kind fails at the first word. Its message says what it
+// expected there, but not that the file is packed, is in UTF-16, or is a STEP model.
+// naming_foreign_files() looks at the first bytes of a file that a reader refused. It never decides
+// how a file is read, so a file that a reader accepts may begin with anything.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +21,10 @@ enum class FileReaders : std::uint8_t { Solids, PlaneSets };
 
 /// Returns what the file is and what to do, such as "this is a file packed by gzip; unpack it
 /// first". `own` are the kinds that the reader reads, in words between blanks, such as " OFF ";
-/// these are not named. Returns no value if the first bytes are those of no other known kind. Cost:
-/// at most the first 4096 bytes are searched.
-/// The advice is for the readers given; without them, for those of the own kinds.
+/// these are not named. Returns no value if the first bytes belong to no other known kind. Cost: at
+/// most the first 4096 bytes are searched.
+/// The advice is for the given readers. If no readers are given, it is for the readers of the kinds
+/// that plumb reads.
 std::optional<std::string> foreign_kind(std::string_view bytes, std::string_view own,
                                         std::optional<FileReaders> readers = std::nullopt);
 

@@ -90,8 +90,8 @@ class JsonPlaces {
 
   /// Throws anywhere before the position of the parser.
   [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const;
-  /// Throws what the parser complains of, at one of its positions; `id` and `what` are those of its
-  /// exception.
+  /// Throws the error of the parser, at one of its positions. `id` and `what` come from the
+  /// exception of the parser.
   [[noreturn]] void fail_syntax(std::size_t position, int id, std::string_view what) const;
 
  private:
@@ -124,7 +124,7 @@ class JsonValues {
   using Id = std::uint32_t;
   static constexpr Id kDocument = 0;
 
-  /// Throws what is wrong at a byte of the text. Does not return.
+  /// Throws an error at a byte of the text. Does not return.
   using Fail = std::function<void(std::size_t byte, ErrorCode code, const std::string& what)>;
 
   /// Keeps the text, which must outlive it, and the context. `name` is the file in messages. Throws
@@ -198,7 +198,9 @@ class JsonValues {
  private:
   struct Span {
     std::uint32_t begin;  ///< First byte.
-    Id next;  ///< The value after all that it contains; while it is open, the one it lies in.
+    /// The value after all values that this value contains. While this value is open: the value
+    /// that contains it.
+    Id next;
   };
   friend class JsonListener;
 

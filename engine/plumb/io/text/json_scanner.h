@@ -30,12 +30,12 @@ enum class JsonToken : std::uint8_t {
   String,
   Number,
   Null,
-  Word,  ///< Another word: true, false, and what is no JSON, such as NaN.
+  Word,  ///< Another word: true, false, or a word that is not JSON, such as NaN.
   End,   ///< The end of the text.
 };
 
-/// Splits a JSON text into tokens. Throws Error{Syntax} with the place where the text is no JSON,
-/// and what Context::checkpoint() throws. Cost: O(bytes); memory is one bit for each open bracket.
+/// Splits a JSON text into tokens. Throws Error{Syntax} with the place where the text is not JSON,
+/// and the errors of the Context. Cost: O(bytes); memory is one bit for each open bracket.
 class JsonScanner {
  public:
   /// Keeps `text` and `context`, which must outlive it. `name` is the file in messages.
@@ -90,7 +90,7 @@ class JsonScanner {
   const char* p_;
   const char* end_;
   const char* token_;
-  std::vector<bool> open_;  // Open brackets: whether each is that of an object.
+  std::vector<bool> open_;  // For each open bracket, whether it belongs to an object.
   Before before_ = Before::Bracket;
   bool has_value_ = false;
   std::size_t steps_ = 0;

@@ -36,7 +36,7 @@ struct JsonReplaced {
   std::string note() const;
 };
 
-/// The copy of a text in which what is not JSON is replaced.
+/// The copy of a text in which everything that is not JSON is replaced.
 class JsonCopy {
  public:
   /// Makes the copy. Its memory is charged until the object ends. Cost: O(bytes).
@@ -63,7 +63,8 @@ class JsonCopy {
   std::size_t charged_ = 0;
   JsonReplaced replaced_;
   std::string text_;
-  /// For each replaced piece, where what follows it begins in the copy, and in the text.
+  /// For each replaced piece, the offsets at which the text behind it begins: in the copy, and in
+  /// the original text.
   std::vector<std::pair<std::size_t, std::size_t>> behind_;
 };
 
@@ -77,7 +78,7 @@ class LenientJson {
   const JsonValues& values() const { return *values_; }
   /// Returns the byte of the text at which a value begins.
   std::size_t byte(JsonValues::Id value) const;
-  /// Returns what was replaced; nothing if the text is JSON.
+  /// Returns the replaced pieces. There are none if the text is JSON.
   JsonReplaced replaced() const { return copy_ ? copy_->replaced() : JsonReplaced{}; }
 
  private:

@@ -17,10 +17,10 @@
 
 namespace plumb {
 
-/// Writes the lines of the items 0 ... count - 1 in their order; write(out, i) writes those of item
-/// i. With threads, the texts of ranges of items are made in parallel. Some texts for each thread
-/// wait until they are written; they are charged to the context. Throws what `stream`, `write` and
-/// the context throw.
+/// Writes the lines of the items 0 ... count - 1 in their order. write(out, i) writes the lines of
+/// item i. With threads, the texts of ranges of items are made in parallel. Some texts for each
+/// thread wait until they are written; they are charged to the context. Throws the exceptions of
+/// `stream` and `write`, and the errors of the Context.
 template <class WriteItem>
 void write_lines(std::ostream& stream, std::size_t count, Context& context,
                  const WriteItem& write) {

@@ -24,8 +24,9 @@ int open_device(const std::string& path);
 /// Returns the descriptor.
 int create_temporary(std::string& name);
 
-/// Gives an open file the permissions of the file `model`, or, if there is none, those of any file
-/// that the process creates. Windows derives permissions from the folder, so nothing is done there.
+/// Gives an open file the permissions of the file `model`. If there is no such file, gives it the
+/// permissions of any file that the process creates. Windows derives permissions from the folder,
+/// so nothing is done there.
 void give_permissions(int descriptor, const std::string& model);
 
 /// Waits until the bytes of an open file are on the device. Returns whether that succeeded.
