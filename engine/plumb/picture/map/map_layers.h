@@ -27,8 +27,8 @@ struct PaintCounts {
   std::size_t left_out = 0;  ///< Cycles beyond the limits, which get a grey tint as well.
 };
 
-/// Paints cycles by decreasing area, a clockwise one before counter-clockwise ones of the same
-/// area, with their tints. One painter serves several views.
+/// Paints cycles with their tints, in descending order of area. If areas are equal, clockwise
+/// cycles come first. One painter serves several views.
 class Painter {
  public:
   explicit Painter(const Plane& plane);
@@ -40,7 +40,7 @@ class Painter {
   double line_width(const View& view, const PaintLimits& limits) const;
 
   const Plane& plane_;
-  std::vector<std::uint8_t> colour_;  ///< Tint of each cycle; kTints for clockwise ones.
+  std::vector<std::uint8_t> colour_;  ///< The tint of each cycle; kTints for clockwise cycles.
   std::vector<std::uint32_t> order_;
   double perimeter_ = 0;  ///< Of all cycles, in plane units.
 };
@@ -53,9 +53,9 @@ struct Inset {
   std::size_t defects = 0;  ///< Defects that it shows and windows chosen earlier do not.
 };
 
-/// Returns at most `max` windows, those with most defects first, none overlapping another much;
-/// only where the defects' edges are too short to be seen in `overview`. `aspect` is width /
-/// height. Cost: O(d^2) for the first thousand defects.
+/// Returns at most `max` windows around defects whose edges are too short to be seen in `overview`.
+/// Windows with many defects come first. No two windows overlap much. `aspect` is width / height.
+/// Cost: O(d^2) for the first thousand defects.
 std::vector<Inset> choose_insets(const MapReport& report, const Plane& plane, const View& overview,
                                  double aspect, std::size_t max);
 

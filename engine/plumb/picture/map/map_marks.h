@@ -23,9 +23,9 @@ class LabelPlacer {
   /// Keeps labels off a place strictly.
   void block(const Rectangle& r) { taken_.push_back(r); }
 
-  /// Returns a place for a label of this size at 0.7 to 4 times `reach` from `anchor`: within the
-  /// frame, off all other labels, covering as few of the avoided places as possible; no value if
-  /// there is none.
+  /// Returns a place for a label of this size. Its distance from `anchor` is 0.7 to 4 times
+  /// `reach`. The label lies within the frame, overlaps no other label, and covers as few of the
+  /// avoided places as possible. Returns no value if there is no such place.
   std::optional<Rectangle> place(Point2 anchor, double width, double height, double reach);
 
  private:

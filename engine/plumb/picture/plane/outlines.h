@@ -1,5 +1,5 @@
 // Closed polygons on their way into a picture: boxes, paths, chains of edges, space for labels, and
-// what becomes of polygons too small to be seen.
+// the treatment of polygons that are too small to be seen.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace plumb {
 /// Returns the box of a ring. Requires a point.
 Rectangle box_of(const std::vector<Point2>& ring);
 
-/// Returns the points of a ring's vertices, from those of all vertices.
+/// Selects the points of the vertices of a ring from the points of all vertices.
 std::vector<Point2> points_of(std::span<const VertexId> ring, std::span<const Point2> of_vertex);
 
 /// Returns the ring in picture units.

@@ -1,4 +1,4 @@
-// From the coordinates of a map or a complex to those of a picture.
+// Maps the coordinates of a map or a complex to coordinates of a picture.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,8 @@ class Plane {
 
   const Map& map() const { return map_; }
   Point2 at(std::uint32_t vertex) const { return at(map_.points.approx(vertex)); }
-  /// Returns the place of any point; distant or non-finite ones are moved to the border of [-2, 2].
+  /// Returns the place of any point; a distant point, or a point that is not finite, is moved to
+  /// the border of [-2, 2].
   Point2 at(Point2 p) const;
   /// Returns the box of the vertices in use; (0, 0) alone if there are none.
   const Rectangle& extent() const { return extent_; }
@@ -78,8 +79,8 @@ class View {
   double scale_;
 };
 
-// The part of the plane that a picture of a complex shows: a box with exact borders, so that what
-// goes on to infinity can be cut off exactly.
+// The part of the plane that a picture of a complex shows: a box with exact borders, so that
+// unbounded cells can be cut off exactly.
 
 class PlaneWindow {
  public:
@@ -93,8 +94,8 @@ class PlaneWindow {
   double aspect() const { return half_height_; }
 
   /// Returns the window coordinates of a point: the middle is (0, 0), and the left and right
-  /// borders are x = -1 and x = 1, equally scaled in y. Accurate to 2^-25 of the window's width
-  /// wherever the window lies.
+  /// borders are x = -1 and x = 1, equally scaled in y. The error is at most 2^-25 of the width of
+  /// the window, for every position of the window.
   Point2 at(const PlanePoints& points, std::uint32_t i) const;
   /// Returns the borders that a point lies on, exactly: 1 left, 2 right, 4 bottom, 8 top.
   unsigned borders(const PlanePoints& points, std::uint32_t i) const;

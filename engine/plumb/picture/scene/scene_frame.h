@@ -1,4 +1,4 @@
-// From coordinates of space to those of a scene, and colours for things of one kind.
+// Maps coordinates of space to coordinates of a scene, and chooses colours for things of one kind.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The page of scene_html.h: what comes before the data and after it. The program works with WebGL 1
-// as it is; a library would be fifty times as long, in every file.
+// The page of scene_html.h: the text before the data, and the text after the data. The program
+// works with WebGL 1 as it is; a library would be fifty times as long, in every file.
 #pragma once
 
 #include <string_view>

@@ -12,7 +12,7 @@ namespace plumb {
 /// A straight stroke.
 using TextStroke = std::pair<Point2, Point2>;
 
-/// Returns the width of a text in units of its height, which is that of a capital.
+/// Returns the width of a text, divided by the height of its capital letters.
 double stroked_width(std::string_view text);
 
 /// Returns the strokes of a text around its middle, y downwards, one unit high. Capitals, digits

@@ -110,7 +110,7 @@ inline constexpr const char* kEdgeInk = "#76808c";
 inline constexpr const char* kMixedInk = "#2b2f36";  // For labels of several kinds at once.
 
 /// Returns a tint (0 .. kTints - 1) for each listed cycle; cycles with a common edge get different
-/// ones as long as nine suffice in the order of the listing. Cost: O(corners).
+/// tints, if nine tints suffice in the order of the listing. Cost: O(corners).
 std::vector<std::uint8_t> colour_cycles(const Map& map);
 
 }  // namespace plumb
