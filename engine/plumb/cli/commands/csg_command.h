@@ -19,11 +19,11 @@
 
 namespace plumb::cli {
 
-/// The lines that explain how a model was evaluated: for each node the time without that of its
-/// children, the number of facets or edges, and what it is.
+/// The lines that explain how a model was evaluated: for each node, they state the kind of the
+/// node, the number of facets or edges, and the time without the time of its children.
 ///
-/// Nodes that only pass on their child are not shown. If a node is equal to one that has been
-/// shown, its subtree is not shown again.
+/// Nodes that only pass on their child are not shown. If an equal node has been shown before, the
+/// subtree of the node is not shown again.
 class CsgTreeView {
  public:
   CsgTreeView(const CsgTree& tree, const CsgResult& result) : tree_(tree), result_(result) {}
@@ -52,7 +52,7 @@ class CsgTreeView {
  private:
   const CsgNodeReport& report(std::uint32_t i) const { return result_.nodes[i]; }
 
-  /// Whether the value of a node is that of a node below it.
+  /// Whether a node has the same value as a node below it.
   bool passes_on(std::uint32_t i) const {
     const std::uint32_t same = report(i).same_as;
     return same > i && same < tree_.nodes[i].end;
@@ -147,7 +147,7 @@ class CsgOperation : public SetOperation<Kind> {
     if constexpr (kIsSolid) options.attributes = this->input().kept();
     Context& context = session.context();
     if (!model_.ends_with(".scad")) return read_csg_file(model_, options, context);
-    // The places in messages are those of the flat model.
+    // The positions in messages refer to the flat model.
     const std::string text = flat_model_of(model_, context);
     CsgRead model = read_csg(model_ + " (as .csg)", text, options, context);
     context.release_memory(text.size());

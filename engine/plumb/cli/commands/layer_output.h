@@ -1,5 +1,5 @@
-// The output of commands whose result is a layer: the formats, and what goes to standard output
-// besides.
+// The output of commands whose result is a layer: the formats, and what is written to standard
+// output in addition.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@
 
 namespace plumb::cli {
 
-/// A format of layers, with the function that writes it; `write_crs` is the one of a format that
-/// keeps the name of a coordinate reference system.
+/// A format of layers, with the function that writes it. If the format keeps the name of a
+/// coordinate reference system, `write_crs` is the function that writes the name, too.
 struct LayerFormat {
   std::string_view name;
   std::string_view extension;
@@ -104,8 +104,8 @@ inline void require_polygons(const LayerFile& read, const std::string& file) {
   if (!lack.empty()) throw Error(ErrorCode::BadShape, lack, {input_name(file)});
 }
 
-/// Notes a coordinate reference system that differs from that of an earlier layer, or that the
-/// format of the output cannot hold.
+/// Adds a note if the coordinate reference system of a layer differs from the system of an earlier
+/// layer, or if the format of the output cannot represent it.
 inline void note_crs(Session& session, const std::string& file, const std::string& crs,
                      const std::string& earlier) {
   if (crs.empty()) return;
@@ -122,7 +122,7 @@ inline void note_crs(Session& session, const std::string& file, const std::strin
 }
 
 /// Reads a layer, and prints the notes of its reader. Sets `crs` to the coordinate reference system
-/// of the layer, unless it is that of an earlier layer.
+/// of the layer, unless an earlier layer has the same system.
 inline Layer read_layer_operand(Session& session, const std::string& file,
                                 const LayerReadOptions& options, std::string& crs) {
   session.begin("read");

@@ -36,10 +36,11 @@ concept SetInput = std::default_initializable<Input> &&
 
 /// A kind of sets: Nef2 or Nef3, and what the commands need to know of it. A kind whose files show
 /// how a set was made has, besides, `canonical(set, context)`: the same set in a form that does not
-/// (--canonical). A kind whose files may hold shapes of doubles has, besides, `kHasGrid`
-/// (--raw, --grid), and one that writes meshes, `kWritesMeshes` (--triangles). A kind whose files
-/// may hold features has, besides, `Features`, what is known of those of all operands: `add(read)`
-/// is called for each operand in order, and `ready(set, features, output, session)` makes the file.
+/// (--canonical). If files of a kind may contain shapes of doubles, the kind also has `kHasGrid`
+/// (--raw, --grid). If they may be meshes, it also has `kWritesMeshes` (--triangles). If files of a
+/// kind may contain features, the kind also has `Features`, which collects the features of all
+/// operands: `add(read)` is called for each operand in order, and `ready(set, features, output,
+/// session)` makes the file.
 template <class Kind>
 concept SetKind = SetInput<typename Kind::Input> &&
     requires(const typename Kind::Set& set, const SetOutput& output, Context& context,

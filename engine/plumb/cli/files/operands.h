@@ -35,7 +35,7 @@ FileKind kind_of_file(const std::string& path, std::string_view bytes);
 
 namespace plumb::cli {
 
-// Numbers on the command line, and exact ones for people to read.
+// Numbers on the command line, and exact numbers as text for people.
 
 /// Returns a number given as an argument, by the rules for numbers in files. `name` appears in
 /// Error{Usage}.
@@ -136,7 +136,7 @@ class SolidInput {
   Nef3 read(const std::string& file, Session& session) const;
   /// Does the same if the bytes of the file have been read.
   Nef3 read(const std::string& file, const std::string& bytes, Session& session) const;
-  /// Returns what load() does if the bytes of the file have been read.
+  /// Does the same as load() for a file whose bytes have been read.
   SolidRead load(const std::string& file, const std::string& bytes, const CommonOptions& options,
                  Context& context) const;
 

@@ -1,6 +1,6 @@
-// The outputs of commands: which ones a command writes and in which format, results that are sets,
-// and how pictures are made. A command has a table of formats, each with members `name` ("svg") and
-// `extension` (".svg").
+// The outputs of commands: which outputs a command writes and in which formats, results that are
+// sets, and how pictures are made. A command has a table of formats, each with members `name`
+// ("svg") and `extension` (".svg").
 #pragma once
 
 #include <cstddef>
@@ -66,9 +66,9 @@ const auto& format_of_file(const Table& formats, const std::string& path) {
               {path});
 }
 
-/// Calls add(path, format) for what -o, --format and --json ask for. If they ask for nothing and
-/// standard output is free, calls it for text on standard output. Throws Error{Usage} and
-/// Error{UnknownFormat}.
+/// Calls add(path, format) for each output that -o, --format and --json ask for. If they ask for
+/// nothing and standard output is free, calls it for text on standard output. Throws Error{Usage}
+/// and Error{UnknownFormat}.
 template <class Table, class Add>
 void add_outputs(const CommonOptions& options, const Table& formats, bool is_stdout_free,
                  const Add& add) {
@@ -86,7 +86,7 @@ void add_outputs(const CommonOptions& options, const Table& formats, bool is_std
   if (out.empty() && !options.json && is_stdout_free) add("-", format_named(formats, "text"));
 }
 
-// Results that are sets, of the plane or of space, and what is said of them.
+// Results that are sets of the plane or of space, and the messages about them.
 
 /// A set prepared for a file: all work and all checks are done.
 struct ReadyFile {
@@ -139,7 +139,7 @@ class SetOutput {
   std::string title() const;
 
   /// Prepares the output. `info` and `make` are called only if they are needed. Under `strict`, a
-  /// file that would leave something out is not written. Throws what `make` throws, and
+  /// file that would leave something out is not written. Throws the exceptions of `make`, and
   /// Error{CannotWrite} with the name of the file.
   void prepare(const std::function<nlohmann::ordered_json()>& info,
                const std::function<ReadyFile()>& make, bool strict, Session& session);

@@ -13,13 +13,14 @@
 
 namespace plumb::cli {
 
-/// What a command does. A new one is made for every run.
+/// The work of a command. Every run makes a new object.
 class CommandBody {
  public:
   virtual ~CommandBody() = default;
-  /// Adds its own options and arguments; those of every command are added besides.
+  /// Adds the options and arguments that only this command has. The options of every command are
+  /// added elsewhere.
   virtual void declare(CLI::App& app) = 0;
-  /// Does the work. Whatever it prints goes through session.outputs(). Throws plumb::Error.
+  /// Does the work. All its outputs go through session.outputs(). Throws plumb::Error.
   virtual ExitCode run(Session& session) = 0;
 };
 
@@ -45,8 +46,8 @@ struct CommandGroup {
 };
 std::span<const CommandGroup> command_groups();
 
-// A command with its options as CLI11 represents them: what is parsed, and what help, manual and
-// completion print.
+// A command with its options in the form of CLI11. They are parsed, and help, manual and completion
+// print them.
 
 /// A command that is ready to parse its arguments.
 class CommandApp {

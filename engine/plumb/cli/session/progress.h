@@ -52,7 +52,7 @@ class ProgressEstimate {
   void expect(ProgressStages stages);
   /// Begins the next stage of this name and skips others; does nothing if there is none.
   void begin(std::string_view stage, double now);
-  /// Takes what a ProgressCallback receives.
+  /// Takes the arguments of a ProgressCallback.
   void tell(std::string_view phase, std::uint64_t done, std::uint64_t total, double now);
 
   /// What the bar shows.
@@ -154,7 +154,7 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   bool is_shown() const { return shown_; }
-  /// Sets what the command will do (ProgressEstimate).
+  /// Sets the steps that the command will take (ProgressEstimate).
   void expect(ProgressStages stages);
   /// Begins the next stage of this name and shows the line again.
   void begin(std::string_view stage);
@@ -187,8 +187,8 @@ class ProgressBar {
   std::jthread drawer_;  ///< Only on a terminal.
 };
 
-/// Returns what wipes the line of a bar, for signal handlers that end the process; empty if no bar
-/// is on the terminal. No bar is drawn afterwards. Async-signal-safe.
+/// Returns the text that wipes the line of a bar, for signal handlers that end the process. Returns
+/// an empty text if no bar is on the terminal. No bar is drawn afterwards. Async-signal-safe.
 std::string_view wiping_text();
 
 }  // namespace plumb::cli

@@ -1,5 +1,5 @@
-// What a command receives and what the process guarantees: exit codes, signals and memory, common
-// options, outputs, messages.
+// The things that a command receives and that the process guarantees: exit codes, signals and
+// memory, common options, outputs, messages.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -130,9 +130,9 @@ class Outputs {
   Writer to_stdout_;
 };
 
-/// Replaces control characters by '?', so that no file can send commands to a terminal: those of
-/// ASCII, those from U+0080 to U+009F, and bytes that begin or continue no character of UTF-8.
-/// Allocates no memory.
+/// Replaces control characters by '?', so that no file can send commands to a terminal. Control
+/// characters are the control characters of ASCII, the characters from U+0080 to U+009F, and bytes
+/// that begin or continue no character of UTF-8. Allocates no memory.
 void hide_controls(std::span<char> text);
 
 /// What a command works with.
