@@ -1,9 +1,9 @@
 // The building of a tree over boxes, and the test of a ray and a box.
 //
-// Boxes are sorted along a space-filling curve (G. M. Morton, 1966: bits of the axes interleaved),
-// so that consecutive boxes are near each other, and grouped in that order; no other choice is
-// made, so building is linear. Boxes that fall into one cell of the grid are sorted on a grid of
-// their own.
+// Boxes are sorted along a space-filling curve, which interleaves the bits of the axes (G. M.
+// Morton, 1966). So consecutive boxes are near each other. They are grouped in this order. No other
+// choice is made, so building takes linear time. Boxes that fall into one cell of the grid are
+// sorted on a grid of their own.
 //
 // The test of a ray errs to the safe side: every bound is loosened by more than all roundings.
 //

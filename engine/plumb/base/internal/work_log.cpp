@@ -5,9 +5,9 @@
 // of a stack, by objects on the stack: an exception closes them, too. A node is complete before it
 // moves into the steps of the node around it, so no pointer to an open node becomes invalid.
 //
-// Jobs of a section have their nodes in one array that does not grow; each job writes to its own.
-// The thread that starts the jobs counts what it does between them for the node around the section:
-// starting threads is serial work.
+// The nodes of the jobs of a section are in one array that does not grow. Each job writes to its
+// own node. The time that the thread that starts the jobs spends between them belongs to the node
+// around the section, because starting threads is serial work.
 // Tested by tests/base/work_log_test.cpp.
 
 #include "plumb/base/internal/work_log.h"
