@@ -2,11 +2,10 @@
 //
 // Invariants (dcel.h lists them, dcel_audit.cpp checks them): next is a permutation with the
 // inverse prev; it keeps loops and leads from a half-edge to one that leaves its target; every loop
-// is in the ring of its face; a vertex has a half-edge that leaves it, or the loop that it is
-// alone. Every operator keeps them: it changes links first, then loops, then vertices. The cost of
-// an operator is that of relabelling one loop, or constant. Operators refuse structures with
-// pinches, in which a vertex has several rings, because it would not be known to which ring an
-// edge belongs.
+// is in the ring of its face; a vertex refers to a half-edge that leaves it, or, if it is isolated,
+// to its loop. Every operator keeps them: it changes links first, then loops, then vertices. An
+// operator takes constant time, or the time for relabelling one loop. Operators refuse structures
+// with pinches, in which a vertex has several rings, because the ring of an edge would be unknown.
 //
 // Sources: L. J. Guibas, J. Stolfi, Primitives for the manipulation of general subdivisions and the
 // computation of Voronoi diagrams, ACM Transactions on Graphics 4 (1985); M. Mäntylä, An

@@ -1,7 +1,7 @@
-// The audits of a half-edge structure: its links, and whether it is one of the plane.
+// The audits of a half-edge structure: its links, and whether it represents a map of the plane.
 //
-// DcelAudit checks the invariants of dcel.h in an order in which each check assumes only those
-// before it, so that links can be followed safely in any structure. Many invariants follow from a
+// DcelAudit checks the invariants of dcel.h in an order in which each check relies only on the
+// checks before it. So links can be followed safely in any structure. Many invariants follow from a
 // count: if every chain that is found has one label, and together they reach all half-edges, there
 // is one chain for each label.
 //
