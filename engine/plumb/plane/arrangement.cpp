@@ -3,12 +3,12 @@
 // An arrangement is a sweep whose rule keeps every piece (OriginsRule, plane_rules.h). The sets of
 // overlapping curves are treaps that share nodes: an event that changes a bundle by one curve
 // copies a path of expected O(log n) nodes. Priorities are a hash of the keys, so a set has one
-// shape, whatever the order of its changes. Nodes made since begin_change() belong to the set under
-// change alone; those that it drops again are reused, so several changes in one event cost no more
-// nodes than their result.
+// shape, whatever the order of its changes. Nodes that were made since begin_change() belong only
+// to the set that is being changed. If this set drops such a node again, the node is reused. So
+// several changes in one event cost only the nodes of their result.
 //
-// Scenes of doubles are renumbered in the order of the sweep first, as what one event touches then
-// lies side by side in memory.
+// Scenes of doubles are renumbered in the order of the sweep first, because then the data that one
+// event touches are side by side in memory.
 //
 // Tested by tests/plane/arrangement_test.cpp.
 

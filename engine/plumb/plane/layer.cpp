@@ -1,13 +1,13 @@
 // Repair of layers: cells, regions, owners, polygons.
 //
 // All features are arranged exactly (layer/covered_cells.h), so every question about overlaps and
-// gaps is one about the faces of the arrangement and the lists of the features that cover them.
-// Regions are united from faces, and owners are selected for them. The result is made of the owners
-// of faces as labels (layer/labelled_layer.h).
+// gaps is a question about the faces of the arrangement, and about the lists of the features that
+// cover them. Regions are united from faces, and owners are selected for them. The result is made
+// of the owners of faces as labels (layer/labelled_layer.h).
 //
 // Gaps that are open depend on the owners of overlaps, so a layer is arranged first without bridges
-// and, if there are bridges, once more with them. A filled gap may leave another one at its mouth;
-// each time a shorter border remains.
+// and, if there are bridges, once more with them. A filled gap may leave another gap at its mouth,
+// but each time a shorter border remains.
 //
 // Tested by tests/plane/layer_test.cpp and open_gaps_test.cpp, which compare with cells of a grid.
 

@@ -1,7 +1,7 @@
-// Both layers are arranged as one layer, whose first features are those of the first layer. A list
-// of features is ascending, so its first entry and its first entry of the second layer are the pair
-// of the face. Pairs get their numbers in sorted order; a pair of which rounding leaves nothing is
-// taken out of the numbers afterwards.
+// Both layers are arranged as one layer, in which the features of the first layer come first. A
+// list of features is ascending. So the pair of a face consists of the first entry of its list, and
+// of the first entry from the second layer. Pairs get their numbers in sorted order; a pair that
+// vanishes by rounding loses its number afterwards.
 //
 // Tested by tests/plane/layer_operations_test.cpp.
 #include "plumb/plane/layer_overlay.h"

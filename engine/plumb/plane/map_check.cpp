@@ -2,12 +2,12 @@
 //
 // Main flow of MapChecker::run(): edges are paired (map_edges.h); one sweep finds contacts and the
 // rotation system (map_contacts.h); borders that no cycle lists are traced, and outer boundaries
-// inferred if that is wanted; orbits of the rotation system are the faces that the edges really
-// induce, components are nested in them, and rings that touch make regions (map_orbits.h).
-// Combinatorial and geometric defects are independent, so all are counted in one run; faces are
-// looked for only if there is no duplicate, open edge or contact, because only then the rotation
-// system is one of a plane graph. For a defective map, map_claims.h finds which regions overlap,
-// because hints must say so. docs/maps.md describes the check.
+// are inferred if the options ask for it; orbits of the rotation system are the faces that the
+// edges really induce, components are nested in them, and rings that touch make regions
+// (map_orbits.h). Combinatorial and geometric defects are independent, so all are counted in one
+// run; faces are traced only if there is no duplicate, open edge or contact, because only then does
+// the rotation system belong to a plane graph. For a defective map, map_claims.h finds which
+// regions overlap, because hints must say so. docs/maps.md describes the check.
 //
 // Tested by tests/plane/map_check_test.cpp, tests/plane/map_check_property_test.cpp and
 // tests/plane/map_check_scale_test.cpp.

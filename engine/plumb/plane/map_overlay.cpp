@@ -2,8 +2,8 @@
 //
 // Both maps become curves with their regions at the sides, and one sweep that keeps every piece
 // (MapOverlayRule) gives the common subdivision with the pair of regions of each face. The areas of
-// the faces of each region must add up to that of the region, exactly; that is an independent check
-// of the overlay.
+// the faces of each region must add up exactly to the area of the region. This is an independent
+// check of the overlay.
 //
 // Tested by tests/plane/map_overlay_test.cpp.
 

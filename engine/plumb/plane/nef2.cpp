@@ -1,12 +1,12 @@
-// Sets of the plane: what copies share, comparison, queries, operators of topology, ray shooting
-// and the parts of a set.
+// Sets of the plane: the state that copies share, comparison, queries, operators of topology, ray
+// shooting and the parts of a set.
 //
 // A set is its minimal complex, whose numbering is canonical (plane_draft.h). So equality compares
 // links, marks, points and the lines of unbounded edges one by one, and operators of topology
 // change marks and simplify in linear time. Copies share one state; the structures for location and
-// for rays are built when they are first needed, once, whatever thread asks.
+// for rays are built once, when any thread needs them first.
 //
-// Booleans are in set/boolean_op.cpp, the sets to start from in set/shapes.cpp.
+// Booleans are in set/boolean_op.cpp. The construction of basic sets is in set/shapes.cpp.
 //
 // Tested by tests/plane/nef2_test.cpp and tests/plane/nef2_property_test.cpp.
 

@@ -2,8 +2,8 @@
 //
 // Sizes, the half-edge structure, the frame, points and the order around vertices are checked
 // first, so that links and ids can be followed safely. Then a sweep over the edges alone, with
-// their listed marks, builds the complex once more (plane_records.h): the edges meet at vertices
-// only, and faces and links are those that geometry gives, if and only if the two are equal.
+// their listed marks, builds the complex once more (plane_records.h). The two complexes are equal
+// if and only if the edges meet only at vertices, and faces and links agree with the geometry.
 //
 // Tested by tests/plane/nef2_test.cpp and tests/plane/plane_records_test.cpp.
 

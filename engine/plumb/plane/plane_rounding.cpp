@@ -2,9 +2,9 @@
 //
 // PlaneRounder has a scene of labelled edges between doubles. It arranges the scene; where the
 // arrangement has crossings, it makes the next scene from the pieces, either with each crossing
-// rounded (and repaired locally), or with all vertices snapped to a common grid. An arrangement
-// without crossings is the result, but for edges between equal faces, which are left out. So the
-// result is valid whatever the steps before did: the last arrangement has checked it.
+// rounded (and repaired locally), or with all vertices snapped to a common grid. If an arrangement
+// has no crossings, it is the result, except that edges between equal faces are left out. So the
+// result is valid in any case, because the last arrangement has checked it.
 //
 // Termination: only kMostRounds rounds are local. Every later round doubles the step of the grid,
 // and hot pixels need one of these rounds (docs/design/rounding.md, Lemma 2). Even without this

@@ -1,10 +1,10 @@
 // The sweep over the edges of a map: contacts of edges, and the rotation system.
 //
-// A pair of edges is counted at the first point that it has in common: not where it arrives in one
-// bundle, as it was counted before, and not where it has a common vertex, unless it leaves in one
-// bundle. The number of pairs at an event may be quadratic in the edges there, so pairs are counted
-// by sorting: all pairs less the legal ones. Only as many as are described are looked at one by
-// one.
+// A pair of edges is counted at the first point that both edges have in common. It is not counted
+// at an event where it arrives in one bundle, because it was counted before. It is not counted at a
+// common vertex, unless it leaves the vertex in one bundle. The number of pairs at an event may be
+// quadratic in the edges there, so pairs are counted by sorting: all pairs less the legal ones.
+// Only the pairs that are described are examined one by one.
 //
 // Without contacts, the order of incoming and outgoing edges at each event is the rotation system,
 // and the edge below the first vertex of a component says where that component lies.

@@ -1,4 +1,4 @@
-// Pairing of the directed edges of a map, its components, and the borders of what it covers.
+// Pairing of the directed edges of a map, its components, and the borders of the covered area.
 //
 // Directed edges are bucketed by the lesser of their vertices and sorted within a bucket, so equal
 // edges come side by side, first forward, then backward, each in the order of the listing. A border

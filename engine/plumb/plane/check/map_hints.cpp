@@ -1,10 +1,11 @@
 // Hints, from the claims of regions (map_claims.h) and the borders of the listed faces.
 //
-// An open edge is judged by what lies at its missing side. If cycles list that side by way of other
-// vertices, it is a T-junction, or vertices have equal coordinates. If another region claims it,
-// the regions overlap. Only if nobody claims any place beside its border chain, the chain is what
-// its orientation says: a gap, or an outer boundary that is not listed. The orientation alone says
-// nothing: the border of an overlap of two neighbours runs clockwise, too.
+// An open edge is judged by the cycles and regions at its missing side. If cycles list that side by
+// way of other vertices, it is a T-junction, or vertices have equal coordinates. If another region
+// claims it, the regions overlap. If no region claims any place beside the chain of the border, the
+// orientation of the chain decides: the chain is a gap, or an outer boundary that is not listed.
+// The orientation alone says nothing: the border of an overlap of two neighbours runs clockwise,
+// too.
 //
 // An overlap of two regions along one border is mended by a change of path: between two vertices of
 // both, one of them follows the other. In all other places of the texts the overlap is only named.

@@ -4,12 +4,12 @@
 // outside of its component is seen at its lexicographically first vertex, where all edges lead to
 // the right: it is if some corner there contains the direction to the left. A component lies in the
 // face above the edge that is next below its first vertex; components are settled in the order of
-// those vertices, so the one with that edge is settled before.
+// these vertices, so the component with this edge has been settled before.
 //
 // Rings that touch: two cycles that list half-edges of one face are boundaries of one region. So
-// the classes of cycles that this relation generates are the regions, if the listing means regions
-// at all. A class is a region if its faces are bounded by nothing unlisted, no edge has the class
-// at both sides, and exactly one cycle is counter-clockwise (none if a face of the class is
+// the classes of cycles that this relation generates are the regions, if the listing describes
+// regions at all. A class is a region if its faces are bounded by nothing unlisted, no edge has the
+// class at both sides, and exactly one cycle is counter-clockwise (none if a face of the class is
 // unbounded). Proof that the winding number w of the cycles of such a class is 1 in its faces and 0
 // elsewhere: let u be 1 in the faces of the class and 0 elsewhere. Across an edge with the class on
 // one side only, the half-edge on that side is listed by the class, so w and u jump alike. Across

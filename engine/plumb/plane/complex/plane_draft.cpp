@@ -2,14 +2,15 @@
 //
 // Numbering is canonical, so that equal sets have equal arrays: vertices in lexicographic order,
 // edges as a sweep meets them, loops by least half-edge, faces by least half-edge with face 0 first
-// and the face beyond the frame last, and input points in their order with those left out to which
+// and the face beyond the frame last, and input points in their order, without points to which
 // nothing refers.
 //
 // simplify() drops edges first. Whether an edge is dropped depends on the marks of its old faces,
-// which are equal where faces are joined, so the order does not matter; the same holds for vertices
-// once edges are settled (docs/design/sweep.md, Lemma 3). without_edges() drops the edges that its
-// caller names, and vertices by the same rule, but without marks. Kept edges stay in the order of
-// the sweep, because a chain takes the place of its first edge.
+// which are equal where faces are joined, so the order does not matter. After the edges are
+// settled, the order of the vertices does not matter either (docs/design/sweep.md, Lemma 3).
+// without_edges() drops the edges that its caller names, and vertices by the same rule, but without
+// marks. Kept edges stay in the order of the sweep, because a chain takes the place of its first
+// edge.
 //
 // Tested by tests/plane/nef2_test.cpp, tests/plane/sweep_unbounded_test.cpp and
 // tests/plane/without_edges_test.cpp.

@@ -2,9 +2,9 @@
 //
 // A list is taken as true only as far as a sweep confirms it: indices and lines are checked first,
 // then the listed edges are swept with their listed marks as labels, and the result is listed
-// again. If both lists agree, the listed marks are those of the faces that the edges really bound,
-// edges meet at vertices only, and everything is in its order. For a set, simplify() must change
-// nothing besides.
+// again. If both lists agree, the listed marks belong to the faces that the edges really bound,
+// edges meet only at vertices, and everything is in the right order. For a set, it is also required
+// that simplify() changes nothing.
 //
 // Tested by tests/plane/plane_records_test.cpp and tests/io/plane_io_test.cpp.
 

@@ -5,7 +5,7 @@
 // corner adds the distance of this corner from the new edge, so the sum bounds the distance in both
 // directions, by the triangle inequality.
 //
-// The last arrangement would find edges that break the invariant of the graph.
+// If edges broke the invariant of the graph, the last arrangement would find them.
 //
 // Tested by tests/plane/layer_operations_test.cpp and tests/plane/plane_simplify_test.cpp.
 #include "plumb/plane/layer/border_graph.h"

@@ -1,6 +1,6 @@
-// Lists of features follow from the list of face 0, which is empty: across an edge, those polygons
-// change that have an odd number of curves on the edge. The dual graph of an arrangement is
-// connected, so one search visits all faces.
+// Lists of features follow from the list of face 0, which is empty: across an edge, the list
+// changes by the polygons that have an odd number of curves on the edge. The dual graph of an
+// arrangement is connected, so one search visits all faces.
 //
 // Tested by tests/plane/layer_test.cpp, which compares with cells of a grid.
 #include "plumb/plane/layer/covered_cells.h"

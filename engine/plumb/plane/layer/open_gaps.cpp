@@ -1,14 +1,14 @@
-// Finding bridges, and what becomes of the cells between them.
+// Finds bridges, and decides about the cells between them.
 //
-// Where bridges run is decided in doubles: it says which of many similar cuts are made, and no cut
-// needs to end exactly where it should. A bridge that ends inside an edge goes on a little into the
-// feature behind it, so that the exact arrangement finds the crossing. A bridge that leaves the
-// open face sooner, or that ends too soon, cuts something else off, or nothing. What is cut off is
-// measured exactly, and only the measures decide.
+// The places of bridges are decided in doubles. They select some of many similar cuts, and no cut
+// needs to end exactly at a given place. A bridge that ends inside an edge goes on a little into
+// the feature behind it, so that the exact arrangement finds the crossing. A bridge that leaves the
+// open face sooner, or that ends too soon, cuts off something else, or nothing. The parts that are
+// cut off are measured exactly, and only the measures decide.
 //
-// A bridge inside a gap is of no account, since the gap has one owner. So it does no harm to leave
-// out bridges beside shorter ones, and this keeps their number in O(n) for borders of a bounded
-// number of edges within the width.
+// A bridge inside a gap has no effect, because the gap has one owner. So a bridge beside a shorter
+// bridge may be left out. If the number of border edges within the width is bounded, this leaves
+// O(n) bridges.
 //
 // Tested by tests/plane/open_gaps_test.cpp.
 #include "plumb/plane/layer/open_gaps.h"

@@ -1,5 +1,4 @@
-// The faces of a complex cut into trapezoids, by a sweep that repeats the one that numbered the
-// complex.
+// The faces of a complex cut into trapezoids, by repeating the sweep that numbered the complex.
 //
 // Vertices and edges are numbered in the order of the sweep, so the order of events and of outgoing
 // edges is known. For each edge the trapezoids just above and below it are kept; at a vertex these

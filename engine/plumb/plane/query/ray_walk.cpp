@@ -4,8 +4,8 @@
 // a vertex, the turn from the line of an edge, and the order of a crossing and a vertex. In a
 // trapezoid the ray meets the bottom or the top if it approaches that edge and crosses its line
 // before the wall ahead; otherwise it passes the wall above or below its vertex, or meets the
-// vertex. "Before" is lexicographic, as trapezoids are those of the sheared plane, so vertical rays
-// and edges need no cases of their own except at walls of ends at infinity.
+// vertex. "Before" is lexicographic, because the trapezoids belong to the sheared plane. So
+// vertical rays and edges need no cases of their own, except at the walls of ends at infinity.
 //
 // Tested by tests/plane/ray_walk_test.cpp.
 

@@ -1,10 +1,10 @@
 // Labelled edges, their arrangement, and the labels of faces by winding numbers.
 //
-// A piece of an arrangement may be part of several edges. Its jump is the formal sum of their
-// labels above less those below. Nearly always the piece is part of one edge, and the jump is a
-// pair of labels; that case takes no memory of its own. A walk over the faces from face 0 adds
-// jumps. Nearly all faces are wound round once by one label (a clear face); the other faces get an
-// explicit list of winding numbers.
+// A piece of an arrangement may be part of several edges. Its jump is the formal sum of the labels
+// above these edges, minus the labels below them. Nearly always the piece is part of one edge, and
+// the jump is a pair of labels; that case takes no memory of its own. A walk over the faces from
+// face 0 adds jumps. Nearly all faces are wound round once by one label (a clear face); the other
+// faces get an explicit list of winding numbers.
 //
 // Tested by tests/plane/plane_rounding_test.cpp; docs/design/rounding.md has the proofs.
 

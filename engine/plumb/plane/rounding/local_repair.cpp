@@ -1,11 +1,12 @@
-// Local repair: rounds of "find what meets a moved edge, arrange that alone, round the crossings".
+// Local repair: rounds that find the edges that meet a moved edge, arrange only these edges, and
+// round the crossings.
 //
 // Before each round all edges that have not moved meet only in common ends. A tree over the boxes
 // of all edges finds the candidates for each moved edge, and exact relations of segments decide.
-// Only edges that meet otherwise are arranged, with a table of points of their own. In later rounds
-// rounding to the nearest doubles may creep: a crossing of two long edges that are nearly parallel
-// goes on by one ulp in each round. So then all edges that pass a crossing within half a step are
-// bent to it, as snap rounding does.
+// Only edges that meet at other places are arranged, with a table of points of their own. In later
+// rounds rounding to the nearest doubles may creep: a crossing of two long edges that are nearly
+// parallel goes on by one ulp in each round. So then all edges that pass a crossing within half a
+// step are bent to it, as snap rounding does.
 //
 // The caller arranges all edges once more, so nothing depends on a repair that was too small.
 //

@@ -3,7 +3,7 @@
 // The edges of both operands become curves of one scene, and one sweep builds the minimal complex
 // of the result: BooleanRule carries the pair of faces upward and applies the function to their
 // marks (docs/design/sweep.md, Lemmas 2 and 3). Crossings keep the lines of input points that
-// define them, so a Boolean of results costs no larger numbers than one of inputs.
+// define them, so a Boolean of results needs no larger numbers than a Boolean of inputs.
 //
 // An affine map moves the input points and sweeps again, as the order of everything may change. The
 // face at the bottom, from which labels start, is then found from the mapped unbounded curves.

@@ -1,5 +1,5 @@
-// The sets of the plane to start from: half-planes, lines, polygons, polylines, points, and regions
-// of checked maps.
+// The basic sets of the plane: half-planes, lines, polygons, polylines, points, and regions of
+// checked maps.
 //
 // Chains of points become curves with winding jumps: across a curve of a polygon the winding number
 // changes by 1, across a slit (a line or polyline) it does not. One sweep with WindingNumberRule

@@ -8,9 +8,10 @@
 //
 // A plain event has one point, no overlap and no mark. Nothing passes through it, so only the
 // curves that start there are sorted, and the status is searched only if none ends there. Every
-// other event is handled in general: all bundles through it are taken from the status, those that
-// go on are put back in reverse order, and starting curves are merged in by direction. A bundle is
-// known by the curve of it that ends last, so that its end is an event of its own.
+// other event is handled in general: all bundles through it are taken from the status, the bundles
+// that go on are put back in reverse order, and starting curves are merged in by direction. A
+// bundle is represented by its curve that ends last, so that the end of this curve is an event of
+// its own.
 //
 // Tested by tests/plane/sweep_test.cpp and tests/plane/sweep_unbounded_test.cpp.
 

@@ -1,8 +1,9 @@
 // Ranks of points, order and meetings of curves, and the members of bundles.
 //
 // Points are sorted once, input points by keys of their nearest doubles: rounding is monotone, so
-// different keys order exact points rightly, and only equal keys need exact comparison. Where two
-// neighbours of the status meet next is one orientation sign (docs/design/sweep.md, Neighbours).
+// different keys order exact points rightly, and only equal keys need exact comparison. One
+// orientation sign decides where two neighbours of the status meet next (docs/design/sweep.md,
+// Neighbours).
 //
 // Tested by tests/plane/sweep_test.cpp and tests/plane/sweep_unbounded_test.cpp.
 
