@@ -2,9 +2,9 @@
 //
 // A set is its unique minimal map (docs/design/sphere.md, Minimal form). So two sets are equal if
 // and only if their symmetric difference is empty, and operators of topology only change marks and
-// simplify: the interior keeps the mark of a cell where all cells around it are marked, the closure
-// marks it where any of them is. Booleans bring both maps over one table of planes and overlay them
-// (sphere_overlay.h).
+// simplify: the interior keeps the mark of a cell if all cells around it are marked. The closure
+// marks a cell if any cell around it is marked. Booleans bring both maps over one table of planes
+// and overlay them (sphere_overlay.h).
 //
 // Tested by tests/sphere/nef_sphere_test.cpp and tests/sphere/nef_sphere_property_test.cpp.
 

@@ -1,12 +1,12 @@
 // The audit of a sphere map: whether arrays, planes, links, geometry and faces satisfy the
 // invariants that sphere_audit.h lists.
 //
-// Checks run from cheap to expensive, and each relies on those before it: sizes, ids, planes,
-// links, the order around points by signs, meetings away from points by an overlay of the map with
-// itself, faces, minimal form. Links alone do not prove the faces of a map that is not connected.
-// Euler's formula on the sphere, V - E + F = 1 + parts, gives the number of faces, and the links
-// between parts (SphereParts) say which cycles must share one; docs/design/sphere.md, Lemmas 2 and
-// 3.
+// Checks run from cheap to expensive, and each check relies on the checks before it: sizes, ids,
+// planes, links, the order around points by signs, meetings away from points by an overlay of the
+// map with itself, faces, minimal form. Links alone do not prove the faces of a map that is not
+// connected. Euler's formula on the sphere, V - E + F = 1 + parts, gives the number of faces, and
+// the links between parts (SphereParts) say which cycles must share one; docs/design/sphere.md,
+// Lemmas 2 and 3.
 //
 // Tested by tests/sphere/nef_sphere_test.cpp and tests/sphere/sphere_locator_test.cpp.
 

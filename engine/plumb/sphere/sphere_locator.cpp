@@ -1,7 +1,7 @@
 // Location of directions and shots along great circles, in a map that is prepared once.
 //
-// A SphereWalk goes once around on a great circle, piece by piece, and returns what is met in
-// order, without a look at the rest of the map. Main flow of SphereWalk::next():
+// A SphereWalk goes once around on a great circle, piece by piece, and returns the cells that it
+// meets, in order. It does not examine the rest of the map. Main flow of SphereWalk::next():
 //  1. certain   returns the nearest thing that has been found and not returned yet, if it surely
 //               lies on the pieces that have been searched
 //  2. further   otherwise searches one more piece, twice as long as the last; the first is about as
@@ -9,7 +9,8 @@
 //               meet are asked exactly, over the whole circle (Leg). If they are many more than all
 //               that were asked before, the piece is halved first.
 // Invariant: all that a searched piece meets has been found, so nothing found later comes before
-// what is certain. Doubles decide which items are asked and how long one waits, never what is met.
+// what is certain. Doubles decide which items are tested and how long this takes, but never which
+// cells are met.
 //
 // Cost: the items near the way up to the last thing that is taken; a point on the way costs its
 // degree.

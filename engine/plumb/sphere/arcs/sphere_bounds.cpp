@@ -2,13 +2,13 @@
 //
 // A direction is the cross product of two rows of doubles, normalized, in a ball whose radius
 // covers the errors of the rows and all roundings. The extent of an arc along a unit vector n is
-// that of its ends, and that of its circle where n . x may have its maximum or minimum inside the
-// arc. The tree halves the items along the longest axis of their centres; a node keeps a box and a
-// slab across the circle of one of its arcs.
+// the extent of its ends. If n . x may have its maximum or minimum inside the arc, the extent of
+// the circle is used instead. The tree halves the items along the longest axis of their centres; a
+// node keeps a box and a slab across the circle of one of its arcs.
 //
-// Everything here errs to the safe side: a bound contains what it bounds, whatever the roundings,
-// so that the tree may report pairs that do not meet but omits none. Nothing is decided here
-// (docs/design/sphere.md, Cost).
+// Everything here errs to the safe side: in spite of rounding, a bound contains its point or arc.
+// So the tree may report pairs that do not meet, but omits no pair that meets. Nothing is decided
+// here (docs/design/sphere.md, Cost).
 //
 // Tested by tests/sphere/sphere_overlay_test.cpp and tests/sphere/sphere_locator_test.cpp.
 

@@ -5,9 +5,9 @@
 // are present, half-arcs are sorted by heading.
 //
 // Labelling: going clockwise around a point that lies on map k, the face to the right of a half-arc
-// of k contains what follows up to the next such half-arc. That face holds on along pieces and over
-// points that touch nothing of k, so a flood labels every part that touches k. The other parts get
-// their face, and cycles are joined to faces, by the links of walks between parts
+// of k contains what follows up to the next such half-arc. This face continues along pieces and
+// over points that touch nothing of map k. So a flood labels every part that touches map k. The
+// other parts get their face, and cycles are joined to faces, by the links of walks between parts
 // (docs/design/sphere.md, Pieces and rings, Labels, Lemmas 2 and 3).
 //
 // Tested by tests/sphere/sphere_overlay_test.cpp.

@@ -6,8 +6,8 @@
 // docs/design/sphere.md proves them.
 //
 // SphereLunes does the most common case: the map of a point inside an edge (lunes: two opposite
-// points joined by half-circles) over that of a point inside a facet that the edge pierces (a loop
-// that crosses all half-circles). Main flow of SphereLunes::build():
+// points joined by half-circles) over the map of a point inside a facet that the edge pierces (a
+// loop that crosses all half-circles). Main flow of SphereLunes::build():
 //  1. tests whether the maps are like this, and on which side of the loop the first point lies
 //  2. cuts each half-circle where the loop crosses it, and the loop there; all links are known
 //  3. makes each face, the part of a lune on one side of the loop

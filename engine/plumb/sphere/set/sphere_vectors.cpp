@@ -1,9 +1,9 @@
-// Directions as vectors and as pairs of planes, and the sets to start from: half-spheres, circles,
-// regions, arcs and points.
+// Directions as vectors and as pairs of planes, and basic sets: half-spheres, circles, regions,
+// arcs and points.
 //
 // A vector v becomes the pair of planes through the centre with the normals v x e1 and v x e2, for
 // two axes e1 and e2 such that v is not orthogonal to the third. Chains of arcs are built as maps
-// with their links, and audited by NefSphere::from_complex(), which refuses those that meet
+// with their links, and audited by NefSphere::from_complex(), which refuses chains that meet
 // themselves.
 //
 // Tested by tests/sphere/nef_sphere_test.cpp.
