@@ -4,8 +4,8 @@
 // from the first cell in that order that needs it, with primitive coefficients; an edge has the
 // first two planes of its facets, or planes through it along axes; a point is an input point if it
 // can be, or the first three independent planes at it. So two complexes of one set get equal tables
-// and arrays. All names are made from planes that the minimal complex has, or that are given by an
-// edge or a point of it: ids of the old tables are never used.
+// and arrays. All names are made from planes of the minimal complex, or from planes that one of its
+// edges or points determines. Ids of the old tables are never used.
 //
 // Tested by tests/space/canonical_test.cpp.
 

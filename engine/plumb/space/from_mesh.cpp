@@ -1,12 +1,12 @@
-// From a mesh to a complex: the steps in order, and what is reported of the mesh.
+// From a mesh to a complex: the steps in order, and the report on the mesh.
 //
 // Each step is a source of its own in mesh/: vertices, facets, links, borders, components, fans and
 // crossings. Here they are run, faces keep their input numbers, and the report is filled. A mesh
 // that is open and not read as a surface stops after its borders are known.
 //
 // Large meshes of triangles are first sorted along a space-filling curve, which makes the later
-// steps faster; names of faces are translated back. An open mesh is read again in its own order, so
-// that its report does not depend on the sorting.
+// steps faster; the indices of faces are translated back. An open mesh is read again in its own
+// order, so that its report does not depend on the sorting.
 //
 // Flat edges (between two triangles of one plane) get their second planes only if they stay: for a
 // mesh that does not cross itself coplanar neighbours are joined first, and most of them are

@@ -1,9 +1,9 @@
 // Makes the mesh of the pieces of a boundary, rounds it, and computes the attributes of its faces.
 //
-// The pieces come from cut_boundary(). Their mesh is rounded and repaired as every valid mesh. Its
-// faces keep the indices of their pieces meanwhile; so each face of the result knows its piece, and
-// from this its source, even if a repair has moved or divided it. The numbers at corners are filled
-// in at the end (set/corner_values.h), when the points are known.
+// The pieces come from cut_boundary(). Their mesh is rounded and repaired like every valid mesh.
+// Its faces keep the indices of their pieces meanwhile; so each face of the result knows its piece,
+// and from this its source, even if a repair has moved or divided it. The numbers at corners are
+// filled in at the end (set/corner_values.h), when the points are known.
 //
 // Tested by tests/space/mesh_with_attributes_test.cpp.
 #include "plumb/space/mesh_with_attributes.h"

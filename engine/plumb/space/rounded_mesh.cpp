@@ -1,8 +1,9 @@
-// Rounds coordinates, and reports what rounding the vertices of a mesh has broken.
+// Rounds coordinates, and reports the damage that rounding the vertices of a mesh has caused.
 //
-// Before rounding the faces neither cross nor coincide. Faces without a rounded vertex stay as they
-// are, so only faces with one, and those near them, can be damaged. doubtful_faces() proves of most
-// of them with doubles that they are not; check_faces() finds what is wrong with the others.
+// Before rounding the faces neither cross nor coincide. Faces without a rounded vertex do not
+// change. So only faces with a rounded vertex, and faces near them, can be damaged. For most of
+// these faces, doubtful_faces() proves with doubles that they are not damaged. check_faces() finds
+// the defects of the others.
 //
 // Tested by tests/space/rounded_mesh_test.cpp and tests/space/to_mesh_test.cpp.
 

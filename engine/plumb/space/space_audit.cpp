@@ -1,5 +1,5 @@
 // Runs the parts of the audit (audit/audit_parts.h) up to the first flaw. Links are checked before
-// anything else reads them; fans are found once for all later parts.
+// other parts read them; fans are found once for all later parts.
 //
 // Tested by tests/space/space_audit_test.cpp.
 

@@ -1,13 +1,14 @@
 // Point location and ray shooting over one box tree.
 //
 // Items of the tree are facets, free edges and isolated vertices; their boxes cover all edges and
-// vertices. A point is first looked for on items whose boxes hold it; a point on none lies in the
-// volume that a ray towards -x sees first. All decisions are exact: boxes only choose candidates,
-// and a candidate is left out only where a bound proves that it is farther away than the best hit.
+// vertices. A point is first compared with the items whose boxes contain it. If it lies on no item,
+// it lies in the volume that a ray towards -x sees first. All decisions are exact: boxes only
+// choose candidates, and a candidate is left out only where a bound proves that it is farther away
+// than the best hit.
 //
 // Short rays first: boxes that meet a piece of the ray a few mean box sizes long are few and found
-// without divisions. A hit well within the piece is the nearest of all, since everything nearer
-// meets the piece too. For points in doubles a grid of known volumes (volume_grid.h) is asked
+// without divisions. A hit well within the piece is the nearest of all hits, because every nearer
+// item meets the piece, too. For points in doubles a grid of known volumes (volume_grid.h) is asked
 // first; it is made once, under a std::once_flag, and then read by any thread.
 //
 // Tested by tests/space/space_locator_test.cpp.

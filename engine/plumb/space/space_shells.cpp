@@ -1,9 +1,9 @@
-// Lists what is on each shell.
+// Lists the cells on each shell.
 //
 // The classes of ShellNodes (volumes.h) are the shells. Sides of facets, free edges, corners and
 // isolated vertices are listed with the root of their class, cells of the frame left out; sorting
-// drops repetitions. Shells are ordered by volume, then by their lexicographically least vertex:
-// the outer shell of a bounded volume has the least vertex of all that bound it, so it comes first.
+// drops repetitions. Shells are ordered by volume, then by their lexicographically least vertex: of
+// all shells of a bounded volume, the outer shell has the least vertex, so it comes first.
 //
 // Tested by tests/space/nef3_queries_test.cpp.
 

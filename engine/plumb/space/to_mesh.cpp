@@ -1,11 +1,13 @@
-// From a complex to a mesh: vertices by cones, faces by facets, and what the mesh cannot show.
+// From a complex to a mesh: vertices by cones, faces by facets, and the cells that the mesh cannot
+// represent.
 //
 // A vertex of the complex may touch the solid with several cones; a manifold mesh needs a vertex
 // for each. Corners of the shown sides of facets are joined around every edge, where two sides
 // bound the same part of the solid; the classes are the cones. Where an edge has more than two
-// shown sides, the solid behind them says which two belong together: after a side with the solid
-// behind it comes the side that closes it. If each edge has two shown sides, as on most solids, and
-// no vertex is to be split, a walk around each vertex tells whether it has more than one cone.
+// shown sides, the solid behind them decides which two sides belong together: after a side with the
+// solid behind it comes the side that closes it. If each edge has two shown sides, as on most
+// solids, and no vertex is to be split, a walk around each vertex tells whether it has more than
+// one cone.
 //
 // With threads, corners are joined while points are rounded and cells counted; then consecutive
 // sides make their faces in parallel, and the faces are joined in the order of the sides.

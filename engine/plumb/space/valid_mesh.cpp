@@ -1,14 +1,14 @@
-// Rounds a mesh, leaves out flat vertices, and repairs what rounding has damaged, round by round.
+// Rounds a mesh, leaves out flat vertices, and repairs the damage of rounding, round by round.
 //
-// Exact coordinates are computed only for the vertices of faces of which doubles cannot prove that
-// they are sound. If there are none, the cost is that of making the mesh and of the proofs.
+// If doubles prove that a face is sound, its exact coordinates are not computed. If this is so for
+// all faces, the cost is the cost of making the mesh and of the proofs.
 //
 // Most damage is local: where vertices are nearly on a line or nearly in a plane, rounding folds
 // thin triangles over their neighbours. snap_damaged() makes the parts that nearly touch meet in
-// common vertices, at first those within one unit of the last digit. If the damage does not shrink,
-// the distance doubles. Where nothing is near, mended() takes out each solid (marked volume) with a
-// damaged face: the sum of the winding numbers of these solids is an integer at every point off
-// their faces, and the points where it is positive form the new solids. Solids without damaged
+// common vertices, at first only parts within one unit of the last digit. If the damage does not
+// shrink, the distance doubles. If nothing is near, mended() takes out each solid (marked volume)
+// with a damaged face: the sum of the winding numbers of these solids is an integer at every point
+// off their faces, and the points where it is positive form the new solids. Solids without damaged
 // faces cross no other face, so they need not take part.
 //
 // Both steps can cause new damage. They end after a few rounds in practice. To end in any case, the

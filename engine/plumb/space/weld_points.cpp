@@ -1,10 +1,11 @@
 // Welding of close points by a grid with a hash table.
 //
 // Equal points are merged first (mesh_vertices.h), so that the grid holds each place once. A point
-// looks into the cells of its coordinates, less and plus the tolerance, along each axis: two cells
-// at most where doubles are dense beside the tolerance, since cells are four times as wide. Where
-// they are not, every double has a cell of its own, and the three values reach all doubles that are
-// near enough. So a neighbour is never missed because of rounding: rounding keeps the order.
+// looks into the cells of its coordinates, less and plus the tolerance, along each axis. If the
+// spacing of doubles is small compared with the tolerance, these are at most two cells, because
+// cells are four times as wide as the tolerance. Otherwise every double has a cell of its own, and
+// the three values reach all doubles that are near enough. So a neighbour is never missed because
+// of rounding: rounding keeps the order.
 //
 // Two distances are compared in doubles with a relative error bound, and with fractions where that
 // does not decide, or where squares leave the range of doubles.

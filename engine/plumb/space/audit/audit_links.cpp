@@ -1,13 +1,14 @@
 // Parts 1 and 3 of audit(): arrays and ids, and the boundary cycles of facets in their planes.
 //
-// Part 1 reads arrays and ids alone. Each check reads only what those before it have found to
-// exist, so a complex from an untrusted file cannot make it read out of bounds.
+// Part 1 reads arrays and ids alone. Each check reads only data whose existence an earlier check
+// has confirmed. So a complex from an untrusted file cannot make a check read out of bounds.
 //
 // Part 3 requires parts 1 and 2: edges and corners are sound around every vertex. Then a facet has
-// one cycle for each connected part of its boundary; the first one is outer, others are holes
-// inside it and apart. Which way a cycle runs is decided at its least vertex, where all edges leave
-// within half a turn: around a hole one corner there is larger than that, around the outside none
-// is. That cycles do not cross each other or themselves is the subject of part 4.
+// one cycle for each connected part of its boundary; the first cycle is the outer cycle. The others
+// are holes inside it, and no hole lies in another hole. Which way a cycle runs is decided at its
+// least vertex, where all edges leave within half a turn: around a hole, one corner at this vertex
+// is larger than half a turn; around the outside, no corner is. That cycles do not cross each other
+// or themselves is the subject of part 4.
 //
 // Where a point lies in a cycle is found by counting, along a half-line on which one coordinate is
 // constant, the edges that pass it. The walk is independent of facet_site(), which the algorithms

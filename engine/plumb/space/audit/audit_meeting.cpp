@@ -1,11 +1,11 @@
 // Parts 4 and 5 of audit(): cells meet only in common vertices and edges; volumes, frame and
 // minimal form.
 //
-// Part 4. Rings, corners and cycles have been checked: near a vertex or an edge nothing overlaps
-// that contains it. So two cells overlap only if somewhere a vertex lies inside an edge or a facet,
-// two edges cross inside both, or an edge passes through a facet: a common segment of two facets
-// ends in one of these. Nearly all of that shows where a vertex or an edge is tested against a
-// closed facet of which it is no part. The other cases are
+// Part 4. Rings, corners and cycles have been checked: near a vertex or an edge, no cells that
+// contain it overlap. So two cells overlap only if somewhere a vertex lies inside an edge or a
+// facet, two edges cross inside both, or an edge passes through a facet: a common segment of two
+// facets ends in one of these. Nearly all such cases are found by testing vertices and edges
+// against closed facets that do not contain them as a part. The other cases are
 //
 //   a vertex inside an edge    the edge is free, or all its facets have the vertex as a corner and
 //                              none is a triangle

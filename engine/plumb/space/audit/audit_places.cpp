@@ -3,15 +3,15 @@
 // Planes of a table and points of vertices are distinct; ends of edges lie on both planes; edges
 // run as their planes say; edges of a facet lie in its plane; facets turn counter-clockwise around
 // edges; directions around a vertex are distinct and its corners neither cross nor hold an edge. So
-// every sphere map is drawn without crossings. Around a vertex with a fan (mesh_topology.h) the
-// latter holds already; others cost O(d^2) for d edges.
+// every sphere map is drawn without crossings. Around a vertex with a fan (mesh_topology.h), the
+// corners need no test. Other vertices cost O(d^2) for d edges.
 //
 // Notation: directions in a plane n are sign (n x m) for another plane m of the line. Seen from the
 // positive side of n, s (n x m) turns to t (n x k) counter-clockwise exactly when s t det3(n, m, k)
 // is positive.
 //
-// Equality is found by fingerprints (docs/design/planes-first.md, "Fingerprints"): different ones
-// prove different objects, so only cells with equal ones are compared exactly.
+// Equality is found by fingerprints (docs/design/planes-first.md, "Fingerprints"): different
+// fingerprints prove different objects, so only cells with equal fingerprints are compared exactly.
 //
 // Declared in plumb/space/audit/audit_parts.h.
 // Tested by tests/space/space_audit_test.cpp.

@@ -8,8 +8,8 @@
 // (volumes.h).
 //
 // Invariants, checked by PLUMB_CHECK: facing points have equal marks, rings mirror each other, all
-// corners of a facet and all views of a volume have one mark. They hold because both are computed
-// from the same pair of cells.
+// corners of a facet and all views of a volume have one mark. They hold because both sides of each
+// condition are computed from the same pair of cells.
 //
 // Memory: arrays of the draft are freed as soon as no later step reads them, since the peak comes
 // with the volumes.

@@ -1,4 +1,5 @@
-// Booleans of complexes: the order of the steps, what is freed when, and what runs in parallel.
+// Booleans of complexes: the order of the steps, the times at which memory is freed, and the parts
+// that run in parallel.
 //
 // The two operands are symmetric until Combiner applies the function of marks, so each step runs
 // for operand 0 and 1 by one function. With threads, contacts are overlaid in batches of 512, each

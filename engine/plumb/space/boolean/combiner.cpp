@@ -1,4 +1,5 @@
-// Steps 4 to 6 of a Boolean: what becomes of every vertex, and which half-edges face each other.
+// Steps 4 to 6 of a Boolean: decides about every vertex, and finds the half-edges that face each
+// other.
 //
 // At a contact the sphere maps of both operands are overlaid, marks combined, and the result
 // simplified; it is a vertex, a place inside an edge (kept until edges are joined), or nothing. A
@@ -6,10 +7,10 @@
 // a constant, under which it is dropped.
 //
 // Invariant of pairing: every half-edge of the draft runs in one cell of each operand. Half-edges
-// with the same two cells lie on one line and alternate along it: one that leaves in the reference
-// direction, then one that looks back (docs/design/boolean.md, Lemma 5). The reference direction is
-// that of half-edge 2e if one of the cells is an edge e, else that of n_p x n_q for the planes p of
-// the facet of a and q of the facet of b.
+// with the same two cells lie on one line and alternate along it: a half-edge that leaves in the
+// reference direction is followed by a half-edge that looks back (docs/design/boolean.md, Lemma 5).
+// If one of the cells is an edge e, the reference direction is the direction of half-edge 2e.
+// Otherwise it is n_p x n_q for the planes p of the facet of a and q of the facet of b.
 //
 // Tested by tests/space/nef3_property_test.cpp and tests/space/degenerate_families_test.cpp.
 

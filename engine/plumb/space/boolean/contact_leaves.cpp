@@ -3,13 +3,13 @@
 // Slabs: between two neighbouring heights of vertices no edge of the facet begins or ends, so the
 // edges there have one order across, and a point is inside the facet if and only if an odd number
 // of edges lies beyond it. A segment tree over the slabs stores each edge O(log n) times instead of
-// once in every slab that it spans. Two edges in one list span a common slab; which comes first is
-// decided at the later one of their lower ends, else at the earlier one of their higher ends: two
-// different edges share one end at most, so they cannot tie at both.
+// once in every slab that it spans. Two edges in one list span a common slab. Their order is
+// decided at the later of their lower ends. If this gives a tie, it is decided at the earlier of
+// their higher ends. Two different edges share at most one end, so there is no tie at both.
 //
 // Every comparison is exact: heights by compare_axis(), sides by another plane through the edge,
-// which exists as an edge has two planes. A point of another table is compared by its box first,
-// then by copying both points to one table.
+// which exists because an edge has two planes. A point of another table is compared by its box
+// first, then by copying both points to one table.
 //
 // Leaves: see the header. Invariant: every vertex and edge within reach belongs to exactly one
 // leaf; owner() and edge_use decide to which.

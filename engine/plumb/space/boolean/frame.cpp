@@ -7,8 +7,8 @@
 // Far planes are made as pencils of planes of the frame and planes through the origin, so that R
 // occurs in the column of offsets only and every sign stays linear in R (docs/design/frame.md,
 // Lemma 2). A box in general position is found by trying the cube, then random normals with growing
-// entries: the bad ones lie on finitely many surfaces. Lemma 4 there proves that a shift of a set
-// in general position leaves the traces on the box as they are.
+// entries: bad normals lie on finitely many surfaces. Lemma 4 of that page proves that a shift of a
+// set in general position does not change the traces on the box.
 //
 // Tested by tests/space/transform_test.cpp and tests/space/nef3_test.cpp.
 

@@ -1,15 +1,15 @@
 // Minimal form, by merging in the arrays or by sphere maps.
 //
 // Which cells are superfluous is a local question (docs/design/boolean.md, Lemma 2). If no facet,
-// free edge or isolated vertex is, then volumes stay and only edges between two facets of one plane
-// and vertices inside edges or facets are removed (docs/design/meshes.md, Lemma 4): facets are
-// united over flat edges, edges over passed vertices, and every list is made anew by walking around
-// what was removed. Otherwise every map is simplified and all is assembled again. Both ways give
-// the same complex, up to numbering.
+// free edge or isolated vertex is superfluous, then volumes stay, and only edges between two facets
+// of one plane and vertices inside edges or facets are removed (docs/design/meshes.md, Lemma 4):
+// facets are united over flat edges, edges over passed vertices, and every list is made anew by
+// walking around the removed cells. Otherwise every map is simplified and all is assembled again.
+// Both ways give the same complex, up to numbering.
 //
-// Invariant of the walks: from an edge use that stays, the next one along the united facet is found
-// by turning around its end across flat edges; all corners of the result are found so, and a flat
-// half-edge that no corner crosses belongs to a facet that lies all around its vertex.
+// Invariant of the walks: from an edge use that stays, the next edge use along the united facet is
+// found by turning around its end across flat edges; all corners of the result are found so, and a
+// flat half-edge that no corner crosses belongs to a facet that lies all around its vertex.
 //
 // Tested by tests/space/simplify_test.cpp, which compares both ways.
 

@@ -7,9 +7,9 @@
 // any contact asks one ray towards -x; the map of the cell that it hits has the volume that lies on
 // the side from which it came, direction +x, {kPlaneY, kPlaneZ}.
 //
-// Invariant: every vertex gets a label once, and a group is collected only while it has none; so
-// all floods together cost O(vertices + edges). The locator for rays is built for the first group
-// that needs it.
+// Invariant: every vertex gets a label once, and a group is collected only while it has no label;
+// so all floods together cost O(vertices + edges). The locator for rays is built for the first
+// group that needs it.
 //
 // Tested by tests/space/nef3_property_test.cpp and tests/space/degenerate_families_test.cpp.
 

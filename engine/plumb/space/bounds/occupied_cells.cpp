@@ -1,7 +1,9 @@
-// Notes the cells of boxes in one bit for each, and compares other boxes with them.
+// Stores one bit for each cell of a grid: whether a box reaches the cell. Compares other boxes with
+// these cells.
 //
-// Cells follow coordinates monotonically, so a point that two boxes share is in a cell of both.
-// Boxes that would set many words make the grid useless and slow: then no cells are kept.
+// Cells follow coordinates monotonically, so a common point of two boxes lies in a cell that both
+// boxes reach. If boxes would set many words, the grid would be useless and slow. In this case no
+// cells are kept.
 //
 // Tested by tests/space/occupied_cells_test.cpp.
 

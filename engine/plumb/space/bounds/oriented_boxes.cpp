@@ -1,11 +1,11 @@
 // A tree of oriented boxes: how its nodes are made, divided and compared.
 //
 // The axes of a node are the principal axes of the corners of its triangles, so that thin triangles
-// side by side get thin boxes. Axes, middles and halves are computed in doubles; correctness rests
-// on one invariant: the box of a node surely holds all its corners. Halves are widened by the radii
-// of the corners' boxes and by 2^-40 of the distances, far more than the roundings of some 100
-// operations at 2^-53 each; comparisons add the same share as slack. If anything is not finite, a
-// comparison says that the boxes are not apart.
+// side by side get thin boxes. Axes, middles and halves are computed in doubles; correctness relies
+// on one invariant: the box of a node contains all corners of its triangles, in spite of rounding.
+// Halves are widened by the radii of the corners' boxes and by 2^-40 of the distances, far more
+// than the roundings of some 100 operations at 2^-53 each; comparisons add the same share as slack.
+// If anything is not finite, a comparison says that the boxes are not apart.
 //
 // Division first separates a large group, then long triangles from short ones, then halves along
 // the axis of largest spread; each node has at least one triangle in both parts, so there are fewer

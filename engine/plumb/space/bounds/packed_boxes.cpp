@@ -1,9 +1,10 @@
 // Packs boxes into 12 bytes each and sorts them along a Morton curve.
 //
 // Coordinates become cells of one grid by monotone arithmetic, so that boxes that meet still meet.
-// The tree is not built if it would be of little use: if many boxes lie within one cell, where all
-// of them meet, or if more than 256 in a row have one code, whose order then says nothing. Unused
-// slots of the last group hold a box beyond all cells, which meets nothing, not even itself.
+// The tree is not built if it would be of little use. This is so if many boxes lie within one cell,
+// where all of them meet, or if more than 256 consecutive boxes have the same code, because their
+// order is then arbitrary. Unused slots of the last group contain a box beyond all cells, which
+// meets no box, not even itself.
 //
 // Tested by tests/space/mesh_crossings_test.cpp.
 

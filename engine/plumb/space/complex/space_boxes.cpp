@@ -1,10 +1,10 @@
 // Boxes around points and cells, and frames of axes for them.
 //
-// Invariant: every box surely holds its cell, whatever rounding and flushing of subnormals to zero
-// do; bounds are stated at each sum. A cell lies within the box of its vertices, as cells are parts
-// of planes and lines between them. The number of expected pairs is an estimate and decides about
-// speed only: for boxes at random places the probability that two overlap along an axis is about
-// the sum of their mean sides, divided by the width of all.
+// Invariant: every box contains its cell, in spite of rounding and of flushing of subnormals to
+// zero. The bounds are stated at each sum. A cell lies within the box of its vertices, as cells are
+// parts of planes and lines between them. The number of expected pairs is an estimate, which only
+// affects the speed: for boxes at random places the probability that two overlap along an axis is
+// about the sum of their mean sides, divided by the width of all.
 //
 // Tested by tests/space/find_contacts_test.cpp, tests/space/mesh_crossings_test.cpp and
 // tests/space/space_locator_test.cpp.

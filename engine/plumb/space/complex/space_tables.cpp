@@ -1,8 +1,8 @@
 // Copying, merging and compacting the tables of planes and points.
 //
 // Ids are indices: merging appends input points and constructed points after those of the other
-// table, so one offset each maps them; planes are interned again, since equal ones must have one
-// id. Compacting keeps with every object all that defines it, and keeps the order of ids.
+// table, so one offset each maps them; planes are interned again, because equal planes must have
+// the same id. Compacting keeps all objects that define a kept object, and keeps the order of ids.
 //
 // Tested by tests/space/space_tables_test.cpp.
 

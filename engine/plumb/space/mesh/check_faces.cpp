@@ -1,8 +1,8 @@
-// Finds what is wrong with faces that rounding may have damaged.
+// Finds the defects of faces that rounding may have damaged.
 //
 // The faces are read again as a mesh of their own, with rounded coordinates, and complex_of_mesh()
-// reports what is wrong with it. Merged vertices are counted against those that coincided before. A
-// face is flipped if the scalar product of its area vectors before and after rounding is negative.
+// reports its defects. Merged vertices are counted against those that coincided before. A face is
+// flipped if the scalar product of its area vectors before and after rounding is negative.
 //
 // Tested by tests/space/rounded_mesh_test.cpp.
 #include "plumb/space/mesh/check_faces.h"

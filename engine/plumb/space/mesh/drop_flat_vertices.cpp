@@ -2,8 +2,8 @@
 //
 // Where a plane cuts a surface whose triangles are coplanar up to the last digit, it meets the
 // edges between them. The points of intersection are vertices of the result, although they are not
-// corners of its shape. If they were kept, the number of nearly coplanar triangles would grow with
-// each operation on a file.
+// corners of its shape. If such vertices were kept, the number of nearly coplanar triangles would
+// grow with each operation on a file.
 //
 // The triangles around a vertex v form a closed fan. The ends of its edges at v, its *link*, form a
 // closed chain. After v has been removed, the chain is triangulated, in two parts if v is on a

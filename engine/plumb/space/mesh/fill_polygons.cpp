@@ -1,11 +1,11 @@
 // Faces for holes, and triangles for faces.
 //
-// A hole need not be planar, and no face is better than another as far as closing is concerned: the
-// boundary of what is added is the chain, whichever triangles are chosen. Triangles of least total
-// area follow the surroundings; they are found by dynamic programming over parts of the chain
+// A hole need not be planar. Any choice of triangles closes it, because their boundary is always
+// the chain. Triangles of least total area follow the surroundings; they are found by dynamic
+// programming over parts of the chain
 // (G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron, Computer Aided Geometric
-// Design 12, 1995). Areas are compared in doubles, since any choice is a valid one. Whether a chain
-// is planar is decided exactly, so a hole in a plane becomes one face of that plane.
+// Design 12, 1995). Areas are compared in doubles, because any choice is valid. Whether a chain is
+// planar is decided exactly, so a hole in a plane becomes one face of that plane.
 //
 // A face is cut in the first view along an axis in which it is simple: in such a view triangles
 // cover it once. Views are tried in the order of the area that they show.

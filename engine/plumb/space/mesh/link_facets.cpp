@@ -1,15 +1,15 @@
 // Links the facets of a mesh: edges by sorting, radial orders by signs of planes.
 //
-// Uses are put into buckets by the lesser vertex of their edge and sorted by the greater one, so no
-// hash table of pairs is needed and edges come in a canonical order. Facets that come twice have
-// equal cycles, as each starts at its least vertex; only facets that start along the same edge are
-// compared.
+// Uses are put into buckets by the lesser vertex of their edge, and sorted by the greater vertex.
+// So no hash table of pairs is needed, and edges are in a canonical order. Doubled facets have
+// equal cycles, because each cycle starts at its least vertex; only facets that start along the
+// same edge are compared.
 //
 // An edge has two planes of its facets if there are two; else a second plane is made through the
 // edge, parallel to the coordinate axis along which the first plane is seen largest: through both
-// ends and a point straight above one of them, so that its coefficients are no longer than those of
-// an input plane (docs/design/planes-first.md, "Invariants"). Half-edge 2e then runs along n_p x
-// n_q.
+// ends and a point straight above one of them, so that its coefficients are no longer than the
+// coefficients of an input plane (docs/design/planes-first.md, "Invariants"). Half-edge 2e then
+// runs along n_p x n_q.
 //
 // Around an edge with more than two uses the radial order is sorted by quarters and signs of turns
 // about the line; with two uses there is nothing to sort.

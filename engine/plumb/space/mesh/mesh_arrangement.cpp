@@ -1,17 +1,17 @@
 // Layers of a mesh, their overlay, and components that face inwards.
 //
 // Three facets of one mesh may meet in a point; then the pairs of cells that name points in a
-// Boolean are not unique. So facets are first coloured such that two that cross differ in colour: a
-// layer does not cross itself. Layers are overlaid by the Boolean's own steps, with marks under
-// which nothing is simplified.
+// Boolean are not unique. So facets are first coloured such that facets that cross have different
+// colours. A layer consists of the facets of one colour, so it does not cross itself. Layers are
+// overlaid by the Boolean's own steps, with marks under which nothing is simplified.
 //
 // Invariants: every facet of the overlay lies in exactly one facet of each layer or in none, so a
 // bundle (sheets that lie upon each other) is a binary tree of pairs whose leaves are sheets, each
 // at most once; the jump of a facet is the sum of the jumps of its sheets. Proof:
 // docs/design/meshes.md, Lemmas 2 and 3.
 //
-// Components of negative volume are turned only if one of their facets borders on volume 0: one
-// that others enclose is a void.
+// A component of negative volume is flipped only if one of its facets borders on volume 0. A
+// component that other components enclose is a void.
 //
 // Tested by tests/space/mesh_arrangement_test.cpp.
 

@@ -3,12 +3,12 @@
 // Up to 32 triangles are compared pair by pair. For more, no tree of boxes is good for all meshes,
 // so three are tried in turn. Packed boxes (16 bits a coordinate) serve meshes of one scale: 7 to 8
 // steps a triangle for spheres and scans. They are given up after 32 steps a triangle, which bounds
-// what is lost by a constant factor. Then boxes of many scales go to a tree of doubles; triangles
+// the lost time by a constant factor. Then boxes of many scales go to a tree of doubles; triangles
 // that are long and thin, or very many around a vertex or in one facet, go to oriented boxes, which
 // leave out pairs of one group, and pairs around a vertex are found by boxes of their directions.
 //
-// Every tree reports each pair whose boxes meet, so the result does not depend on which one is
-// used; found pairs are sorted and repetitions dropped.
+// Every tree reports each pair whose boxes meet, so the result does not depend on the tree that is
+// used. The pairs are sorted, and repetitions are dropped.
 //
 // Tested by tests/space/mesh_crossings_test.cpp.
 

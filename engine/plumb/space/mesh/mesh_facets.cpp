@@ -1,12 +1,12 @@
 // Makes simple polygons in planes of the faces of a mesh.
 //
-// Corners that repeat or stand between two equal ones are trimmed. The plane of a face is found
-// from three corners far apart; whether all others lie on it is decided exactly, so the choice of
-// corners has influence on speed only. A face that is not planar or not simple becomes triangles:
-// constrained Delaunay triangles if its edges, seen along the axis of its largest area, meet in
-// corners only, else a fan from one corner. All have the boundary of the polygon as an integer
-// chain, which is what winding numbers need (docs/design/meshes.md, "Winding numbers"). Faces
-// without area contribute their edges alone.
+// Repeated corners, and corners between two equal corners, are removed. The plane of a face is
+// found from three corners far apart; whether all others lie on it is decided exactly, so the
+// choice of corners affects only the speed. A face that is not planar or not simple becomes
+// triangles: constrained Delaunay triangles if its edges, seen along the axis of its largest area,
+// meet in corners only, else a fan from one corner. All have the boundary of the polygon as an
+// integer chain, which is what winding numbers need (docs/design/meshes.md, "Winding numbers").
+// Faces without area contribute only their edges.
 //
 // Newell's normal, twice the area of the polygon seen along each axis, chooses that axis: in
 // doubles where an error bound separates the largest area, else exactly, so that the choice depends

@@ -2,8 +2,8 @@
 //
 // Faces are nodes of a graph; an edge of the mesh at which exactly two faces are not yet balanced
 // by themselves says whether their signs are equal or opposite. Classes of such relations are kept
-// in a union-find with signs. A relation that contradicts an earlier one marks its class as
-// one-sided: no signs exist, and none of its faces is turned.
+// in a union-find with signs. If a relation contradicts an earlier relation, its class is marked as
+// one-sided: it has no consistent signs, and none of its faces is flipped.
 //
 // Invariant: signs within a class are determined up to a common factor, so that each class has two
 // coherent orientations, and only choose() decides between them. Where more than two faces meet,

@@ -1,11 +1,11 @@
 // Borders, components, signed volumes and fans of a mesh.
 //
 // Borders: the boundary of the sum of all faces, as an integer chain. If it is not 0, edges are cut
-// at vertices that lie on them, so that chains of equal places cancel; what is left balances at
-// every vertex, since it is a boundary, and is walked as closed chains.
+// at vertices that lie on them, so that chains of equal places cancel; the rest balances at every
+// vertex, because it is a boundary, and is traced as closed chains.
 //
 // Components: joining facets over plain edges, then over edges where a component alone does not
-// balance. Invariant: a component that is not the open one balances at each of its edges.
+// balance. Invariant: every component except the open component balances at each of its edges.
 //
 // Volumes: sums of cones over a fan of every facet, in doubles with an error bound: first from the
 // origin with one bound for all cones, then from a corner of the component with a bound for each

@@ -6,11 +6,11 @@
 // every place is found in exactly one of the two tables, and a vertex has the number of the least
 // point there.
 //
-// Points of a mesh that was sorted by cells need no hash table: equal ones are in one cell, and few
-// points are. A mesh with a crowded cell is merged as any other.
+// Points of a mesh that was sorted by cells need no hash table: equal points are in one cell, and a
+// cell contains few points. If a cell of a mesh is crowded, the mesh is merged like any other mesh.
 //
 // Hashes are computed 256 points ahead and the entries of the table prefetched: the table is larger
-// than the caches, and looking up is all that merging costs.
+// than the caches, and nearly the whole cost of merging is the cost of looking up.
 //
 // Tested by tests/space/mesh_vertices_test.cpp and tests/space/from_mesh_test.cpp.
 

@@ -5,13 +5,13 @@
 //
 // The projection of each facet is one to one and keeps its orientation. The two facets at an edge
 // run oppositely along it, so their projections lie on both sides of the edge. Hence the number of
-// facets above a direction does not change across edges; it is 1 above all directions except those
-// of edges and vertices. If two facets had a common point x in the interior of one of them, two
-// facets would lie above some directions near that of x. If x is inside an edge of one of them, the
-// two facets at this edge cover all directions near x, so the other facet is one of these two. Else
-// x is a vertex of both, and it is the same vertex, as vertices have different places. So facets
-// meet in common vertices and edges only. A second component, or a second ring of facets around a
-// vertex, would lie above some directions, too.
+// facets above a direction does not change across edges; it is 1 above all directions except the
+// directions of edges and vertices. If two facets had a common point x in the interior of one of
+// them, two facets would lie above some directions near the direction of x. If x is inside an edge
+// of one of them, the two facets at this edge cover all directions near x, so the other facet is
+// one of these two. Else x is a vertex of both, and it is the same vertex, as vertices have
+// different places. So facets meet in common vertices and edges only. A second component, or a
+// second ring of facets around a vertex, would lie above some directions, too.
 //
 // Every comparison is a filter with an error bound or an exact predicate; if a filter does not
 // decide, the mesh is not seen to be star-shaped, which costs time only. A vertex that is not an

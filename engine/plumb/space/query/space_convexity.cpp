@@ -1,9 +1,9 @@
-// The tests of the header, in its order; each reads the complex once.
+// The tests that the header lists, in the same order. Each test reads the complex once.
 //
-// Since the complex is minimal, what a cell is says what is around it: a facet with V on both sides
-// is a slit, an edge with two facets of one plane separates different marks. So local conditions at
-// facets, edges and vertices decide about the body, and counting runs of marked cells along the
-// sides of a facet decides about its boundary. The proof is in the header and in
+// Because the complex is minimal, a cell gives information about the cells around it: a facet with
+// V on both sides is a slit, and an edge with two facets of one plane separates different marks. So
+// local conditions at facets, edges and vertices decide about the body, and counting runs of marked
+// cells along the sides of a facet decides about its boundary. The proof is in the header and in
 // docs/design/walls.md, "Convexity".
 //
 // Tested by tests/space/space_convexity_test.cpp.

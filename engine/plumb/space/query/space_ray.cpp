@@ -1,4 +1,5 @@
-// What a ray meets: parity of edges that pass its shadow's origin, exact signs, distances.
+// Finds the cells that a ray meets: parity of edges that pass the origin of the shadows, exact
+// signs, distances.
 //
 // A point of the line of the ray has the shadow 0. A vertex is met if both coordinates of its
 // shadow are 0, an edge if its shadow passes through 0 strictly between its ends, a facet if an odd
@@ -10,7 +11,7 @@
 // Signs of shadows and their cross products are linear and quadratic in coordinates, which may
 // depend on the symbol R of the frame (docs/design/frame.md, Lemma 2): an exact value is a
 // FramedNumber, a product a polynomial of degree 2 in R, decided by its leading coefficient that is
-// not 0. Balls decide nearly all signs before.
+// not 0. Balls decide nearly all signs before exact values are needed.
 //
 // Tested by tests/space/space_locator_test.cpp.
 

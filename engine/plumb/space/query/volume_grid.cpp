@@ -7,7 +7,8 @@
 // mode. So one exact question decides a whole connected part of unmarked cells.
 //
 // The sizes are bounded: about four cells for each item, 64 cells marked for each on average, one
-// question for 16 items; whatever exceeds that makes the grid know less, never anything wrong.
+// question for 16 items. If a bound is exceeded, the grid knows fewer volumes, but no wrong
+// volumes.
 //
 // Tested by tests/space/space_locator_test.cpp.
 

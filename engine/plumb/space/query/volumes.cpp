@@ -1,10 +1,10 @@
 // Finds the volumes of a complex: classes of sides of facets, then one ray for each piece.
 //
 // Two sides bound the same volume near an edge if they follow each other in radial order, and near
-// a vertex if they bound one face of its sphere map. If the map is connected, the first unites
-// all that the second would, so maps are made only at irregular vertices: those whose map is not
-// connected, has a loop, or has points without arcs. A vertex whose corners make one ring through
-// all edges, as nearly all do, is recognized by walking around it.
+// a vertex if they bound one face of its sphere map. If the map is connected, the first rule unites
+// all sides that the second rule would unite. So maps are made only at irregular vertices: vertices
+// whose map is not connected, has a loop, or has points without arcs. A vertex whose corners make
+// one ring through all edges, as nearly all do, is recognized by walking around it.
 //
 // Invariant (docs/design/boolean.md, Lemmas 6 and 7): a class is one shell, the whole boundary of a
 // volume on one piece; at most one shell of a volume has it on an inner side of its piece. So

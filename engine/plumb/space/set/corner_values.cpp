@@ -1,10 +1,10 @@
 // Copies numbers from corners of sources, and interpolates them at all other corners.
 //
-// A corner of the result has the numbers of its piece at the corner's point. If the point is that
-// of a corner of the source after rounding, the numbers are copied; nearly all corners are of this
-// kind. Otherwise the barycentric weights of the exact point are computed in integers, and rounded
-// before the sum: on a common edge of two source triangles both give the same doubles, because the
-// third weight is zero there. A point that a repair has moved is taken at its new place.
+// A corner of the result has the numbers of its piece at the corner's point. If the point equals a
+// corner of the source after rounding, the numbers are copied; nearly all corners are of this kind.
+// Otherwise the barycentric weights of the exact point are computed in integers, and rounded before
+// the sum: on a common edge of two source triangles both give the same doubles, because the third
+// weight is zero there. A point that a repair has moved is taken at its new place.
 //
 // If pieces were joined, the point may lie outside the triangle that stands for all of them; the
 // sum is then computed exactly, so that large weights cannot cancel.

@@ -4,9 +4,9 @@
 // facet that is exactly a face of a source, alone in its plane, needs no overlay, either. All other
 // facets of a plane are cut together: one sweep (plane/arrangement.h) makes the
 // subdivision by the edges of these facets and of the source triangles of the plane. Each face of
-// the subdivision knows which facets and triangles contain it: crossing an edge, those change whose
-// boundary has the edge. Faces of one facet are joined to regions across edges at which the
-// attributes do not change.
+// the subdivision knows which facets and triangles contain it: from one side of an edge to the
+// other, those facets and triangles change that have the edge in their boundary. Faces of one facet
+// are joined to regions across edges at which the attributes do not change.
 //
 // A cut that ends inside an edge of a facet makes a vertex there. All facets at this edge get the
 // vertex, so that triangles meet in common edges. Vertices are therefore collected for each edge

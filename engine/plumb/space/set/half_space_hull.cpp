@@ -1,10 +1,12 @@
-// Randomized incremental intersection of half-spaces, with one conflict for each to come.
+// Randomized incremental intersection of half-spaces. For each half-space that has not been
+// inserted yet, one conflict is stored.
 //
 // Invariant: after each insertion the polytope is the intersection of the cube and the half-spaces
-// inserted, each vertex with at least three edges, each facet a convex polygon; and every
-// half-space to come that cuts anything off knows one vertex that it cuts off. What a half-space
-// cuts off a convex polytope is connected, so a search from that vertex finds all of it; if all of
-// it is removed by another half-space, what the first one cuts off the rest reaches the new facet.
+// inserted, each vertex with at least three edges, each facet a convex polygon; and for every later
+// half-space that cuts anything off, one vertex is stored that it cuts off. The part that a
+// half-space cuts off a convex polytope is connected, so a search from this vertex finds the whole
+// part. If another half-space removes this whole part, the part that the first half-space cuts off
+// the rest reaches the new facet.
 //
 // The order is a pseudorandom permutation with a fixed seed: results are reproducible, and the
 // expected cost holds for all inputs that were not made to defeat this order. No plane is added;

@@ -1,12 +1,12 @@
 // Members of Nef3 that make sets and ask for points and rays; declared in plumb/space/nef3.h.
 //
 // A mesh becomes a set in three steps: its arrangement, winding numbers of volumes, the closure of
-// those that the rule accepts (docs/design/meshes.md, "From numbers to a set"). Half-spaces and
-// planes are Booleans with the empty set; bounded intersections of half-spaces are built as a
+// the volumes that the rule accepts (docs/design/meshes.md, "From numbers to a set"). Half-spaces
+// and planes are Booleans with the empty set; bounded intersections of half-spaces are built as a
 // polytope (half_space_hull.h). Segments and points are drafts with one or two vertices.
 //
 // A ray visits cells one after the other: from one hit to the next it stays in one cell, so the
-// middle between them names it.
+// middle between two hits determines this cell.
 //
 // Tested by tests/space/nef3_test.cpp, tests/space/nef3_queries_test.cpp and
 // tests/space/mesh_arrangement_test.cpp.

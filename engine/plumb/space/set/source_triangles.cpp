@@ -1,15 +1,16 @@
-// Places the triangles of sources, and compares the functions that their channels are.
+// Finds the places of the triangles of sources, and compares the functions that their channels
+// represent.
 //
 // Most planes of a set are defined by the three corners of a source triangle, so they are found by
 // a hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
 // interned from three input points, many at a time. The plane of a moved triangle is computed
 // before the move, and its image is looked up among the planes of facets (moved_planes.h), because
 // only triangles in these planes are ever asked for. A moved point gets its exact place when it is
-// asked for. In all cases equal planes have the same id, which is what everything else rests on.
+// asked for. In all cases equal planes have the same id. All other steps rely on this.
 //
 // Two triangles of a plane have the same channel if its function over the first triangle, which is
-// affine, takes the values of the second triangle at the corners of the second one. The test is
-// exact in the doubles of the channel.
+// affine, takes the values of the second triangle at the corners of the second triangle. The test
+// is exact in the doubles of the channel.
 //
 // Tested by tests/space/mesh_with_attributes_test.cpp.
 #include "plumb/space/set/source_triangles.h"

@@ -1,13 +1,14 @@
 // Affine images: planes by the inverse transposed matrix, points by the matrix, and a correction of
 // orientations.
 //
-// Everything but ids of planes and points stays: the image has the same cells and incidences. What
-// changes is which side of a plane is positive, which way n_p x n_q runs along an edge, and, if the
-// map reverses orientation, the sense of all rotations. The comment above image_of() has the signs.
+// Only the ids of planes and points change: the image has the same cells and incidences. Three
+// things may change: the positive side of a plane, the direction of n_p x n_q along an edge, and,
+// if the map reverses orientation, the sense of all rotations. The comment above image_of() has the
+// signs.
 //
 // A framed set is mapped together with its far box, R scaled such that the image encloses the cube,
-// and cut back to the cube; a shift leaves far planes where they are, which is right if the set
-// meets the box in general position (docs/design/frame.md, "Affine maps: far boxes", Lemma 4).
+// and cut back to the cube; a shift does not move far planes, which is right if the set meets the
+// box in general position (docs/design/frame.md, "Affine maps: far boxes", Lemma 4).
 //
 // Tested by tests/space/transform_test.cpp.
 
