@@ -4,10 +4,11 @@
 // input points: a point o strictly behind every face exists, every face is a convex polygon, no
 // edge is reflex, and one ray from o meets one face. The projection from o to a sphere is then a
 // covering of degree one, so the surface is star-shaped, and it is convex because its edges are.
-// The ray is needed: a double pyramid that winds twice around its axis passes every other test.
-// Where a sign is Zero that must not be, or a face is not a convex polygon, the test gives no
-// answer and the mesh is made a set, whose own test decides. Proof: docs/design/walls.md, section
-// Convexity, after K. Mehlhorn et al., Computational Geometry 12 (1999).
+// The ray is needed: a double pyramid that winds twice around its axis passes every other test. If
+// a sign is Zero that must not be Zero, or if a face is not a convex polygon, the test gives no
+// answer. Then a set is made from the mesh, and the test of this set decides. Proof:
+// docs/design/walls.md, section Convexity, after K. Mehlhorn et al., Computational Geometry 12
+// (1999).
 //
 // Evidence is the number of reflex edges and the faces with vertices on both sides. VertexTree
 // answers for each face whether a vertex lies strictly on a side of its plane; it discards boxes by

@@ -1,12 +1,12 @@
-// Minkowski sums and erosions, and the polyhedral balls to offset with.
+// Minkowski sums and erosions, and polyhedral balls for offsets.
 //
 // Both operands are decomposed into convex parts, each pair of parts that can matter is added
-// (sum/convex_sum.h), and the sums are united. What makes every mark exact is R(S) + R(T) = R(S +
-// T) for the relative interiors of convex sets (R. T. Rockafellar, Convex Analysis, 1970, section
-// 6): closed operands are unions of closed parts, any other operand is a union of relatively open
+// (sum/convex_sum.h), and the sums are united. Every mark is exact because R(S) + R(T) = R(S + T)
+// for the relative interiors of convex sets (R. T. Rockafellar, Convex Analysis, 1970, section 6):
+// closed operands are unions of closed parts, any other operand is a union of relatively open
 // parts, the cells of its convex parts. An open facet is further divided into open triangles and
 // the open diagonals between them. A convex part with interior points stays whole: the sum of two
-// of them gets its marks from those of their faces (sum/half_open_body.h).
+// such parts gets its marks from the marks of their faces (sum/half_open_body.h).
 //
 // PairFilter leaves out pairs that cannot matter: a sum with an open body is open, and does not
 // change when the other operand is replaced by a dense part of it. So a body is added to maximal

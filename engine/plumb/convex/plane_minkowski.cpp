@@ -8,9 +8,10 @@
 //
 // Convolution follows the border of the first operand with the set on the left. Along an edge, the
 // support of its direction is added. At a corner where the border turns left, the border of the
-// convex ring is followed from the support of the incoming direction to that of the outgoing one;
-// where it turns right, it is followed backward. All directions are compared by exact predicates on
-// one table, which has the vertices of the first operand and then the corners of the ring.
+// convex ring is followed from the support of the incoming direction to the support of the outgoing
+// direction. At a corner where the border turns right, the border of the ring is followed backward.
+// All directions are compared by exact predicates on one table, which has the vertices of the first
+// operand and then the corners of the ring.
 //
 // Tested by tests/convex/plane_minkowski_test.cpp.
 #include "plumb/convex/plane_minkowski.h"

@@ -3,10 +3,10 @@
 // A subdivision takes rounds of two steps, each an overlay of the set with walls: sight walls rise
 // and fall from every reflex edge that is not vertical (wall/wall_sight.h), after which only
 // vertical edges are reflex; spread walls resolve those (wall/wall_spread.h). One round is enough
-// unless a cell lies above itself. Every wall holds the vertical, so the new planes are pencils of
-// old ones and numbers grow with the rounds, not with the walls. There are O(r^2) cells for r
-// reflex edges, which is optimal in the worst case: B. Chazelle, Convex partitions of polyhedra,
-// SIAM Journal on Computing 13 (1984).
+// unless a cell lies above itself. Every wall contains the vertical direction, so each new plane
+// belongs to a pencil of two old planes. So numbers grow with the number of rounds, but not with
+// the number of walls. There are O(r^2) cells for r reflex edges, which is optimal in the worst
+// case: B. Chazelle, Convex partitions of polyhedra, SIAM Journal on Computing 13 (1984).
 //
 // DirectionChoice estimates for each candidate direction how many pieces its walls would make, from
 // shadows of reflex edges along that direction. It works in doubles: only the number of pieces

@@ -1,8 +1,8 @@
 // Choice of the planes that cut pieces. The score of a plane estimates how many cuts it makes and
 // causes: one cut (or one for each stretch of the section, if the plane enters the solid on both
 // sides of its edge), plus one for each reflex edge it divides, less what each resolved edge would
-// have cost. Scores are computed in doubles from the ends of reflex edges alone, with a tolerance
-// relative to their coordinates; a wrong sign costs a piece at most, because the cut itself takes
+// have cost. Scores are computed in doubles, only from the ends of reflex edges, with a tolerance
+// relative to their coordinates. A wrong sign costs at most one piece, because the cut itself uses
 // exact signs.
 //
 // Numbers stay short because a plane is only proposed if it can be written with input data: through

@@ -3,15 +3,15 @@
 //
 // SolidCutter works on one pool of half-edges (CutSurface) and keeps a stack of pieces. Invariants:
 // every piece has a connected surface, and no cut makes a reflex edge; so when no edge is reflex
-// the piece is convex. A piece that no plane divides is stuck and left to SetCutter, which divides
-// by Booleans with half-spaces: the lower half keeps what the closure of its interior reaches of
-// the plane, the upper one gets the rest, so every point of the set belongs to one piece with its
-// mark.
+// the piece is convex. If no plane divides a piece, the piece is stuck, and SetCutter divides it by
+// Booleans with half-spaces. Of the points on the plane, the lower half keeps the points in the
+// closure of its interior, and the upper half gets the rest. So every point of the set belongs to
+// one piece, with its mark.
 //
-// The greedy rule makes fewer pieces as a rule but has no bound; where it exceeds 1 + (r^2 + r) / 2
-// the cut is done again with fixed planes, and the fewer pieces are kept. Proofs:
-// docs/design/walls.md, section Cuts; B. Chazelle, Convex partitions of polyhedra: a lower bound
-// and worst-case optimal algorithm, SIAM Journal on Computing 13 (1984).
+// The greedy rule usually makes fewer pieces, but has no bound. If it makes more than 1 + (r^2 + r)
+// / 2 pieces, the solid is cut again with fixed planes, and the result with fewer pieces is kept.
+// Proofs: docs/design/walls.md, section Cuts; B. Chazelle, Convex partitions of polyhedra: a lower
+// bound and worst-case optimal algorithm, SIAM Journal on Computing 13 (1984).
 // Tested by tests/convex/convex_pieces_test.cpp and tests/convex/decompose_property_test.cpp.
 #include "plumb/convex/part/cut_set.h"
 

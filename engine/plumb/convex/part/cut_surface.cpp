@@ -6,8 +6,8 @@
 // between them as twins. So an edge at which several wedges of the body meet becomes several edges,
 // and a vertex with several rings keeps one id; the first wedge and the first ring own the mark.
 // PieceWriter does the reverse: half-edges become edge uses, and the complex has two volumes,
-// outside and piece. What is not minimal, such as a face that a cut divided without need, goes in
-// simplified().
+// outside and piece. Superfluous cells, such as the boundary between two parts of a divided face,
+// are removed in simplified().
 //
 // All orientation tests are signs of plane triples and need no points: with d the direction of h,
 // an edge is convex if (n1 x n2) . d > 0, and a corner turns left if n det(n, m1, m2) > 0.

@@ -6,8 +6,8 @@
 // Common polygons are found without geometry: a face's key is the sum of the fingerprints of its
 // corners, which does not depend on where the cycle begins or which way it runs. Merger, for pieces
 // of one surface, verifies a match corner by corner and tests each rim edge by relinking its
-// neighbours for a moment. SetMerger, for sets with tables of their own, lets the union decide.
-// Tested by tests/convex/convex_pieces_test.cpp.
+// neighbours for a moment. SetMerger handles sets with tables of their own: it makes the union and
+// tests it. Tested by tests/convex/convex_pieces_test.cpp.
 #include "plumb/convex/part/merge_parts.h"
 
 #include <algorithm>

@@ -5,13 +5,13 @@
 // at each apex; the cost is the number of triangles seen.
 //
 // Dissection computes for corners i < j the cheapest convex chains from i to j, where a diagonal
-// costs one more than the best chain behind it. Among chains of least cost it keeps those that no
-// other beats at both ends, sorted by their last corner and, what is the same order, by their
-// first. So a chain that may be extended to k is found by binary search: its last link turns left
-// towards k for a prefix of the list, and the last chain of that prefix is the best at its first
-// end. Sources: S. Hertel and K. Mehlhorn, FCT 1983; J. M. Keil, SIAM Journal on Computing 14
-// (1985); M. Keil and J. Snoeyink, International Journal of Computational Geometry and Applications
-// 12 (2002).
+// costs one more than the best chain behind it. Among chains of least cost, it keeps the chains
+// that no other chain beats at both ends. They are sorted by their last corner, which is the same
+// order as by their first corner. So a chain that may be extended to k is found by binary search:
+// its last link turns left towards k for a prefix of the list, and the last chain of that prefix is
+// the best at its first end. Sources: S. Hertel and K. Mehlhorn, FCT 1983; J. M. Keil, SIAM Journal
+// on Computing 14 (1985); M. Keil and J. Snoeyink, International Journal of Computational Geometry
+// and Applications 12 (2002).
 // Tested by tests/convex/plane_partition_test.cpp.
 #include "plumb/convex/region/optimal_cuts.h"
 

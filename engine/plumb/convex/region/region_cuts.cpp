@@ -2,9 +2,9 @@
 //
 // SideCutter shoots a ray from a corner along one of its sides and takes the first thing it meets
 // in its own loop, by exact comparisons of crossings; ends at infinity are placed in the circular
-// order of the frame by signs of cross products alone. Of the two sides at a reflex corner the one
-// is prolonged whose ray ends at another reflex corner, if one does: such a cut resolves two
-// corners.
+// order of the frame by signs of cross products alone. If the ray of one of the two sides at a
+// reflex corner ends at another reflex corner, this side is prolonged, because such a cut resolves
+// two corners.
 //
 // PieceMaker builds a set from sides and marks by the sweep that all operations use, with a rule
 // (PieceRule) that reads marks instead of combining operands. A cut belongs to the loop along its

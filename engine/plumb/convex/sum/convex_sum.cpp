@@ -9,9 +9,9 @@
 // SumBuilder merges the boundary cycles of the two faces in each direction by angle, as in the sum
 // of two convex polygons (M. de Berg et al., Computational Geometry, chapter 13), and names each
 // corner by its pair (a, b). Invariant: one vertex of the sum has one pair, so facets fit together
-// by names alone and no point is ever compared. A vertex that doubles hold becomes an input point;
-// any other one is the common point of three facets. Proof: docs/design/walls.md, section Minkowski
-// sums.
+// by names alone and no point is ever compared. A vertex whose coordinates are doubles becomes an
+// input point. Any other vertex is the common point of three facets. Proof: docs/design/walls.md,
+// section Minkowski sums.
 // Declared in sum/convex_sum.h, whose opening comment gives the main flow.
 // Tested by tests/convex/minkowski_test.cpp.
 #include "plumb/convex/sum/convex_sum.h"

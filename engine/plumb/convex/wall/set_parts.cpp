@@ -5,8 +5,8 @@
 //
 // Volumes of a bounded set are copied in one pass over sphere maps (VolumeSplitter). Facets, edges
 // and points are copied by ThinParts into complexes of their own with numbers that are assigned on
-// first use, in time of the part's size; only an unbounded set, whose frame every part needs, costs
-// O(n) for each part.
+// first use, in time of the part's size. Only in an unbounded set does each part cost O(n), because
+// each part needs the frame.
 // Tested by tests/convex/convex_pieces_test.cpp.
 #include "plumb/convex/wall/set_parts.h"
 

@@ -7,9 +7,9 @@
 // vertical, so two of them in different planes meet on one vertical line.
 //
 // VolumeSplitter gives every cell to the first marked volume around it, restricts the sphere map at
-// each vertex to one volume with what it owns, and lets the ordinary join of sphere maps assemble
-// the set. So each volume comes out in minimal form, and each point of the boundary belongs to one
-// of them. See docs/design/walls.md, section Vertical walls.
+// each vertex to one volume and the cells that it owns, and lets the ordinary assembly of sphere
+// maps make the set. So each volume comes out in minimal form, and each point of the boundary
+// belongs to one of them. See docs/design/walls.md, section Vertical walls.
 // Tested by tests/convex/walls_test.cpp.
 
 #include "plumb/convex/wall/wall_complex.h"

@@ -7,8 +7,8 @@
 // these are edges in W, which several facets share, and are added once each.
 //
 // Angles at edges (SectorTest) are compared by the sign of the sine of two half-planes, with half
-// turns separate, so no angle is ever computed. Vertical planes through a line are of the pencil of
-// the line's planes, which keeps numbers as long as those of two planes of the set. See
+// turns separate, so no angle is ever computed. Vertical planes through a line belong to the pencil
+// of the planes of the line, so their numbers are no longer than for two planes of the set. See
 // docs/design/walls.md, section Vertical walls.
 // Tested by tests/convex/walls_test.cpp.
 #include "plumb/convex/wall/wall_section.h"

@@ -9,8 +9,8 @@
 // decided exactly.
 //
 // After these walls only vertical edges are reflex: docs/design/walls.md, section Vertical walls;
-// B. Chazelle, SIAM Journal on Computing 13 (1984). Points and vertical lines removed from a volume
-// have no edge to look from and get a wall through the whole set.
+// B. Chazelle, SIAM Journal on Computing 13 (1984). If a point or a vertical line was removed from
+// a volume, there is no edge from which a wall could start. It gets a wall through the whole set.
 // Tested by tests/convex/walls_test.cpp.
 #include "plumb/convex/wall/wall_sight.h"
 

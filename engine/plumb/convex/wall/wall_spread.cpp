@@ -1,11 +1,11 @@
 // Walls that resolve vertical reflex edges. A cell is, seen along the vertical, a polygon; a wall
 // prolongs the plane of a facet across the vertical edge, into the reflex angle, and ends at the
 // first facet or earlier wall it meets. It is bounded below and above by chains of obstacles in its
-// plane, which are followed one by one: an obstacle ends at a vertex or at an edge that crosses the
-// plane, and the next one begins with the same one. So no coordinates are compared to follow a
-// chain.
+// plane, which are followed one by one: an obstacle ends at a vertex, or at an edge that crosses
+// the plane. The next obstacle begins at the same vertex or edge. So no coordinates are compared to
+// follow a chain.
 //
-// Invariants: walls of one cell do not cross, because each stops at the first earlier one
+// Invariants: walls of one cell do not cross, because each wall stops at the first earlier wall
 // (traces_); edges one upon the other on a vertical line are resolved together, from the topmost.
 // Each wall divides a cell into two at most. A cell that lies above itself may be cut too early,
 // and a later round repairs that (walls.cpp). See docs/design/walls.md, section Vertical walls.
