@@ -1,6 +1,6 @@
 // Straight lines on a mesh from a centre in a given direction, and the points where they end.
 //
-// The face at the centre is laid out in the plane, and every further face beside the one before
+// The face at the centre is laid out in the plane, and every further face beside the previous face
 // (strip/face_strip.h), so within the strip the line is straight in the ordinary sense. Steps: aim,
 // which turns an angle at the centre into a first face and a direction; cross, from face to face;
 // pass, through a vertex, where the line goes on with half of the full angle to each side, or half
@@ -8,10 +8,10 @@
 // straightest geodesic: K. Polthier and M. Schmies, Straightest geodesics on polyhedral surfaces,
 // in Mathematical Visualization, Springer (1998).
 //
-// All of it is computed in doubles, on coordinates scaled to at most 1: whatever rounding does, the
-// result is a point of a face of the mesh, and only its place is approximate. Invariant of a
-// crossing: the line enters and leaves a face by different sides, so it advances by one face at
-// each step; the number of faces is limited.
+// Everything is computed in doubles, with coordinates that are scaled to at most 1. In spite of
+// rounding, the result is a point of a face of the mesh; only its place is approximate. Invariant
+// of a crossing: the line enters and leaves a face by different sides, so it advances by one face
+// at each step; the number of faces is limited.
 // Tested by tests/surface/exponential_map_test.cpp.
 #include "plumb/surface/exponential_map.h"
 

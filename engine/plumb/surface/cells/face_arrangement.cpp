@@ -1,7 +1,7 @@
 // The arrangement of segments within one face of a surface, in the plane of the face's parameters.
 //
 // Segments are compared in pairs whose boxes meet. Crossings stay implicit, as two segments; equal
-// ones are united where they are neighbours in the order along a segment, which finds all of them,
+// crossings are united as neighbours in the order along a segment. This finds all equal crossings,
 // because any two segments through a point meet there (docs/design/surface.md, section Slicing,
 // Lemma 1). So no predicate compares two crossings except along a common segment, and the degree
 // stays 5.

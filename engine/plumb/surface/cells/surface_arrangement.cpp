@@ -1,13 +1,13 @@
 // Slicing: the subdivision of a surface by polygons, and its nodes.
 //
 // NodeMaker sorts the entries of all polygons by place and parameters, so equal points become one
-// node, and the nodes of an edge are consecutive and ascend by t. slice() then splits the segments
-// in two kinds. Those along a mesh edge are added up on the intervals between that edge's nodes;
-// the others are added up by face and end nodes, so equal segments become one with the sum of their
-// multiplicities, and those that cancel disappear before anything is intersected. Each touched face
-// is arranged in its own parameter plane (face_arrangement.h) and written to the flat arrays;
-// half-edges on both sides of a mesh edge are matched by position, because both faces have the same
-// nodes along it.
+// node, and the nodes of an edge are consecutive and ascend by t. slice() then divides the segments
+// into two kinds. Segments along a mesh edge are added up on the intervals between the nodes of
+// this edge. Other segments are added up by face and end nodes, so equal segments become one
+// segment with the sum of their multiplicities. Segments that cancel each other disappear before
+// anything is intersected. Each touched face is arranged in its own parameter plane
+// (face_arrangement.h) and written to the flat arrays; half-edges on both sides of a mesh edge are
+// matched by position, because both faces have the same nodes along it.
 //
 // The result does not depend on coordinates of space: docs/design/surface.md, sections A face is a
 // plane and Slicing.

@@ -2,9 +2,9 @@
 //
 // Cells are the classes of pieces and whole faces under joins across half-edges that carry no arc;
 // a union-find over both finds them (docs/design/surface.md, section Slicing, Lemma 2). Edges of
-// their graph are kept once for each pair of cells and signed bundle, so the labels that follow
-// cost what is different, not what is long. Areas are sums of triangle areas times rounded
-// shares of pieces; they decide nothing.
+// their graph are kept once for each pair of cells and signed bundle, so the cost of labels depends
+// on the number of different edges, not on the lengths of borders. Areas are sums of triangle areas
+// times rounded shares of pieces. No decision depends on them.
 //
 // BorderTracer walks around the selected cells over darts: half-edges of the arrangement, or of the
 // mesh in faces that nothing touches. At a node it turns within the selected cells, so pinch points

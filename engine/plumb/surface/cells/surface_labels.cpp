@@ -2,11 +2,11 @@
 //
 // A label exists if and only if the shape is zero in homology relative to the border; it is then
 // determined by its jumps up to a constant for each component. So labels are computed along tree
-// edges and every other edge is checked: one that fails closes a cycle with the tree around which
-// the label would change by a number that is not zero, which proves that there is none. The cycle
-// kept is one of odd change if there is one, because then not even a label modulo 2 exists. Proof:
-// docs/design/surface.md, section Labels; after M. Riso et al., BoolSurf: Boolean operations on
-// surfaces, ACM Transactions on Graphics 41 (2022).
+// edges and every other edge is checked: an edge that fails closes a cycle with the tree. Around
+// this cycle the label would change by a number that is not zero, which proves that no label
+// exists. If there is a cycle with an odd change, this cycle is kept, because it proves that there
+// is not even a label modulo 2. Proof: docs/design/surface.md, section Labels; after M. Riso et
+// al., BoolSurf: Boolean operations on surfaces, ACM Transactions on Graphics 41 (2022).
 //
 // Labels are sparse lists of (shape, value), ascending by shape, in one growing array; parents come
 // before children, so one pass appends all of them. Memory is charged as the arrays grow.

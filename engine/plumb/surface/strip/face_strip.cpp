@@ -4,9 +4,9 @@
 // space, so layouts need no angles; positions are scaled by a power of two beforehand, so no
 // product overflows. StripFinder runs A* over the dual graph with distances between centroids (P.
 // E. Hart, N. J. Nilsson, B. Raphael, IEEE Transactions on Systems Science and Cybernetics 4,
-// 1968). The straight distance to the goal never exceeds that along centroids, so the strip is the
-// shortest by this measure. Visits carry the number of their round, so nothing is cleared between
-// searches.
+// 1968). The straight distance to the goal never exceeds the distance along centroids, so the strip
+// is the shortest by this measure. Visits carry the number of their round, so nothing is cleared
+// between searches.
 // Tested by tests/surface/trace_test.cpp.
 #include "plumb/surface/strip/face_strip.h"
 

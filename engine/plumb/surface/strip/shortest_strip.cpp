@@ -13,8 +13,9 @@
 // search is an A* search. Shortest paths bend only at vertices with an angle of at least a full
 // turn, and at the border; other vertices get a distance, but make no windows.
 //
-// Invariants: seats and windows are only appended, and each refers to earlier ones, so following a
-// path back ends at the start. Rounded lengths choose a strip, never a topology.
+// Invariants: seats and windows are only appended, and each of them refers to earlier seats and
+// windows. So following a path back ends at the start. Rounded lengths choose a strip, never a
+// topology.
 // Tested by tests/surface/shortest_strip_test.cpp, which tries all strips of small meshes.
 #include "plumb/surface/strip/shortest_strip.h"
 
