@@ -4,7 +4,7 @@
 // their left, and triangles between its corners that cover it. A layer of a solid is a copy of the
 // corners. Strips of faces join neighbouring layers, and the triangles close the ends. Each edge of
 // the mesh therefore has as many faces in one direction as in the other, whatever the layers are,
-// so that winding numbers exist; and the winding rule makes a set of what crosses itself.
+// so that winding numbers exist. If the mesh crosses itself, the winding rule makes a set of it.
 //
 // Tested by tests/model/extrude_test.cpp.
 #include "plumb/model/extrude.h"

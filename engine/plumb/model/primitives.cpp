@@ -1,8 +1,8 @@
 // Primitives of constructive solid geometry.
 //
 // Vertices of circles are radius * cosine and radius * sine, each rounded once more; cosine and
-// sine are exact where degrees allow it. Faces of cylinders are planar exactly, as their edges
-// along the axis are parallel; spheres and cones are hulls of their vertices (hull_mesh), which
+// sine are exact where degrees allow it. Faces of cylinders are exactly planar, because their edges
+// along the axis are parallel. Spheres and cones are hulls of their vertices (hull_mesh), which
 // triangulates their faces such that the solid is convex.
 //
 // Tested by tests/model/primitives_test.cpp.
