@@ -5,16 +5,16 @@
 // recurses.
 //
 // Equal subtrees have one representative, the one with the greatest number; children of a
-// representative are named by their representatives, which have greater numbers than it. Nodes that
-// change nothing, such as groups with one child, are represented by that child.
+// representative are named by their representatives, which have greater numbers than it. A node
+// that changes nothing, such as a group with one child, is represented by its child.
 //
 // A Boolean that only another Boolean uses has no value of its own: it becomes a part of the
 // expression of its user, which is rewritten as a whole (set_tree.h). Operations on sets are
 // regularized one by one. By the laws of the Boolean algebra of closed regular sets, the value does
 // not depend on the order in which they are done.
 //
-// Colours are values of the nodes that make faces (node_colors.h). Only such nodes of different
-// colours are different; Booleans differ because their operands do.
+// Colours are values of the nodes that make faces (node_colors.h). Only for such nodes, a different
+// colour makes a different node. Booleans differ if their operands differ.
 //
 // Tested by tests/csg/evaluate_test.cpp: random trees against the oracle of unit cells; colours by
 // tests/csg/colors_test.cpp.

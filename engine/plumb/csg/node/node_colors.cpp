@@ -1,7 +1,7 @@
 // Colours go down the tree and stay on faces. A pass over rising numbers sees parents before their
 // children, so each node hands its colour to its children, and only a node without a colour takes
-// that of a node of the kind Color. What makes faces (a primitive, an extrusion, a hull, a sum) is
-// then painted as a whole; Booleans and maps carry the sources of their operands.
+// the colour of a node of the kind Color. A node that makes faces (a primitive, an extrusion, a
+// hull, a sum) is then painted as a whole. Booleans and maps carry the sources of their operands.
 //
 // Tested by tests/csg/colors_test.cpp.
 #include "plumb/csg/node/node_colors.h"

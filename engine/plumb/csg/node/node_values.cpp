@@ -1,8 +1,8 @@
 // Values of single nodes: primitives, maps, sizes, offsets, projections, extrusions.
 //
-// The numbers of fragments, of slices and of steps are those of OpenSCAD 2021.01, so that vertices
-// lie where its users expect them. OpenSCAD computes them in doubles; they decide how finely a
-// curved shape is divided, and nothing else. Sizes of sets are exact.
+// The numbers of fragments, of slices and of steps are the same as in OpenSCAD 2021.01, so that
+// vertices lie where its users expect them. OpenSCAD computes these numbers in doubles. They only
+// decide how finely a curved shape is divided. Sizes of sets are exact.
 //
 // Tested by tests/csg/evaluate_test.cpp.
 #include "plumb/csg/node/node_values.h"
