@@ -2,7 +2,7 @@
 //
 // Nodes are appended to the tree as they are read; the end of a subtree is set when its block ends.
 // A node with the modifier `*` or `%` is read like any other, so that its errors are found, and
-// removed at its end. Files are imported last, so that those of removed nodes are never opened.
+// removed at its end. Files are imported last, so that the files of removed nodes are never opened.
 //
 // Tested by tests/io/csg_reader_test.cpp and
 // fuzz/csg_reader.cpp.

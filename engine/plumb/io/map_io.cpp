@@ -3,11 +3,11 @@
 //
 // Counts are compared with the bytes that follow before memory is reserved. A face is accepted only
 // if it has at least three corners, no vertex twice in a row, and corners that are not all on one
-// line; the last is decided by exact orientation signs, which stop at the first turn. Whether the
+// line. The last condition is decided by exact orientation signs, up to the first turn. Whether the
 // faces form a planar subdivision is not decided here but by the check of maps (plane/map_check.h).
 //
-// Polygons of WKT and GeoJSON have their own positions each; equal ones are found by sorting. They
-// become a map ring by ring, and outer boundaries are left to the check.
+// Polygons of WKT and GeoJSON have their own positions each; equal positions are found by sorting.
+// They become a map ring by ring, and outer boundaries are left to the check.
 // Format: docs/formats.md, section map.
 // Tested by tests/io/map_io_test.cpp.
 #include "plumb/io/map_io.h"

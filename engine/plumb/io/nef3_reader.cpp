@@ -1,11 +1,12 @@
 // Reading of `.nef`, the lossless format of sets of space.
 //
 // Records come in the order planes, points, vertices, edges, edge uses, facets, volumes, each named
-// by its position. Planes are interned as they are read and must come out with the number and
-// orientation they have in the file, so a file cannot name one plane twice; constructed points must
-// be one point of their planes. Ids are checked against counts, and links against each other
-// (flaw_of_links()) before any walk over them. Whether the complex is a set of space is for the
-// audit to decide, which callers run (solid_io.cpp). Format: docs/formats.md, section .nef.
+// by its position. Planes are interned as they are read. Each plane must get the number and the
+// orientation that it has in the file, so a file cannot name a plane twice. The planes of a
+// constructed point must meet in exactly one point. Ids are checked against counts, and links
+// against each other (flaw_of_links()) before any walk over them. Callers run the audit, which
+// decides whether the complex is a set of space (solid_io.cpp). Format: docs/formats.md, section
+// .nef.
 // Tested by tests/io/nef3_reader_test.cpp.
 #include "plumb/io/nef3_reader.h"
 

@@ -6,8 +6,8 @@
 // (surface/exponential_map.h), point by point; its rings are then traced as polygons. Shapes of
 // drawings have label zero at the face farthest from the centre, unless the scene says otherwise.
 //
-// Faces that the mesh turned around to orient itself have their weights exchanged, so a point means
-// what its author wrote. Format: docs/formats.md, section Scenes.
+// In faces that the mesh flipped, the weights are exchanged, so that a point lies where its author
+// placed it. Format: docs/formats.md, section Scenes.
 // Tested by tests/io/scene_reader_test.cpp and tests/io/svg_reader_test.cpp.
 
 #include "plumb/io/scene_reader.h"

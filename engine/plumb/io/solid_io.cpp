@@ -1,10 +1,10 @@
-// Files as sets of space: a file is read as a mesh or .nef, a mesh is mended if that is asked for
-// and becomes a set, and notes say what was done.
+// Files as sets of space: a file is read as a mesh or .nef, a mesh is repaired if the options ask
+// for it, and becomes a set. Notes state the repairs.
 //
-// A mesh that is refused can often be read if it is mended. remedy_for() does not conclude from
-// defects how to mend it, but tries: a hint that it gives is one that works. The ways are tried
-// from the one that changes least to the one that changes most, and steps that turn out to change
-// nothing are left out of the answer.
+// A mesh that is refused can often be read after a repair. remedy_for() does not derive a repair
+// from the defects, but tries repairs, so each repair that it returns works. It tries the repair
+// that changes least first, and the repair that changes most last. Steps that change nothing are
+// left out of the answer.
 //
 // Tested by tests/io/solid_io_test.cpp.
 #include "plumb/io/solid_io.h"

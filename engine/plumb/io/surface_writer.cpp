@@ -1,10 +1,10 @@
 // Divided surfaces as OBJ, PLY, a graph of cells, and scenes.
 //
-// Meshes are written with the triangles of the chosen cells, grouped by cell, and only the points
-// they use, renumbered. A scene is written so that reading it gives the same points: decimals are
-// used only well inside a face, where the reader keeps them; on edges and near them coordinates are
-// fractions. Weights refer to the face as its author listed it, also where the mesh turned it
-// around. Formats: docs/formats.md, sections Meshes and Scenes.
+// A mesh is written with the triangles of the chosen cells, grouped by cell. Only the points of
+// these triangles are written, with new numbers. A scene is written so that reading it gives the
+// same points: decimals are used only well inside a face, where the reader keeps them; on edges and
+// near them coordinates are fractions. Weights refer to the face as its author listed it, even if
+// the mesh flipped the face. Formats: docs/formats.md, sections Meshes and Scenes.
 // Tested by tests/cli/surface_command_test.cpp.
 #include "plumb/io/surface_writer.h"
 

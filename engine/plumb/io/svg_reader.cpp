@@ -1,15 +1,16 @@
 // Reading of SVG drawings: elements, transforms, and the basic shapes as outlines.
 //
-// XmlScanner reports elements one after the other; a stack holds the product of all transforms of
-// the open ones. Groups are entered, shapes are given to SvgOutline, which flattens them in the
-// coordinates of the drawing, and elements that would be drawn but are not supported (text, images)
-// are left out with a note. For a use, a second scanner reads the element that the use names, as
+// XmlScanner reports elements one after the other; a stack contains the products of the transforms
+// of all open elements. Groups are entered, shapes are given to SvgOutline, which flattens them in
+// the coordinates of the drawing, and elements that would be drawn but are not supported (text,
+// images) are left out with a note. For a use, a second scanner reads the element that the use
+// names, as
 // if it stood there, and the first scanner waits; the work is bounded by the bytes that all uses
-// read. What is not drawn (display, visibility) is left out; style sheets are not applied, and a
-// note says so if one could hide elements or set their fill rules. The root fixes the frame: the
-// middle of the drawing becomes the origin, the y axis is turned upwards, and the default tolerance
-// is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics (SVG) 1.1;
-// docs/formats.md, section Drawings. Tested by tests/io/svg_reader_test.cpp.
+// read. Elements that are not drawn (display, visibility) are left out; style sheets are not
+// applied, and a note says so if one could hide elements or set their fill rules. The root fixes
+// the frame: the middle of the drawing becomes the origin, the y axis is turned upwards, and the
+// default tolerance is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics (SVG)
+// 1.1; docs/formats.md, section Drawings. Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg_reader.h"
 
 #include <algorithm>

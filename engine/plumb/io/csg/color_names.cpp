@@ -1,4 +1,4 @@
-// The table is that of CSS Color Module Level 4, in the order of the alphabet.
+// The table contains the colours of CSS Color Module Level 4, in alphabetical order.
 // Tested by tests/io/csg_reader_test.cpp.
 #include "plumb/io/csg/color_names.h"
 

@@ -1,8 +1,8 @@
 // Nodes of a tree from the parameters in a file.
 //
 // Parameters that are missing or undef have OpenSCAD's defaults. Numbers that have no meaning for a
-// shape, such as a negative radius, are kept: the evaluation says what they give. What would be an
-// index out of range later is refused here, at its place.
+// shape, such as a negative radius, are kept: the evaluation defines their values. An index that
+// would be out of range later is refused here, with its place in the file.
 //
 // Tested by tests/io/csg_reader_test.cpp.
 #include "plumb/io/csg/csg_nodes.h"

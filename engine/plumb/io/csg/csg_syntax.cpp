@@ -1,7 +1,7 @@
 // Scanner of OpenSCAD's flattened models.
 //
-// The scanner runs over bytes; lines and columns are found for nodes and errors alone, by a cursor
-// that follows. Numbers of ordinary size are read by std::from_chars(); all others are left to
+// The scanner runs over bytes; lines and columns are computed only for nodes and errors, by a
+// second cursor. Numbers of ordinary size are read by std::from_chars(); all others are left to
 // NumberReader, which knows the limits of numbers and their errors.
 //
 // Tested by tests/io/csg_reader_test.cpp and fuzz/csg_reader.cpp.

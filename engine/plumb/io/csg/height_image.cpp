@@ -1,8 +1,8 @@
 // Calls of libpng.
 //
 // The library reports errors by longjmp(), so the functions that call it after setjmp() have no
-// objects with destructors. All images are expanded to three bytes a pixel, as OpenSCAD does: 16
-// bits lose the lower ones, and opacity is dropped.
+// objects with destructors. All images are expanded to three bytes for each pixel, as in OpenSCAD.
+// Of 16 bits, the lower eight bits are dropped, and so is opacity.
 //
 // Without PLUMB_WITH_PNG this file has only the message of its error.
 // Tested by tests/io/surface_file_test.cpp.

@@ -1,7 +1,7 @@
-// Complete arrays of attributes from what files list.
+// Makes complete arrays of attributes from the lists in files.
 //
 // All numbers are doubles and are only copied, divided by 255, or filled in, so an attribute never
-// changes the geometry. A number that is no finite number is 0. Memory is charged before it is
+// changes the geometry. A number that is not finite becomes 0. Memory is charged before it is
 // allocated and stays charged while the file is read. The number of numbers per corner is limited,
 // because a corner takes two bytes in a text and each of its numbers eight bytes in memory.
 // Tested by tests/io/mesh_attributes_test.cpp.

@@ -1,9 +1,10 @@
 // Writing of binary glTF: positions, corners by material, and the channels of vertices.
 //
 // The channels of glTF belong to vertices, so a vertex is written once for each combination of
-// numbers that its corners have. Normals must have the length 1: interpolated ones are scaled, and
-// a corner without one has that of its triangle. In glTF, v of a texture points down, elsewhere up.
-// A texture needs texture coordinates; without them, only the colour of a material is written.
+// numbers that its corners have. Normals must have the length 1: interpolated normals are scaled,
+// and a corner without a normal gets the normal of its triangle. In glTF, v of a texture points
+// down, elsewhere up. A texture needs texture coordinates; without them, only the colour of a
+// material is written.
 //
 // Tested by tests/io/mesh_attributes_test.cpp and tests/io/mesh_io_test.cpp.
 #include "plumb/io/mesh/glb.h"

@@ -5,9 +5,8 @@
 // means a cycle or a shared child, and is refused. A node may place copies of its mesh
 // (EXT_mesh_gpu_instancing), or be hidden with all below it (KHR_node_visibility).
 //
-// Every number from the file is checked against what it is used for, such as offsets against
-// buffers and indices against counts, before any byte is read by it. What is wrong is reported with
-// its place in the document.
+// Every number from the file is checked before it is used: offsets are compared with buffers, and
+// indices with counts. Errors name the place in the document.
 // Tested by tests/io/gltf_test.cpp.
 #include "plumb/io/mesh/gltf.h"
 

@@ -3,8 +3,9 @@
 // Offsets, strides and counts are compared with the bytes of the view before anything points there,
 // so that elements are read without checks. A sparse accessor is copied, with some elements
 // replaced. An accessor without any bytes has zeros for elements; so that a small file cannot ask
-// for many, they are no more than the bytes that were read. Where data are there both compressed
-// and as they are, the latter are used: they do not depend on a library.
+// for many elements, their number is at most the number of bytes that were read. If data are stored
+// both compressed and uncompressed, the uncompressed data are used, because they do not depend on a
+// library.
 // Tested by tests/io/gltf_accessors_test.cpp.
 #include "plumb/io/mesh/gltf_accessors.h"
 

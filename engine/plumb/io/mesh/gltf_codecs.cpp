@@ -3,8 +3,8 @@
 // The decoder of meshoptimizer writes into memory of the caller, checks the stream as it goes, and
 // only asserts that strides and counts suit the mode: that is checked here. Draco allocates by
 // itself. Its decoder is derived here to look ahead at the counts of the stream and at the
-// attributes before it allocates for them, and to charge estimates that are upper bounds. What
-// Draco returns is no more than bytes: indices and coordinates are checked as those of any file.
+// attributes before it allocates for them, and to charge estimates that are upper bounds. The
+// results of Draco are not trusted: indices and coordinates are checked as in any file.
 //
 // Without PLUMB_WITH_DRACO and PLUMB_WITH_MESHOPT this file has only the messages of its errors.
 // Tested by tests/io/gltf_codecs_test.cpp.

@@ -1,7 +1,7 @@
 // Access to the JSON document of a glTF file and to its buffers.
 //
 // Every number of the document is checked when it is read, and each buffer has as many bytes as it
-// announces, so that what follows can compare offsets with lengths.
+// announces, so that later steps can compare offsets with lengths.
 // Tested by tests/io/gltf_test.cpp.
 #include "plumb/io/mesh/gltf_document.h"
 

@@ -1,4 +1,4 @@
-// The table of extensions, from the registry of Khronos and from what exporters write.
+// The table of extensions, from the registry of Khronos and from files that exporters write.
 // Tested by tests/io/gltf_test.cpp.
 #include "plumb/io/mesh/gltf_extensions.h"
 

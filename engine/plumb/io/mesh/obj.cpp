@@ -1,12 +1,13 @@
 // Reading and writing of OBJ, statement by statement.
 //
 // A statement is a line, continued by a backslash at its end. Only v and f carry geometry that a
-// mesh holds. Statements with other geometry are skipped with a warning, and all other statements
-// with a note; programs add keywords of their own, so unknown keywords are named and skipped, too.
-// A text without any v and f is something else, and its first unknown keyword is an error. Fields
-// of v and f that are dropped are not parsed (exporters write nan there, or nothing). The common
-// corner, a short positive number, is read without taking a token. A face may precede its vertices,
-// so the largest number of a vertex that was still to come is compared with their count at the end.
+// mesh can represent. Statements with other geometry are skipped with a warning, and all other
+// statements with a note; programs add keywords of their own, so unknown keywords are named and
+// skipped, too. If a text has neither v nor f, it is not OBJ, and its first unknown keyword is an
+// error. Fields of v and f that are dropped are not parsed (exporters write nan there, or nothing).
+// The common corner, a short positive number, is read without taking a token. A face may precede
+// its vertices, so the largest number of a vertex that was still to come is compared with their
+// count at the end.
 //
 // Format: Wavefront OBJ, as in docs/formats.md, section OBJ. Tested by tests/io/obj_test.cpp.
 #include "plumb/io/mesh/obj.h"

@@ -1,12 +1,12 @@
 // Reading and writing of the attributes of OBJ.
 //
-// The numbers of vt and vn are counted as vertices are: from 1, or backwards from the latest one.
+// The numbers of vt and vn are counted like vertices: from 1, or backwards from the latest of them.
 // They may follow the face that names them, so corners keep numbers until the whole file has been
 // read; a number that the file does not have is noted, and the values are 0. A material library is
-// a second file with statements of the same form. It decides only how faces look, so a library that
-// cannot be read is a note and not an error, and its statements are not checked. Names are all that
-// follows the keyword on its line, up to a comment. Blender and Maya write the material "(null)"
-// for none; the specification calls the group of faces without a group "default".
+// a second file with statements of the same form. It only decides how faces look. So if a library
+// cannot be read, this is a note and not an error, and the statements of a library are not checked.
+// Names are all that follows the keyword on its line, up to a comment. Blender and Maya write the
+// material "(null)" for none; the specification calls the group of faces without a group "default".
 // Tested by tests/io/mesh_attributes_test.cpp.
 #include "plumb/io/mesh/obj_attributes.h"
 

@@ -4,9 +4,9 @@
 // record a line, however, and many of these have numbers behind the coordinates that the keyword
 // does not announce. Therefore the text is read line by line first. If this fails, the layouts in
 // which records share lines, or extend over several lines, are tried in a fixed order, unless the
-// number of lines is that of the records. A layout fits only if the announced records use up all
-// numbers of the text. If no layout fits, the error is that of the layout that the number of lines
-// suggests. Numbers beyond coordinates and corners are dropped without being
+// number of lines equals the number of records. A layout fits only if the announced records use up
+// all numbers of the text. If no layout fits, the reader reports the error of the layout that the
+// number of lines suggests. Numbers beyond coordinates and corners are dropped without being
 // parsed (exporters write nan there), and noted.
 //
 // The counts are compared with the bytes that follow, at the least number of bytes that a vertex or

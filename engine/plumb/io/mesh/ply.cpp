@@ -3,8 +3,8 @@
 // Lengths of lists are untrusted: the lists of a record share what is left after all fixed parts
 // (spare_), so no list can claim bytes that do not exist or that other properties need. All numbers
 // up to 32 bits and floats are exact in doubles, which are used for every type. PlyGeometry takes
-// what both readers read: it turns strips into triangles, and keeps faces away from vertices that
-// are not finite. Format: G. Turk, The PLY polygon file format (Stanford University);
+// the elements of both readers. It turns strips into triangles, and keeps faces away from vertices
+// that are not finite. Format: G. Turk, The PLY polygon file format (Stanford University);
 // docs/formats.md, section PLY.
 // Tested by tests/io/ply_test.cpp.
 #include "plumb/io/mesh/ply.h"

@@ -1,11 +1,12 @@
 // The header of PLY: which elements a file holds, and which properties each of them has.
 //
-// Every property has a type, so a binary reader can skip what it does not know; its role says what
-// it means for a mesh. What has no role is passed over and named, because elements that are not
-// known may hold geometry. Counts are untrusted: an element needs at least the bytes of its fixed
-// properties, so no count is believed for which the file is too short. Lines that are none of a
-// header are passed over, too, but not if they may be misspelled: then the rest of the file would
-// be read as something else. Format: docs/formats.md, section PLY.
+// Every property has a type, so a binary reader can skip unknown properties. The role of a property
+// states its meaning for a mesh. Properties without a role are skipped, and notes name them,
+// because unknown elements may contain geometry. Counts are untrusted: an element needs at least
+// the bytes of its fixed properties, so no count is believed for which the file is too short. Lines
+// that do not belong to a header are skipped, too. But a line that may be a misspelled line of a
+// header is an error, because otherwise the rest of the file would be misread. Format:
+// docs/formats.md, section PLY.
 // Tested by tests/io/ply_test.cpp.
 #include "plumb/io/mesh/ply_header.h"
 

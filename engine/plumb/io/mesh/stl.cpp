@@ -3,14 +3,14 @@
 // The kind of a file is decided by its content: by its size, which a binary file fixes through its
 // count of triangles, else by control characters, which no text has. The word "solid" alone does
 // not decide, because many binary files begin with it. Writers that stream leave the count of
-// triangles open, and others append bytes, so layout_of() compares count and size and accepts what
-// can be read in one way only. A file whose count fits its size when read in the other order of
-// bytes is refused. Nobody keeps to one grammar of the text either, so a text is a list
-// of statements. Only what no facet can do without must be there: a facet that is cut off by the
-// end of the file is refused. STL has no shared vertices, so equal points are welded, exactly,
-// after reading; a triangle that then has two equal corners is left out with a note. Binary
-// coordinates are floats, which are exact in doubles. Format: 3D Systems, StereoLithography
-// Interface Specification; docs/formats.md, section STL.
+// triangles open, and others append bytes, so layout_of() compares count and size, and accepts a
+// file only if there is exactly one way to read it. A file whose count fits its size when read in
+// the other order of bytes is refused. Programs do not agree on one grammar of the text form
+// either, so a text is read as a list of statements. Only the statements that every facet needs are
+// required: a facet that the end of the file cuts off is refused. STL has no shared vertices, so
+// equal points are welded, exactly, after reading; a triangle that then has two equal corners is
+// left out with a note. Binary coordinates are floats, which are exact in doubles. Format: 3D
+// Systems, StereoLithography Interface Specification; docs/formats.md, section STL.
 // Tested by tests/io/stl_test.cpp.
 #include "plumb/io/mesh/stl.h"
 

@@ -1,10 +1,10 @@
 // Calls of libzip.
 //
 // The library reads from and writes to memory. It checks offsets and sizes of the directory against
-// the archive, and the checksum of an entry at its end. An entry may claim any size: what counts is
-// what comes out, and Handle::count_bytes() bounds it by the size of the archive, so a small
-// archive cannot keep a reader busy for long. The library keeps a record of each entry, which is
-// charged when the archive has been opened.
+// the archive, and the checksum of an entry at its end. An entry may claim any size.
+// Handle::count_bytes() counts the bytes that come out, and bounds them by the size of the archive.
+// So a small archive cannot keep a reader busy for long. The library keeps a record of each entry,
+// which is charged when the archive has been opened.
 //
 // Without PLUMB_WITH_3MF this file has only the messages of its errors.
 // Tested by tests/io/threemf_test.cpp.

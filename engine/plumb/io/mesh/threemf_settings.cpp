@@ -1,8 +1,8 @@
-// Reading of the settings of slicers: only what says that a volume is no part of the shape.
+// Reading of the settings of slicers. Only settings that exclude a volume from the shape are read.
 //
 // Elements: object (id) > volume (firstid, lastid) > metadata (key, value) in the files of
-// PrusaSlicer, and object (id) > part (id, subtype) in those of Bambu Studio. Everything else is
-// skipped. Tested by tests/io/threemf_test.cpp.
+// PrusaSlicer, and object (id) > part (id, subtype) in the files of Bambu Studio. Everything else
+// is skipped. Tested by tests/io/threemf_test.cpp.
 #include "plumb/io/mesh/threemf_settings.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 //
 // The parser calls functions of C, through which no exception may pass: guarded() keeps an
 // exception and stops the parser, and feed() throws it again. A tag is kept by the parser until it
-// is complete and is scanned again with each block, so its length is bounded; names are kept until
-// the text ends, so those that differ are counted.
+// is complete and is scanned again with each block, so its length is bounded. The parser keeps
+// names until the text ends, so the number of different names is limited.
 //
 // Without PLUMB_WITH_3MF this file is never reached: no archive can be opened.
 // Tested by tests/io/threemf_test.cpp.

@@ -1,13 +1,14 @@
 // Layers through GDAL, by its C interface.
 //
 // GDAL is a large library that reads files of strangers by its own code, so it gets as little to do
-// as possible: only the drivers below are registered, plugins are not loaded, the path must be that
-// of an ordinary file or folder and is made absolute (so it cannot begin like "GPKG:" or "/vsi"),
-// and none of these drivers follows names in a file to places outside of its folder. Geometries
-// leave GDAL as WKB, whose reader checks them.
+// as possible: only the drivers below are registered, plugins are not loaded, the path must name an
+// ordinary file or folder, and is made absolute (so it cannot begin like "GPKG:" or "/vsi"), and
+// none of these drivers follows names in a file to places outside of its folder. Geometries leave
+// GDAL as WKB, whose reader checks them.
 //
 // A layer is written to a file in memory (/vsimem/), whose bytes then go to the output: so outputs
-// are complete or absent, as all others. Times are fixed, so the same layer gives the same bytes.
+// are complete or absent, as all others. All times in the file are fixed, so the same layer gives
+// the same bytes.
 //
 // Without PLUMB_WITH_GDAL this file has only the messages of its errors.
 // Tested by tests/io/gdal_layer_test.cpp.

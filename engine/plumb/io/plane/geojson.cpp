@@ -5,7 +5,7 @@
 // so coordinates may be read before their type is known. Therefore positions are collected with the
 // ends of the lists around them, and the depth at which numbers occur is fixed by the first one;
 // when the object ends its type says whether these lists are points, lines or rings. Members
-// without a meaning are skipped as soon as their name is read, without a look at what they hold.
+// without a meaning are skipped as soon as their name is read, and their values are not examined.
 // Nesting is limited, lists cost no recursion, and nothing is allocated per geometry. Format:
 // docs/formats.md, section GeoJSON.
 // Tested by tests/io/geojson_test.cpp and tests/io/json_scanner_test.cpp.

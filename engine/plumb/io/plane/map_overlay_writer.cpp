@@ -1,8 +1,8 @@
 // The cells of two overlaid maps as GeoJSON and as a JSON summary.
 //
 // Each cell is a feature with the numbers of the faces of both maps that contain it, and its exact
-// area. Coordinates are those of the rounded overlay, so that cells with a common border keep it.
-// The summary adds up the areas exactly, by where the cells lie.
+// area. Coordinates come from the rounded overlay, so that cells with a common border keep this
+// border. The summary adds up the areas exactly, by where the cells lie.
 //
 // Tested by tests/cli/map_commands_test.cpp.
 #include "plumb/io/plane/map_overlay_writer.h"

@@ -4,11 +4,10 @@
 // Collections are the only recursion and are limited in depth. The number of positions is bounded
 // by the commas and parentheses of the text, so the table is reserved and charged once before
 // reading. Flaws of a list (a ring that is not closed, a line of one position) are reported at its
-// closing parenthesis. Dialects differ in what stands around the geometries and behind x and y; all
-// of that is read and dropped, and what is dropped is named in a note. Curves are refused: edges of
-// sets are straight, and how fine a chain of edges has to be is not for a reader to say. Format:
-// OGC 06-103r4, Simple feature access, part 1 (2011), section on well-known text; docs/formats.md,
-// section WKT.
+// closing parenthesis. Dialects differ in the text around geometries, and in the numbers behind x
+// and y. All of this is read and dropped, and a note names it. Curves are refused: edges of sets
+// are straight, and a reader cannot know how fine a chain of edges must be. Format: OGC 06-103r4,
+// Simple feature access, part 1 (2011), section on well-known text; docs/formats.md, section WKT.
 // Tested by tests/io/wkt_test.cpp.
 #include "plumb/io/plane/wkt.h"
 

@@ -1,12 +1,13 @@
-// Sets of space as text: the choice of format and what it loses, and the validation of links.
+// Sets of space as text: the choice of a format, the losses of this format, and the validation of
+// links.
 //
 // SolidText makes the mesh when it is constructed, so that a set that cannot be written fails
 // before a file is opened, and the losses are known: parts that no volume touches, marks that a
-// closed mesh cannot hold, and what rounding does to the shape. LinkCheck follows the data
-// structure of a complex with nothing but bounds of ids guaranteed: it establishes first that
-// `next` and `radial` are permutations, after which walks along them terminate, and then counts
-// what each walk meets. It is the first of two checks of a `.nef` file; the second is the audit,
-// which may follow links freely. Formats: docs/formats.md, sections Meshes and .nef.
+// closed mesh cannot represent, and the effects of rounding. LinkCheck follows the data structure
+// of a complex of which only the bounds of ids are guaranteed. It establishes first that `next` and
+// `radial` are permutations, after which walks along them terminate, and then counts what each walk
+// meets. It is the first of two checks of a `.nef` file; the second is the audit, which may follow
+// links freely. Formats: docs/formats.md, sections Meshes and .nef.
 // Tested by tests/io/solid_io_test.cpp and tests/io/nef3_reader_test.cpp.
 #include "plumb/io/solid/solid_text.h"
 

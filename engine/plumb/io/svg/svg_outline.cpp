@@ -3,13 +3,13 @@
 // A curve over parameters 0 to 1 with second derivative at most M is at most M / (8 n^2) away from
 // n equal chords, so n = ceil(sqrt(M / (8 tolerance))) chords suffice. M comes from control points:
 // for a Bezier curve of degree d it is d (d - 1) times the largest second difference, because the
-// second derivative is a Bezier curve over those; for an elliptic arc it is the largest distance
+// second derivative is a Bezier curve over those; for an elliptic arc, M is the largest distance
 // from the centre times the square of the angle. A rational curve is halved until its control
 // points are within the tolerance of the chord. The map of the element is applied before
 // flattening, so the tolerance is measured in the drawing.
 //
 // PathReader turns commands into calls of the outline. Elliptic arcs are converted from end points
-// to centre as in SVG 1.1, appendix F.6.5, with radii enlarged that do not reach.
+// to centre as in SVG 1.1, appendix F.6.5. Radii that are too small are enlarged.
 // Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg/svg_outline.h"
 

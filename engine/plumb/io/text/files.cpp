@@ -1,11 +1,11 @@
 // Input files read whole, and output files written atomically.
 //
 // Input is read until the end, whatever size the system reports; memory is charged before it grows,
-// and waiting for a pipe is done in slices, so that limits and cancellation take effect meanwhile.
-// Output goes to a temporary file in the same folder, is synchronised, and renamed over its final
-// name, which POSIX makes atomic: readers see the old file or the new one. Names of temporary files
-// are also kept in a fixed array of atomics, where a signal handler can unlink them without taking
-// locks or allocating.
+// and the wait for a pipe is divided into short waits, so that limits and cancellation take effect
+// meanwhile. Output goes to a temporary file in the same folder, is synchronised, and renamed over
+// its final name, which POSIX makes atomic: readers see the old file or the new one. Names of
+// temporary files are also kept in a fixed array of atomics, where a signal handler can unlink them
+// without taking locks or allocating.
 // Tested by tests/io/files_test.cpp.
 #include "plumb/io/text/files.h"
 

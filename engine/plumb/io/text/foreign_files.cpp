@@ -3,8 +3,8 @@
 // Three tables are searched in order: signatures, which begin a file; names of root elements of
 // XML; and words that texts of a kind have near their beginning. A signature of text must be
 // followed by the end of a word, so a table whose first column is called "OFFICE" is no OFF. Only
-// files that a reader has refused are looked at, so a wrong guess costs a message and not an
-// answer. Tested by tests/io/foreign_files_test.cpp.
+// files that a reader has refused are examined. So a wrong guess makes a message wrong, but never a
+// result. Tested by tests/io/foreign_files_test.cpp.
 #include "plumb/io/text/foreign_files.h"
 
 #include <algorithm>

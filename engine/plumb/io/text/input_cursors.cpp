@@ -1,4 +1,4 @@
-// TextCursor: lines, tokens and places of a text, and what counts as text.
+// TextCursor: lines, tokens and places of a text, and the definition of text.
 //
 // Tokens are found byte by byte, without a check of their characters; only when a token is reported
 // is it validated, so good input is read at full speed and an error still names the first byte that

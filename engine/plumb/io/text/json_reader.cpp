@@ -5,8 +5,8 @@
 // position. JsonValues keeps 8 bytes for each value: its first byte, and the number of the value
 // after it, which makes skipping a subtree O(1) and lists linked. Memory is known before parsing: a
 // scan counts separators outside of quotes, which bounds the number of values, and the list is
-// reserved once; if the parser reports more, the text is no JSON and parsing is about to fail.
-// Tested by tests/io/json_reader_test.cpp.
+// reserved once; if the parser reports more, the text is not JSON, and parsing will fail. Tested by
+// tests/io/json_reader_test.cpp.
 #include "plumb/io/text/json_reader.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // The position stands behind the current token. What may come next depends on two things only: the
 // innermost open bracket, and whether a bracket, a name or a value stands before the position
 // (Before). So the grammar is a few comparisons per token, and nesting costs a bit per bracket
-// instead of a call. A skipped value is only searched for quotes and brackets: what it holds has no
-// meaning, and many files hold words there that are no JSON.
+// instead of a call. A skipped value is only searched for quotes and brackets. Its contents have no
+// meaning, and in many files they contain words that are not JSON.
 // Tested by tests/io/json_scanner_test.cpp.
 #include "plumb/io/text/json_scanner.h"
 

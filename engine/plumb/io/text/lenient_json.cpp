@@ -1,4 +1,4 @@
-// Replacing what is not JSON.
+// Replaces the parts of a text that are not JSON.
 //
 // The copy is made in one pass. Outside of quotes, a word is a run of characters without blanks and
 // marks; every word that JSON does not know is replaced, also where a name should stand, because
