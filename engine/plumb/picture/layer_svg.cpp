@@ -1,6 +1,7 @@
 // The picture of a layer. A view maps a window of the plane to a frame of the picture; the overview
 // and all close-ups are drawn by the same function, which clips rings to the window of its view.
-// Boxes of rings keep close-ups cheap. Points are bounded, and what is left out is noted.
+// Boxes of rings keep close-ups cheap. The number of points is bounded, and a note names the parts
+// that are left out.
 // Tested by tests/picture/layer_svg_test.cpp.
 #include "plumb/picture/layer_svg.h"
 

@@ -1,12 +1,12 @@
 // The picture of a set of the plane: fill, edges and vertices by their marks, and optional parts in
 // colours.
 //
-// The set is intersected exactly with a window that surrounds its vertices, so what reaches
-// infinity ends at the frame, where it fades. Edges that only the cut made lie on the window's
-// border and are not drawn. Marks decide the look: marked edges are solid, unmarked ones dashed,
-// vertices get a full or hollow dot where they say more than the edges there. Edges of one kind are
-// joined into chains so that dashes run on. Parts of a decomposition are drawn over the fill and
-// under the edges of the set.
+// The set is intersected exactly with a window that surrounds its vertices, so unbounded cells end
+// at the frame, where they fade out. Edges that only the cut made lie on the window's border and
+// are not drawn. Marks decide the look: marked edges are solid, and unmarked edges are dashed. A
+// vertex gets a full or hollow dot if its mark does not follow from its edges. Edges of one kind
+// are joined into chains so that dashes run on. Parts of a decomposition are drawn over the fill
+// and under the edges of the set.
 // Tested by tests/picture/nef2_svg_test.cpp.
 
 #include "plumb/picture/nef2_svg.h"

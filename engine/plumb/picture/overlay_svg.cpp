@@ -3,8 +3,8 @@
 // Regions of the first map are coloured greedily in their order, unlike their neighbours; within
 // one region the pairs are distinguished by shades, again unlike their neighbours. Borders are
 // drawn in three kinds, by the map or maps that they belong to. Cells are drawn the largest first,
-// labels in them where a box of their size fits inside; points, titles and labels are bounded, and
-// what is left out is stated in the notes.
+// labels in them where a box of their size fits inside; the numbers of points, titles and labels
+// are bounded, and notes name the parts that are left out.
 // Tested by tests/picture/overlay_svg_test.cpp.
 #include "plumb/picture/overlay_svg.h"
 

@@ -1,10 +1,10 @@
 // Scenes of sets of space, and exploded scenes of their parts.
 //
 // The window surrounds all vertices, and a point of each facet and edge without one, in doubles.
-// The set is then intersected exactly with the box of the window, so unbounded facets end on it;
-// what lies on the box is drawn as a cut. Facets are triangulated on their exact complex and become
-// patches whose normals point away from the marked volume. Vertices get a dot where their mark says
-// more than the edges there.
+// The set is then intersected exactly with the box of the window, so unbounded facets end on this
+// box. Facets on the box are drawn as cuts. Facets are triangulated on their exact complex and
+// become patches whose normals point away from the marked volume. A vertex gets a dot if its mark
+// does not follow from its edges.
 //
 // A coloured scene has the edges and dots of the scene of the set, and the triangles of the mesh
 // with attributes, whose groups are the colours and textures.

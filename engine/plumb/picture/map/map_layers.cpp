@@ -5,9 +5,9 @@
 // or be open, still gives a sensible picture without any topology. Cycles too small to be seen
 // become a tint, so the size of the file is bounded by what can be seen.
 //
-// Close-ups are chosen greedily: the window that shows most defects not yet shown, of windows
-// around the defects, sized by their shortest edges, until nothing is gained or the maximum is
-// reached.
+// Close-ups are chosen greedily. The candidates are windows around the defects, whose sizes depend
+// on the shortest edges. In each step, the window is chosen that shows the most new defects, until
+// no window shows a new defect or the maximum is reached.
 // Tested by tests/picture/map_svg_test.cpp.
 #include "plumb/picture/map/map_layers.h"
 

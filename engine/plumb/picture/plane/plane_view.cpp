@@ -5,10 +5,10 @@
 // of ordinary size. Polygons are clipped to a view by Sutherland and Hodgman's algorithm (I. E.
 // Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM 17, 1974).
 //
-// PlaneWindow has rational borders, because a set that reaches infinity is cut off by an exact
-// intersection with the window. Borders are rounded outwards to short numbers, which keeps that cut
-// cheap. Doubles are used for window coordinates if the window is not too small for its distance
-// from the origin, else rationals.
+// PlaneWindow has rational borders, because an unbounded set is cut off by an exact intersection
+// with the window. Borders are rounded outwards to short numbers, which keeps that cut cheap.
+// Doubles are used for window coordinates if the window is not too small for its distance from the
+// origin, else rationals.
 // Tested by tests/picture/plane_view_test.cpp.
 #include "plumb/picture/plane/plane_view.h"
 
