@@ -1,10 +1,10 @@
 // The program: from arguments to a command, and from errors to exit codes.
 //
-// The command is the first row of the table whose words begin the arguments; an unknown one, or an
-// unknown option, is answered with the nearest known word by optimal string alignment distance
-// (insertions, deletions, substitutions, and swaps of neighbours; the restricted form of F. J.
-// Damerau, Communications of the ACM 7, 1964). Help and overview are made from the same table, so
-// nothing is said twice.
+// The command is the first row of the table whose words begin the arguments. For an unknown command
+// or option, the message suggests the nearest known word. The distance of words is the optimal
+// string alignment distance: insertions, deletions, substitutions, and swaps of neighbours (the
+// restricted form of F. J. Damerau, Communications of the ACM 7, 1964). Help and overview are made
+// from the same table.
 //
 // Every error becomes one line on standard error and an exit code; text that comes from files is
 // printed without control characters and cut to a bounded length. The path that reports exhausted

@@ -1,10 +1,10 @@
 // The commands `plumb convex check` and `plumb convex report`: whether sets are convex.
 //
 // The check reads a solid or a set of the plane and prints the answer with its evidence: reflex
-// edges or corners, and the faces that fail. A mesh that is the surface of one solid is tested on
-// its own faces; any other mesh as the set it describes, with the failing faces still those of the
-// mesh. The report runs the check and a decomposition over a list of files and prints one line for
-// each condition.
+// edges or corners, and the faces that fail. If a mesh is the surface of one solid, its own faces
+// are tested. Otherwise the set that it describes is tested. In both cases, the failing faces are
+// faces of the mesh. The report runs the check and a decomposition over a list of files and prints
+// one line for each condition.
 // Tested by tests/cli/convex_command_test.cpp.
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // The commands `plumb plane ...`: sets of the plane, combined, transformed and queried.
 //
-// The commands themselves are templates (set_command.h); this file says what is particular to the
-// plane: formats, the facts that `info` prints, and how a result is written. Without a name for the
-// format a bounded set is written as WKT, an unbounded one as .nef2, because WKT cannot hold it.
-// Tested by tests/cli/plane_command_test.cpp.
+// The commands themselves are templates (set_command.h). This file contains the parts that are
+// particular to the plane: formats, the facts that `info` prints, and the writing of results. If no
+// format is named, a bounded set is written as WKT, and an unbounded set as .nef2, because WKT
+// cannot represent it. Tested by tests/cli/plane_command_test.cpp.
 
 #include <array>
 #include <filesystem>

@@ -1,10 +1,11 @@
 // The command `plumb solid repair FILE`: a mesh mended as a mesh, without making a set of it.
 //
-// Without options every step is done that cannot change what a correct mesh describes: equal points
-// become one, faces of fewer than three corners are dropped, doubled faces where that helps, and
-// faces and components that are the wrong way round are turned. With options exactly the steps that
-// they ask for are done. The report goes to standard output, or to standard error if the mesh is
-// written there. The mesh is written even if it is still open; only .nef needs a set.
+// Without options, the command takes all steps that do not change the set of a correct mesh. Equal
+// points become one point. Faces with fewer than three corners are dropped, and doubled faces are
+// dropped if this helps. Faces and components with the wrong orientation are flipped. With options,
+// the command takes exactly the steps that they ask for. The report goes to standard output, or to
+// standard error if the mesh is written there. The mesh is written even if it is still open; only
+// .nef needs a set.
 // Tested by tests/cli/repair_command_test.cpp.
 
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // The commands `plumb solid ...`: sets of space, combined, transformed and queried.
 //
 // Most commands are templates (set_command.h, csg_command.h); this file adds expressions over named
-// files, sections by planes, intersections of half-spaces, comparison, and Minkowski sums. Files
-// are read in parallel where there are threads for it. Without a name for the format a result is
-// written as .nef, which holds every set. Tested by tests/cli/solid_command_test.cpp.
+// files, sections by planes, intersections of half-spaces, comparison, and Minkowski sums. If there
+// are several threads, files are read in parallel. If no format is named, a result is written as
+// .nef, which represents every set. Tested by tests/cli/solid_command_test.cpp.
 
 #include <algorithm>
 #include <array>

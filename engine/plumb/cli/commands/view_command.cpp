@@ -1,8 +1,8 @@
 // The command `plumb view FILE...`: a picture of whatever the file holds, or of several solids.
 //
-// The kind of a file is decided by its extension, else by how it begins (files/operands.h), and its
-// picture by the extension of the output. Outputs are opened before the work, so that a path that
-// cannot be written costs nothing.
+// The extension of a file determines its kind. If the extension is unknown, the first bytes do
+// (files/operands.h). The extension of the output determines the format of the picture. Outputs are
+// opened before the work, so that a path that cannot be written costs nothing.
 // Tested by tests/cli/view_command_test.cpp.
 
 #include <array>

@@ -1,9 +1,9 @@
 // Runs openscad with its output in a pipe. No shell reads the name of the model.
 //
-// openscad leads a group of processes of its own: whatever it starts ends when the command goes on,
-// fails or is ended, whether at a checkpoint, by an alarm or by a second signal. The id of the
-// group is valid until its leader is waited for, so this is the last step. Neither the pipe nor the
-// end of openscad is waited for without checkpoints.
+// openscad is the leader of a group of processes. All processes that it starts end when the command
+// goes on, fails or is ended at a checkpoint, by an alarm or by a second signal. The id of the
+// group is valid until the process has waited for its leader, so waiting is the last step. Neither
+// the pipe nor the end of openscad is waited for without checkpoints.
 // Tested by tests/cli/csg_command_test.cpp.
 #include "plumb/cli/files/openscad.h"
 

@@ -1,9 +1,10 @@
 // Operands: recognising files, reading numbers, solids and scenes.
 //
-// A file without a telling extension is recognised by its first line and, for JSON, by the members
-// of its outermost object, found without parsing the whole: strings are skipped and only depth one
-// is looked at. Scenes may be repaired on request: generators of the homology are added to shapes
-// that do not separate the surface (surface/surface_homology.h), and reported.
+// A file whose extension is unknown is recognised by its first line. A JSON file is recognised by
+// the members of its outermost object. To find these members, the file is not parsed: strings are
+// skipped, and only depth one is examined. Scenes may be repaired on request: generators of the
+// homology are added to shapes that do not separate the surface (surface/surface_homology.h), and
+// reported.
 // Tested by tests/cli/program_test.cpp, tests/cli/view_command_test.cpp and
 // tests/cli/surface_command_test.cpp.
 #include "plumb/cli/files/operands.h"

@@ -1,8 +1,8 @@
 // The table of commands, and the options of each as CLI11 represents them.
 //
 // The table is the only list of commands: help, manual, completion, the guess after a typing
-// mistake, and tests read it. Descriptions are wrapped for a screen of 80 columns by a formatter of
-// our own, because CLI11's lets lines overflow.
+// mistake, and tests read it. Descriptions are wrapped at 80 columns by a formatter of our own,
+// because the formatter of CLI11 makes longer lines.
 // Tested by tests/cli/help_commands_test.cpp and tests/cli/program_test.cpp.
 #include "plumb/cli/session/command.h"
 

@@ -1,10 +1,11 @@
 // Progress of commands: the estimate, the stages of all commands with their shares, and the bar.
 //
-// The estimate multiplies what is left, in shares, by the pace so far, and lets a step's own
-// reports override its share as it advances; the end is smoothed over a couple of seconds, and the
-// part shown never falls. Shares were measured on inputs of the sizes noted below. The bar is drawn
-// by its own thread, which blocks signals, so that these interrupt what the first thread waits for,
-// and allocates nothing, because a heap of its own would count against --limit-memory.
+// The estimate multiplies the sum of the remaining shares by the pace so far. As a step advances,
+// its own reports replace its share. The estimated end is smoothed over a couple of seconds, and
+// the displayed part never decreases. Shares were measured on inputs of the sizes noted below. The
+// bar is drawn by its own thread. This thread blocks signals, so that they interrupt the first
+// thread when it waits. It allocates nothing, because a heap of its own would count against
+// --limit-memory.
 // Tested by tests/cli/program_test.cpp.
 #include "plumb/cli/session/progress.h"
 

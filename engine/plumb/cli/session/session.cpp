@@ -1,11 +1,12 @@
 // The process and its session: signals, limits of memory, common options, outputs.
 //
-// A signal handler only sets a stop token, or removes temporary files and leaves: for the second
-// signal, and for an alarm, which rings if no checkpoint is reached in time. Both are
-// async-signal-safe. GMP aborts when memory runs out, so its allocators are replaced by ones that
-// report it and end the process. Outputs are delivered in an order that leaves nothing half done:
-// files are completed under temporary names, standard output is written, and only then do files get
-// their names, unless a stop came before. No alarm ends the process between these steps.
+// For the first signal, a signal handler only sets a stop token. For the second signal, and for the
+// alarm that rings if no checkpoint is reached in time, it removes temporary files and ends the
+// process. Both actions are async-signal-safe. GMP aborts when memory runs out, so its allocators
+// are replaced by allocators that report this and end the process. Outputs are delivered in this
+// order: files are completed under temporary names, then standard output is written, and then files
+// get their names, unless a stop was requested before. No alarm ends the process between these
+// steps.
 // Tested by tests/cli/program_test.cpp.
 #include "plumb/cli/session/session.h"
 
