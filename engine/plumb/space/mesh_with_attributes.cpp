@@ -47,23 +47,28 @@ void sort_by_source(std::size_t sources, std::vector<std::uint32_t>& piece,
   result.run_begin.assign(sources + 2, 0);
   for (std::size_t f = 0; f < piece.size(); ++f) ++result.run_begin[run_of(f) + 1];
   std::partial_sum(result.run_begin.begin(), result.run_begin.end(), result.run_begin.begin());
-  std::vector<std::uint32_t> next(result.run_begin.begin(), result.run_begin.end() - 1);
-  std::vector<std::uint32_t> order(piece.size());
-  for (std::uint32_t f = 0; f < order.size(); ++f) order[next[run_of(f)]++] = f;
-  PolygonMesh sorted;
-  sorted.points = std::move(mesh.points);
-  sorted.corners.reserve(mesh.corners.size());
-  sorted.face_begin.reserve(mesh.face_begin.size());
-  std::vector<std::uint32_t> sorted_piece;
-  sorted_piece.reserve(piece.size());
   result.source.reserve(piece.size());
-  for (const std::uint32_t f : order) {
-    sorted.add_face(mesh.face(f));
-    sorted_piece.push_back(piece[f]);
-    result.source.push_back(source_of_piece[piece[f]]);
+  const auto run_is_less = [&](std::uint32_t f, std::uint32_t g) {
+    return source_of_piece[f].source < source_of_piece[g].source;
+  };
+  if (!std::is_sorted(piece.begin(), piece.end(), run_is_less)) {
+    std::vector<std::uint32_t> next(result.run_begin.begin(), result.run_begin.end() - 1);
+    std::vector<std::uint32_t> order(piece.size());
+    for (std::uint32_t f = 0; f < order.size(); ++f) order[next[run_of(f)]++] = f;
+    PolygonMesh sorted;
+    sorted.points = std::move(mesh.points);
+    sorted.corners.reserve(mesh.corners.size());
+    sorted.face_begin.reserve(mesh.face_begin.size());
+    std::vector<std::uint32_t> sorted_piece;
+    sorted_piece.reserve(piece.size());
+    for (const std::uint32_t f : order) {
+      sorted.add_face(mesh.face(f));
+      sorted_piece.push_back(piece[f]);
+    }
+    mesh = std::move(sorted);
+    piece = std::move(sorted_piece);
   }
-  mesh = std::move(sorted);
-  piece = std::move(sorted_piece);
+  for (const std::uint32_t p : piece) result.source.push_back(source_of_piece[p]);
 }
 
 // ---------------------------------------------------------------- attributes of faces
@@ -119,7 +124,6 @@ std::vector<FaceSource> sources_of(const CutBoundary& cut, const SourceTriangles
 MeshWithAttributes mesh_with_attributes(const Nef3& set, const AttributeOptions& options,
                                         Context& context) {
   require_bounded(set.complex());
-  SpaceComplex complex = set.complex();
   MemoryCharge memory(context);
   memory.add(2 * set.bytes(), "a set with attributes");
   constexpr std::uint64_t kPlaceBytes = 64, kCornerBytes = 64;
@@ -128,14 +132,13 @@ MeshWithAttributes mesh_with_attributes(const Nef3& set, const AttributeOptions&
     memory.add(kPlaceBytes * mesh.points.size() + kCornerBytes * mesh.corners.size(),
                "the sources of a set");
   }
-  const std::shared_ptr<SpaceTables> tables = copy(*complex.tables);
-  complex.tables = tables;
   AttributeOptions used = options;
   if (options.type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
-  SourceTriangles triangles(set.sources(), complex, *tables, context);
-  const CutBoundary cut = cut_boundary(complex, *tables, triangles, used, context);
+  GrowingComplex complex(set.complex());
+  SourceTriangles triangles(set.sources(), complex, context);
+  const CutBoundary cut = cut_boundary(complex, triangles, used, context);
 
-  MeshToRound input = mesh_of_pieces(cut, triangles, complex);
+  MeshToRound input = mesh_of_pieces(cut, triangles, complex.get());
   PlacesBeforeRounding places(input, used.type);
   ValidMesh valid = round_mesh(std::move(input), {.faces = used.faces}, used.type, context);
 

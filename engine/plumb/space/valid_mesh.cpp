@@ -300,12 +300,10 @@ void append_pieces(PolygonMesh mesh, std::span<const FacetId> facet, const ToMes
   for (const FacetId f : facet) source.attributes.face_id.push_back(f.value());
   const Nef3 set = from_source(std::make_shared<const MeshSource>(std::move(source)),
                                {.rule = WindingRule::Positive}, context);
-  SpaceComplex complex = set.complex();
-  const std::shared_ptr<SpaceTables> tables = copy(*complex.tables);
-  complex.tables = tables;
-  SourceTriangles triangles(set.sources(), complex, *tables, context);
-  const CutBoundary cut =
-      cut_boundary(complex, *tables, triangles, {.faces = options.faces}, context);
+  GrowingComplex growing(set.complex());
+  SourceTriangles triangles(set.sources(), growing, context);
+  const CutBoundary cut = cut_boundary(growing, triangles, {.faces = options.faces}, context);
+  const SpaceComplex& complex = growing.get();
   const MeshToRound made = mesh_of_pieces(cut, triangles, complex);
 
   const auto first = static_cast<std::uint32_t>(draft.mesh.points.size());

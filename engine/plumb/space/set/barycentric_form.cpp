@@ -1,10 +1,13 @@
 #include "plumb/space/set/barycentric_form.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
+#include "plumb/predicates/arithmetic/double_bits.h"
 #include "plumb/predicates/arithmetic/nearest_quotient.h"
+#include "plumb/predicates/arithmetic/scaled.h"
 #include "plumb/predicates/rounding.h"
 
 namespace plumb {
@@ -96,6 +99,28 @@ std::array<double, 3> BarycentricWeights::rounded() const {
 std::array<Rational, 3> BarycentricWeights::exact() const {
   return {Rational(numerator[0], denominator), Rational(numerator[1], denominator),
           Rational(numerator[2], denominator)};
+}
+
+BarycentricWeights weights_on_edge(const std::array<const Point3*, 3>& corners, std::size_t i,
+                                   const IntegerRow& point) {
+  const std::size_t j = (i + 1) % 3;
+  const std::array<double, 3> p{corners[i]->x, corners[i]->y, corners[i]->z};
+  const std::array<double, 3> q{corners[j]->x, corners[j]->y, corners[j]->z};
+  std::size_t axis = 0;
+  while (p[axis] == q[axis]) ++axis;
+  const int low = std::min({decompose(p[axis]).exponent, decompose(q[axis]).exponent, 0});
+  const Integer from = to_integer(p[axis], low), to = to_integer(q[axis], low);
+  // With X the coordinate of the point times w, the weight of corner j is (X - w p) / (w (q - p)).
+  BarycentricWeights weights;
+  weights.denominator = point[3] * (to - from);
+  weights.numerator[j] = shifted(point[axis], -low);
+  mpz_submul(weights.numerator[j].mpz(), point[3].mpz(), from.mpz());
+  if (weights.denominator.sign() < 0) {
+    weights.denominator.negate();
+    weights.numerator[j].negate();
+  }
+  weights.numerator[i] = weights.denominator - weights.numerator[j];
+  return weights;
 }
 
 BarycentricForm::BarycentricForm(FlatView view, const std::array<IntegerRow, 3>& corners)

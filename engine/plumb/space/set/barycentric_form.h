@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
+#include "plumb/predicates/point.h"
 #include "plumb/predicates/rational.h"
 #include "plumb/predicates/space/plane_table.h"
 #include "plumb/space/planar/triangulate.h"
@@ -25,6 +27,13 @@ struct BarycentricWeights {
   /// Returns the weights in lowest terms.
   [[nodiscard]] std::array<Rational, 3> exact() const;
 };
+
+/// Returns the weights of a point on the line of the corners i and (i + 1) % 3 of a triangle. These
+/// two corners must be given, and the third one can be null. `point` has its coordinates as
+/// homogeneous() returns them. The point divides the line in the ratio in which it divides one
+/// coordinate, so this takes three products of integers.
+[[nodiscard]] BarycentricWeights weights_on_edge(const std::array<const Point3*, 3>& corners,
+                                                 std::size_t i, const IntegerRow& point);
 
 /// A triangle, prepared for the weights of many points.
 ///

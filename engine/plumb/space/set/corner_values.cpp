@@ -101,19 +101,18 @@ class TriangleReader {
     if (known_ == piece.triangle) return;
     known_ = piece.triangle;
     form_.reset();
-    for (std::size_t i = 0; i < 3; ++i) {
-      at_[i] = rounded_corner(i);
-    }
+    triangle_ = &input_.sources[known_];
+    for (std::size_t i = 0; i < 3; ++i) at_[i] = rounded_corner(i);
   }
-  const SourceTriangle& triangle() const { return input_.sources[known_]; }
+  const SourceTriangle& triangle() const { return *triangle_; }
 
   /// Returns the corner of the source, an index of mesh.corners, whose point is rounded to p; kNone
   /// if there is none.
   std::uint32_t corner_at(const Point3& p) {
-    // Faces run along their triangle or against it, so the corner after or before the last one is
-    // found first in most cases.
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (last_ + 1 + k) % 3;
+    // Most faces run along their triangle, so the corner after the last one is compared first.
+    constexpr std::array<std::uint8_t, 6> kCyclic{0, 1, 2, 0, 1, 2};
+    for (std::size_t k = last_ + 1; k < last_ + 4; ++k) {
+      const std::size_t i = kCyclic[k];
       if (at_[i] != p) continue;
       last_ = i;
       return triangle().corner[i];
@@ -142,7 +141,7 @@ class TriangleReader {
 
  private:
   CornerWeights computed_weights(const Point3& p) {
-    BarycentricWeights w = form().at(input_.places.row(input_.complex.points(), p));
+    BarycentricWeights w = exact_weights(p);
     CornerWeights weights{};
     if (w.has_negative()) {
       if (cover_ == PieceCover::Triangle) {
@@ -154,28 +153,45 @@ class TriangleReader {
     weights.rounded = w.rounded();
     return weights;
   }
+  /// Most points at which triangles are cut lie on an edge, where the weights need few products.
+  BarycentricWeights exact_weights(const Point3& p) {
+    const IntegerRow& row = input_.places.row(input_.points(), p);
+    const SpacePoint at = input_.places.constructed(p);
+    if (at.is_valid()) {
+      const CornerPoints corners = input_.sources.corner_points(triangle());
+      const std::size_t edge = input_.sources.edge_of(triangle(), corners, at);
+      if (edge < 3 && corners[edge] != nullptr && corners[(edge + 1) % 3] != nullptr) {
+        return weights_on_edge(corners, edge, row);
+      }
+    }
+    return form().at(row);
+  }
   Point3 rounded_corner(std::size_t i) {
     const Point3* const doubles = input_.sources.doubles(triangle(), i);
     if (doubles != nullptr) return rounded_to(input_.type, *doubles);
     const SpacePoint place = input_.sources.place(triangle(), i);
-    return rounded_to(input_.type, rounded(input_.complex.points(), place).at);
+    return rounded_to(input_.type, rounded(input_.points(), place).at);
   }
 
   const BarycentricForm& form() {
     if (form_) return *form_;
-    const Point3Table& points = input_.complex.points();
     std::array<IntegerRow, 3> rows;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point3* const doubles = input_.sources.doubles(triangle(), i);
-      rows[i] = doubles != nullptr ? row_of(*doubles)
-                                   : homogeneous(points, input_.sources.place(triangle(), i));
+      if (doubles != nullptr) {
+        rows[i] = row_of(*doubles);
+        continue;
+      }
+      const SpacePoint place = input_.sources.place(triangle(), i);  // May change the tables.
+      rows[i] = homogeneous(input_.points(), place);
     }
-    form_.emplace(FlatView::of_plane(points.planes(), triangle().plane), rows);
+    form_.emplace(FlatView::of_plane(input_.points().planes(), triangle().plane), rows);
     return *form_;
   }
 
   const CornerInput& input_;
   std::uint32_t known_ = kNone;
+  const SourceTriangle* triangle_ = nullptr;  // The triangle known_.
   PieceCover cover_ = PieceCover::Triangle;
   std::array<Point3, 3> at_{};  // The corners, rounded.
   std::size_t last_ = 2;        // The corner that was found last.
@@ -240,6 +256,8 @@ class ChannelWriter {
   struct Way {
     const MeshChannel* from;  ///< The channel of a source.
     std::uint32_t to;         ///< The index of the channel of the result.
+    std::uint32_t to_width;   ///< The width of the channel of the result.
+    double* values;           ///< The numbers of the channel of the result.
     bool is_normal;           ///< Whether the numbers are normals.
   };
 
@@ -256,7 +274,7 @@ class ChannelWriter {
         MeshChannel& target = channels[to];
         target.width = std::max(target.width, channel.width);
         const bool is_normal = channel.name == "normal" && channel.width == 3;
-        if (!channel.values.empty()) ways.push_back({&channel, to, is_normal});
+        if (!channel.values.empty()) ways.push_back({&channel, to, 0, nullptr, is_normal});
       }
       ways_.push_back(std::move(ways));
       const bool is_moved = !is_identity(placed.map);
@@ -266,6 +284,12 @@ class ChannelWriter {
     for (MeshChannel& channel : channels) {
       channel.values.assign(result_.mesh.corners.size() * channel.width,
                             channel.name == "color" ? 1 : 0);
+    }
+    for (std::vector<Way>& ways : ways_) {
+      for (Way& way : ways) {
+        way.to_width = channels[way.to].width;
+        way.values = channels[way.to].values.data();
+      }
     }
   }
 
@@ -286,10 +310,9 @@ class ChannelWriter {
     const std::uint32_t source = reader_.triangle().source;
     for (const Way& way : ways_[source]) {
       const MeshChannel& from = *way.from;
-      MeshChannel& to = result_.attributes.channels[way.to];
-      double* const values = &to.values[std::size_t{corner} * to.width];
+      double* const values = way.values + std::size_t{corner} * way.to_width;
       if (weights == nullptr) {
-        const double* const own = &from.values[std::size_t{source_corner} * from.width];
+        const double* const own = from.values.data() + std::size_t{source_corner} * from.width;
         for (std::uint32_t k = 0; k < from.width; ++k) values[k] = own[k];
       } else {
         for (std::uint32_t k = 0; k < from.width; ++k) {
@@ -345,6 +368,11 @@ const IntegerRow& PlacesBeforeRounding::row(const Point3Table& points, const Poi
     place.row = place.at.is_valid() ? homogeneous(points, place.at) : row_of(place.nearest);
   }
   return place.row;
+}
+
+SpacePoint PlacesBeforeRounding::constructed(const Point3& p) const {
+  const auto known = places_.find(key_of(p));
+  return known == places_.end() ? SpacePoint() : known->second.at;
 }
 
 void fill_channels(const CornerInput& input, std::span<const std::uint32_t> piece,

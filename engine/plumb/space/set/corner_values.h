@@ -11,6 +11,7 @@
 #include "plumb/predicates/point3_signs.h"
 #include "plumb/space/mesh_with_attributes.h"
 #include "plumb/space/set/cut_boundary.h"
+#include "plumb/space/set/growing_complex.h"
 #include "plumb/space/set/round_mesh.h"
 #include "plumb/space/set/source_triangles.h"
 
@@ -26,6 +27,8 @@ class PlacesBeforeRounding {
   /// Returns the homogeneous coordinates (point3_signs.h) of the place before rounding. If no point
   /// was rounded to p, these are the coordinates of p. The result is valid until the next call.
   const IntegerRow& row(const Point3Table& points, const Point3& p);
+  /// Returns the constructed point that was rounded to p; not valid if there is none.
+  SpacePoint constructed(const Point3& p) const;
 
  private:
   /// The bits of the coordinates of a rounded point.
@@ -48,10 +51,13 @@ class PlacesBeforeRounding {
 /// What fill_channels() reads.
 struct CornerInput {
   const CutBoundary& cut;
-  const SpaceComplex& complex;
+  const GrowingComplex& complex;
   SourceTriangles& sources;
   PlacesBeforeRounding& places;
   CoordinateType type;  ///< The numbers to which the points of the mesh were rounded.
+
+  /// Returns the points of the tables. The reference is valid until the tables change.
+  const Point3Table& points() const { return complex.tables().points; }
 };
 
 /// Makes the channels of the result, and computes the numbers at all corners of its mesh. `piece`

@@ -30,7 +30,6 @@
 #include "plumb/plane/arrangement.h"
 #include "plumb/predicates/plane/plane_points.h"
 #include "plumb/predicates/point3_signs.h"
-#include "plumb/predicates/space/point_as_line.h"
 #include "plumb/predicates/space/rounded_point3.h"
 #include "plumb/space/planar/facet_triangles.h"
 #include "plumb/space/planar/triangulate.h"
@@ -75,7 +74,7 @@ void for_each_use(const SpaceComplex& c, FacetId f, const Visit& visit) {
 /// Vertices that cuts have made inside edges of the complex.
 class EdgeCuts {
  public:
-  explicit EdgeCuts(const SpaceComplex& complex) : complex_(complex) {}
+  explicit EdgeCuts(const GrowingComplex& complex) : complex_(complex) {}
 
   void add(EdgeId e, VertexId v) { cuts_.emplace_back(e, v); }
   bool is_empty() const { return cuts_.empty(); }
@@ -129,7 +128,8 @@ class EdgeCuts {
 
   Sign compare(VertexId v, VertexId w) const {
     if (v == w) return Sign::Zero;
-    return compare_xyz(complex_.points(), complex_.vertex_point[v], complex_.vertex_point[w]);
+    const SpaceComplex& c = complex_.get();
+    return compare_xyz(c.points(), c.vertex_point[v], c.vertex_point[w]);
   }
   std::pair<std::vector<Cut>::const_iterator, std::vector<Cut>::const_iterator> of(EdgeId e) const {
     const auto first =
@@ -139,7 +139,7 @@ class EdgeCuts {
     return {first, last};
   }
 
-  const SpaceComplex& complex_;
+  const GrowingComplex& complex_;
   std::vector<Cut> cuts_;
   std::vector<std::pair<VertexId, VertexId>> merged_;
 };
@@ -184,8 +184,7 @@ class IndexSet {
 
 /// What cutting the facets of a plane reads and changes.
 struct CutState {
-  SpaceComplex& complex;
-  SpaceTables& tables;
+  GrowingComplex& growing;
   SourceTriangles& sources;
   const AttributeOptions& options;
   Context& context;
@@ -194,6 +193,8 @@ struct CutState {
   std::vector<Outline> outlines;  // Of the regions that are not whole facets.
   EdgeCuts edge_cuts;
 
+  const SpaceComplex& complex() const { return growing.get(); }
+  const SpaceTables& tables() const { return growing.tables(); }
   void add_region(std::uint32_t piece, bool is_reversed, PlaneId plane, Outline outline) {
     regions.push_back({piece, is_reversed, plane, static_cast<std::uint32_t>(outlines.size())});
     outlines.push_back(std::move(outline));
@@ -209,7 +210,7 @@ class PlaneCutter {
         plane_(plane),
         sides_(sides),
         triangles_(state.sources.in_plane(plane)),
-        view_(FlatView::of_plane(state.tables.planes, plane)) {}
+        view_(FlatView::of_plane(state.tables().planes, plane)) {}
 
   void run() {
     collect_points();
@@ -230,7 +231,7 @@ class PlaneCutter {
 
   /// Lists the vertices of the facets.
   void collect_vertices() {
-    const SpaceComplex& c = state_.complex;
+    const SpaceComplex& c = state_.complex();
     for (const FacetSide& side : sides_) {
       for_each_use(c, side.facet, [&](UseId u) { vertices_.push_back(c.use_origin(u)); });
       const auto inner = c.inner_of(side.facet);
@@ -252,7 +253,7 @@ class PlaneCutter {
       }
       for (std::size_t i = 0; i < 3; ++i) all.push_back(state_.sources.place(state_.sources[t], i));
     }
-    FlatPoints shown(state_.tables.points);
+    FlatPoints shown(state_.tables().points);
     shown.reset(view_);
     for (const SpacePoint p : all) shown.push_back(p);
     std::vector<std::uint32_t> order(all.size()), first_of(all.size());
@@ -299,7 +300,7 @@ class PlaneCutter {
   /// Lists the edges of facets and triangles, and the vertices inside facets as segments without
   /// length. Owners are sides first, then triangles.
   void collect_segments() {
-    const SpaceComplex& c = state_.complex;
+    const SpaceComplex& c = state_.complex();
     for (std::uint32_t s = 0; s < side_count(); ++s) {
       for_each_use(c, sides_[s].facet, [&](UseId u) {
         add_segment(index_of(c.use_origin(u)), index_of(c.use_origin(c.use_next[u])), s,
@@ -468,13 +469,13 @@ class PlaneCutter {
     if (point < places_.size()) return places_[point];
     const RationalPoint2 at = exact(flat().points, point);
     const std::size_t x = view_.coordinate(0), y = view_.coordinate(1);
-    const IntegerRow n = state_.tables.planes.coefficients(plane_);
+    const IntegerRow n = state_.tables().planes.coefficients(plane_);
     std::array<Rational, 3> p;
     p[x] = at.x;
     p[y] = at.y;
     p[view_.axis] =
         -(Rational(n[x]) * at.x + Rational(n[y]) * at.y + Rational(n[3])) / Rational(n[view_.axis]);
-    return add_point(state_.tables, {p[0], p[1], p[2]});
+    return add_point(state_.growing.changed_tables(), {p[0], p[1], p[2]});
   }
 
   /// Returns the vertex at a vertex of the subdivision; makes one if there is none.
@@ -483,9 +484,7 @@ class PlaneCutter {
     if (known.is_valid()) return known;
     known = old_vertex(v.value());
     if (known.is_valid()) return known;
-    known = VertexId(state_.complex.vertex_point.size());
-    state_.complex.vertex_point.push_back(place_of(flat().vertex_point[v]));
-    return known;
+    return known = state_.growing.add_vertex(place_of(flat().vertex_point[v]));
   }
 
   /// Returns the index of the region of a face.
@@ -579,61 +578,50 @@ class PlaneCutter {
 
 // ---------------------------------------------------------------- all planes
 
-/// The corners of a triangle that are doubles; null for others.
-using CornerPoints = std::array<const Point3*, 3>;
-
-/// Returns the index of the corner with these coordinates, or 3.
-std::size_t corner_index(const CornerPoints& corners, const Point3& p) {
-  std::size_t i = 0;
-  while (i < 3 && (corners[i] == nullptr || *corners[i] != p)) ++i;
-  return i;
-}
-
-/// Returns i if the definition of a constructed point says that it lies on the line of the corners
-/// i and i + 1 of a triangle, otherwise 3. In general position, most points at which a triangle is
-/// cut are of this kind.
-std::size_t edge_of_definition(const SpaceTables& tables, const CornerPoints& corners,
-                               SpacePoint p) {
-  if (p.is_input()) return 3;
-  const PointSource line = exact3::as_line(tables.planes, tables.points.source(p));
-  if (!line.is_line()) return 3;
-  const std::size_t i = corner_index(corners, tables.planes.point(line.end(0)));
-  const std::size_t j = corner_index(corners, tables.planes.point(line.end(1)));
-  if (i == 3 || j == 3 || i == j) return 3;
-  return (i + 1) % 3 == j ? i : j;
-}
-
 /// Whether a point is known to be a corner of a triangle without arithmetic.
 bool is_known_corner(const CutState& state, const SourceTriangle& triangle,
                      const CornerPoints& corners, SpacePoint p) {
   if (p.is_input()) {
     const std::array<InputPointId, 3>& input = triangle.input;
     if (std::find(input.begin(), input.end(), p.input()) != input.end()) return true;
-    return corner_index(corners, state.tables.planes.point(p.input())) < 3;
+    return corner_index(corners, state.tables().planes.point(p.input())) < 3;
   }
   std::size_t i = 0;
   while (i < 3 && !state.sources.has_definition_of(triangle, i, p)) ++i;
   return i < 3;
 }
 
+/// Whether all vertices of a facet are input points that are known as corners of a triangle.
+bool has_only_corners(const SpaceComplex& c, FacetId f, const SourceTriangle& triangle) {
+  bool is_corner = true;
+  for_each_use(c, f, [&](UseId u) {
+    const SpacePoint p = c.vertex_point[c.use_origin(u)];
+    is_corner = is_corner && p.is_input() &&
+                (p.input() == triangle.input[0] || p.input() == triangle.input[1] ||
+                 p.input() == triangle.input[2]);
+  });
+  return is_corner;
+}
+
 /// Whether all vertices of a facet lie in a triangle of its plane. Vertices that are corners of the
 /// triangle need no arithmetic; in general position most vertices are.
 bool is_in_triangle(CutState& state, FacetId f, const SourceTriangle& triangle) {
-  const SpaceComplex& c = state.complex;
+  if (has_only_corners(state.complex(), f, triangle)) return true;
   state.sources.place_if_moved(triangle);
-  CornerPoints corners{};
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = state.sources.doubles(triangle, i);
+  const SpaceComplex& c = state.complex();
+  const CornerPoints corners = state.sources.corner_points(triangle);
   std::vector<std::pair<SpacePoint, std::size_t>> others;  // Points, and the edges they are on.
   for_each_use(c, f, [&](UseId u) {
     const SpacePoint p = c.vertex_point[c.use_origin(u)];
     if (is_known_corner(state, triangle, corners, p)) return;
-    const std::size_t edge = edge_of_definition(state.tables, corners, p);
-    others.emplace_back(p, edge < 3 ? edge : state.sources.edge_of_neighbour(triangle, p));
+    others.emplace_back(p, state.sources.edge_of(triangle, corners, p));
   });
   if (others.empty()) return true;
-  FlatPoints shown(state.tables.points);
-  shown.reset(FlatView::of_plane(state.tables.planes, triangle.plane));
-  for (std::size_t i = 0; i < 3; ++i) shown.push_back(state.sources.place(triangle, i));
+  std::array<SpacePoint, 3> places{};
+  for (std::size_t i = 0; i < 3; ++i) places[i] = state.sources.place(triangle, i);
+  FlatPoints shown(state.tables().points);
+  shown.reset(FlatView::of_plane(state.tables().planes, triangle.plane));
+  for (const SpacePoint p : places) shown.push_back(p);
   const Sign turn = shown.orient(0, 1, 2);
   for (const auto& [p, edge] : others) {
     const std::uint32_t v = shown.size();
@@ -663,7 +651,7 @@ std::vector<UseId> short_cycle(const SpaceComplex& c, FacetId f, std::size_t mos
 /// Returns the use of a facet at each corner of a face of a source, if the facet is exactly this
 /// face and its corners are doubles; otherwise nothing.
 std::vector<UseId> uses_at_corners(CutState& state, FacetId f, const SourceTriangle& t) {
-  const SpaceComplex& c = state.complex;
+  const SpaceComplex& c = state.complex();
   const auto corners = state.sources.mesh_of(t).face(t.face);
   const std::size_t n = corners.size();
   std::vector<UseId> uses = short_cycle(c, f, n);
@@ -671,7 +659,7 @@ std::vector<UseId> uses_at_corners(CutState& state, FacetId f, const SourceTrian
   const auto is_at = [&](UseId u, std::uint32_t point) {
     const SpacePoint p = c.vertex_point[c.use_origin(u)];
     const Point3* const at = state.sources.doubles(t.source, point);
-    return p.is_input() && at != nullptr && state.tables.planes.point(p.input()) == *at;
+    return p.is_input() && at != nullptr && state.tables().planes.point(p.input()) == *at;
   };
   std::size_t first = 0;
   while (first < n && !is_at(uses[first], corners[0])) ++first;
@@ -706,14 +694,15 @@ std::uint32_t add_piece(CutState& state, const FacetSide& side, std::uint32_t tr
 
 void add_whole(CutState& state, const FacetSide& side, std::uint32_t triangle) {
   const std::uint32_t piece = add_piece(state, side, triangle);
-  state.regions.push_back({piece, side.is_reversed, state.complex.facet_plane[side.facet], kNone});
+  state.regions.push_back(
+      {piece, side.is_reversed, state.complex().facet_plane[side.facet], kNone});
 }
 
 /// Adds the triangles of a face of a source as regions of a facet that is this face. `uses` are
 /// those of uses_at_corners().
 void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<const UseId> uses,
                            TriangleRange triangles) {
-  const SpaceComplex& c = state.complex;
+  const SpaceComplex& c = state.complex();
   const PlaneId plane = c.facet_plane[side.facet];
   for (std::uint32_t t = triangles.first; t != triangles.end; ++t) {
     const SourceTriangle& triangle = state.sources[t];
@@ -756,7 +745,7 @@ bool add_untouched(CutState& state, const FacetSide& side, TriangleRange triangl
 /// Adds the region of a facet if it needs no overlay: if its plane has no source triangle, or one
 /// that contains the facet, or if the facet is a face of a source. Otherwise returns false.
 bool add_without_overlay(CutState& state, const FacetSide& side) {
-  const TriangleRange near = state.sources.in_plane(state.complex.facet_plane[side.facet]);
+  const TriangleRange near = state.sources.in_plane(state.complex().facet_plane[side.facet]);
   if (near.is_empty()) {
     add_whole(state, side, kNone);
     return true;
@@ -782,7 +771,7 @@ Outline outline_of_facet(const SpaceComplex& c, FacetId f) {
 
 /// Cuts all facets with more than one source, plane by plane.
 void cut_planes(CutState& state, std::vector<FacetSide> sides) {
-  const auto plane_of = [&](const FacetSide& s) { return state.complex.facet_plane[s.facet]; };
+  const auto plane_of = [&](const FacetSide& s) { return state.complex().facet_plane[s.facet]; };
   std::sort(sides.begin(), sides.end(), [&](const FacetSide& a, const FacetSide& b) {
     return std::pair(plane_of(a), a.facet) < std::pair(plane_of(b), b.facet);
   });
@@ -799,11 +788,11 @@ void cut_planes(CutState& state, std::vector<FacetSide> sides) {
 class RegionFaces {
  public:
   RegionFaces(const CutState& state, CutBoundary& result)
-      : complex_(state.complex),
+      : complex_(state.complex()),
         cuts_(state.edge_cuts),
         faces_(state.options.faces),
-        shown_(state.tables.points),
-        of_facet_(state.complex),
+        shown_(state.tables().points),
+        of_facet_(state.complex()),
         result_(result) {}
 
   /// Adds the faces of a region that has an outline.
@@ -932,8 +921,8 @@ class RegionFaces {
 bool has_cut_edge(const CutState& state, FacetId f) {
   if (state.edge_cuts.is_empty()) return false;
   bool has_cut = false;
-  for_each_use(state.complex, f, [&](UseId u) {
-    const EdgeId e = SpaceComplex::edge_of(state.complex.use_halfedge[u]);
+  for_each_use(state.complex(), f, [&](UseId u) {
+    const EdgeId e = SpaceComplex::edge_of(state.complex().use_halfedge[u]);
     has_cut = has_cut || state.edge_cuts.has(e);
   });
   return has_cut;
@@ -967,7 +956,7 @@ CutBoundary faces_of_regions(CutState& state) {
     } else if (!has_cut_edge(state, facet)) {
       faces.add_facet(region, facet);
     } else if (!add_triangles_of_cut_face(state, region)) {
-      faces.add(region, outline_of_facet(state.complex, facet));
+      faces.add(region, outline_of_facet(state.complex(), facet));
     }
   }
   result.pieces = std::move(state.pieces);
@@ -976,10 +965,10 @@ CutBoundary faces_of_regions(CutState& state) {
 
 }  // namespace
 
-CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, SourceTriangles& sources,
+CutBoundary cut_boundary(GrowingComplex& complex, SourceTriangles& sources,
                          const AttributeOptions& options, Context& context) {
-  CutState state{complex, tables, sources, options, context, {}, {}, {}, EdgeCuts(complex)};
-  const std::vector<FacetSide> sides = boundary_sides(complex);
+  CutState state{complex, sources, options, context, {}, {}, {}, EdgeCuts(complex)};
+  const std::vector<FacetSide> sides = boundary_sides(complex.get());
   state.pieces.reserve(sides.size());
   state.regions.reserve(sides.size());
   std::vector<FacetSide> to_cut;

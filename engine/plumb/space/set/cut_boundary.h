@@ -7,6 +7,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/space/mesh_with_attributes.h"
+#include "plumb/space/set/growing_complex.h"
 #include "plumb/space/set/source_triangles.h"
 #include "plumb/space/space_complex.h"
 
@@ -41,11 +42,10 @@ struct CutBoundary {
   }
 };
 
-/// Divides the boundary. Appends the vertices at which it is cut to complex.vertex_point, and their
-/// points to `tables`, which are the tables of the complex and of the sources. Faces meet only in
-/// common vertices and edges. Requires that no marked volume is unbounded. Throws the errors of the
-/// Context.
-CutBoundary cut_boundary(SpaceComplex& complex, SpaceTables& tables, SourceTriangles& sources,
+/// Divides the boundary. Adds the vertices at which it is cut to `complex`, and their points to its
+/// tables, which are those of the sources, too. Faces meet only in common vertices and edges.
+/// Requires that no marked volume is unbounded. Throws the errors of the Context.
+CutBoundary cut_boundary(GrowingComplex& complex, SourceTriangles& sources,
                          const AttributeOptions& options, Context& context);
 
 }  // namespace plumb

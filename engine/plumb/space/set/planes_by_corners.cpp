@@ -1,5 +1,6 @@
 #include "plumb/space/set/planes_by_corners.h"
 
+#include <algorithm>
 #include <bit>
 #include <vector>
 
@@ -18,15 +19,20 @@ std::uint32_t PlanesByCorners::hash_of_all(const std::array<std::uint32_t, 3>& c
   return static_cast<std::uint32_t>(SeededHash{}(sum));
 }
 
-PlanesByCorners::PlanesByCorners(const PlaneTable& planes) : planes_(planes) {
-  std::vector<std::uint32_t> hash;
-  hash.reserve(planes.points().size());
-  for (const Point3& p : planes.points()) hash.push_back(hash_of(p));
-  index_.reserve(planes.size());
-  for (std::uint32_t id = 0; id < planes.size(); ++id) {
+PlanesByCorners::PlanesByCorners(const PlaneTable& planes,
+                                 std::span<const std::uint8_t> is_left_out)
+    : planes_(planes) {
+  std::vector<std::uint32_t> hash(planes.points().size(), 0);  // 0 until it is needed.
+  const auto hash_at = [&](std::uint32_t point) {
+    if (hash[point] == 0) hash[point] = hash_of(planes.points()[point]);
+    return hash[point];
+  };
+  index_.reserve(static_cast<std::size_t>(std::ranges::count(is_left_out, 0)));
+  for (std::uint32_t id = 0; id < is_left_out.size(); ++id) {
     const PlaneSource& source = planes.source(PlaneId(id));
-    if (source.is_explicit()) continue;
-    const std::array corners{hash[source.code[0]], hash[source.code[1]], hash[source.code[2]]};
+    if (is_left_out[id] != 0 || source.is_explicit()) continue;
+    const auto& code = source.code;
+    const std::array corners{hash_at(code[0]), hash_at(code[1]), hash_at(code[2])};
     // Each plane is in the table once, so no two entries are the same.
     index_.find_or_add(hash_of_all(corners), id, [](std::uint32_t) { return false; });
   }
@@ -46,11 +52,13 @@ void PlanesByCorners::prefetch_points(PlaneId plane) const {
   }
 }
 
-bool PlanesByCorners::is_defined_by(PlaneId plane, const std::array<Corner, 3>& corners,
-                                    Found& found) const {
-  const std::array<std::uint32_t, 3>& code = planes_.source(plane).code;
+bool PlanesByCorners::is_defined_by(const PlaneTable& planes, PlaneId plane,
+                                    const std::array<const Point3*, 3>& corners, Found& found) {
+  const PlaneSource& source = planes.source(plane);
+  if (source.is_explicit()) return false;
+  const std::array<std::uint32_t, 3>& code = source.code;
   const auto has = [&](std::size_t i, std::size_t corner) {
-    return planes_.points()[code[i]] == *corners[corner].at;
+    return planes.points()[code[i]] == *corners[corner];
   };
   for (std::size_t first = 0; first < 3; ++first) {
     if (!has(0, first)) continue;
@@ -69,9 +77,11 @@ bool PlanesByCorners::is_defined_by(PlaneId plane, const std::array<Corner, 3>& 
 PlanesByCorners::Found PlanesByCorners::find(const std::array<Corner, 3>& corners,
                                              PlaneId first) const {
   Found found;
-  if (!first.is_valid() || is_defined_by(first, corners, found)) return found;
+  if (!first.is_valid()) return found;
+  const std::array<const Point3*, 3> at{corners[0].at, corners[1].at, corners[2].at};
+  if (is_defined_by(planes_, first, at, found)) return found;
   index_.find(hash_of_all(corners),
-              [&](std::uint32_t id) { return is_defined_by(PlaneId(id), corners, found); });
+              [&](std::uint32_t id) { return is_defined_by(planes_, PlaneId(id), at, found); });
   return found;
 }
 

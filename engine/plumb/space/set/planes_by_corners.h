@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "plumb/predicates/arithmetic/seeded_hash.h"
 #include "plumb/predicates/space/plane_table.h"
@@ -20,8 +21,9 @@ class PlanesByCorners {
     std::uint32_t hash;  ///< hash_of() of them.
   };
 
-  /// Indexes all planes that `planes` has. Keeps a reference to the table, which may grow. O(n).
-  explicit PlanesByCorners(const PlaneTable& planes);
+  /// Indexes the planes of `planes` whose entry in `is_left_out` is 0. Keeps a reference to the
+  /// table, which may grow. O(n).
+  PlanesByCorners(const PlaneTable& planes, std::span<const std::uint8_t> is_left_out);
 
   /// Returns the hash of the coordinates of a point.
   static std::uint32_t hash_of(const Point3& p);
@@ -34,6 +36,10 @@ class PlanesByCorners {
     OrientedPlane plane;
     std::array<InputPointId, 3> points;
   };
+
+  /// Whether three points define this plane in the table. If they do, fills `found`.
+  static bool is_defined_by(const PlaneTable& planes, PlaneId plane,
+                            const std::array<const Point3*, 3>& corners, Found& found);
 
   /// Prefetches the entry of the index that candidate() reads first.
   void prefetch(std::uint32_t hash) const { index_.prefetch(hash); }
@@ -51,8 +57,6 @@ class PlanesByCorners {
 
  private:
   static std::uint32_t hash_of_all(const std::array<std::uint32_t, 3>& corners);
-  /// Whether the plane is defined by these corners. If it is, fills `found`.
-  bool is_defined_by(PlaneId plane, const std::array<Corner, 3>& corners, Found& found) const;
 
   const PlaneTable& planes_;
   IdIndex index_;

@@ -1,8 +1,9 @@
 // Finds the places of the triangles of sources, and compares the functions that their channels
 // represent.
 //
-// Most planes of a set are defined by the three corners of a source triangle, so they are found by
-// a hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
+// Most planes of a set are defined by the three corners of a source triangle. A facet whose
+// facet_origin is the index of this triangle in its source finds it without a search. The remaining
+// planes are found by a hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
 // interned from three input points, many at a time. The plane of a moved triangle is computed
 // before the move, and its image is looked up among the planes of facets (moved_planes.h), because
 // only triangles in these planes are ever asked for. A moved point gets its exact place when it is
@@ -23,6 +24,7 @@
 #include "plumb/predicates/arithmetic/double_bits.h"
 #include "plumb/predicates/arithmetic/scaled.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/space/point_as_line.h"
 #include "plumb/space/planar/triangulate.h"
 #include "plumb/space/set/barycentric_form.h"
 #include "plumb/space/set/source_faces.h"
@@ -82,41 +84,61 @@ bool is_identity(const AffineMap3& map) {
   return true;
 }
 
-SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, const SpaceComplex& complex,
-                                 SpaceTables& tables, Context& context)
-    : sources_(sources), tables_(tables) {
-  const PlanesByCorners known(tables.planes);
-  std::optional<MovedPlanes> wanted;  // Made for the first source that was moved.
+std::size_t corner_index(const CornerPoints& corners, const Point3& p) {
+  std::size_t i = 0;
+  while (i < 3 && (corners[i] == nullptr || *corners[i] != p)) ++i;
+  return i;
+}
+
+SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, GrowingComplex& complex,
+                                 Context& context)
+    : sources_(sources), complex_(complex) {
+  std::size_t faces = 0;
+  for (const PlacedSource& placed : sources) faces += placed.source->mesh.face_count();
+  triangles_.reserve(faces);
+  std::vector<std::size_t> first_of_source;
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
     context.check_limits("place sources");
     is_mirrored_.push_back(determinant_of(sources[s].map) < 0 ? 1 : 0);
-    const std::size_t first = triangles_.size();
+    first_of_source.push_back(triangles_.size());
     add_triangles(s, context);
+  }
+  first_of_source.push_back(triangles_.size());
+  const std::vector<std::uint8_t> is_found = find_planes_of_facets(first_of_source);
+  std::optional<PlanesByCorners> known;  // Made for the first triangle that needs it.
+  std::optional<MovedPlanes> wanted;     // Made for the first source that was moved.
+  for (std::uint32_t s = 0; s < sources.size(); ++s) {
+    context.check_limits("place sources");
     if (moves_[s]) {
       if (!wanted) {
-        const std::vector<PlaneId> planes(complex.facet_plane.begin(), complex.facet_plane.end());
-        wanted.emplace(tables.planes, planes);
+        const auto& planes = complex.get().facet_plane;
+        wanted.emplace(complex.tables().planes, planes);
       }
-      find_moved_planes(s, first, *wanted, context);
-    } else {
-      find_planes(s, first, known, context);
+      find_moved_planes(s, first_of_source[s], first_of_source[s + 1], *wanted, context);
+      continue;
     }
+    std::vector<std::uint32_t> left;
+    for (std::size_t t = first_of_source[s]; t < first_of_source[s + 1]; ++t) {
+      if (!triangles_[t].plane.is_valid()) left.push_back(static_cast<std::uint32_t>(t));
+    }
+    if (left.empty()) continue;
+    if (!known) known.emplace(complex.tables().planes, is_found);
+    find_planes(s, left, *known, context);
   }
-  sort_by_plane(tables.planes.size());
+  sort_by_plane(planes().size());
 }
 
 void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
   const auto& [mesh_source, map] = sources_[source];
   if (mesh_source->plane) {
     moves_.emplace_back();
-    places_.push_back(places_of(*mesh_source->plane, map, tables_));
+    places_.push_back(places_of(*mesh_source->plane, map, complex_.changed_tables()));
     triangles_.push_back({source, 0, {0, 1, 2}, {}, false});
     return;
   }
   moves_.emplace_back();
   if (!is_identity(map)) moves_.back().emplace(map);
   add_exact_points(source, context);
-  triangles_.reserve(triangles_.size() + mesh_source->mesh.face_count());
   for (const FaceTriangle& t : triangles_of_faces(mesh_source->mesh, context)) {
     triangles_.push_back({source, t.face, t.corner, {}, false});
   }
@@ -130,13 +152,14 @@ void SourceTriangles::add_exact_points(std::uint32_t source, Context& context) {
   for (const auto& [i, p] : mesh.exact) {
     if (steps++ % kStepsOfCheckpoint == 0)
       context.checkpoint("place sources", i, mesh.points.size());
-    places_.back()[i] = add_point(tables_, moves_[source] ? image(sources_[source].map, p) : p);
+    places_.back()[i] =
+        add_point(complex_.changed_tables(), moves_[source] ? image(sources_[source].map, p) : p);
   }
 }
 
 SpacePoint SourceTriangles::image_of(const MovedPlanes::Map& map, const Point3& point) {
   const int low = std::min(Grid{point.x, point.y, point.z}.low(), 0);
-  return add_point(tables_,
+  return add_point(complex_.changed_tables(),
                    map.exact.image_of_point({to_integer(point.x, low), to_integer(point.y, low),
                                              to_integer(point.z, low), shifted(Integer(1), -low)}));
 }
@@ -144,14 +167,14 @@ SpacePoint SourceTriangles::image_of(const MovedPlanes::Map& map, const Point3& 
 /// Interns the planes of triangles whose corners are doubles in a table of their own, before they
 /// are moved. This is much faster than to intern moved planes, and the exact image of a plane is
 /// computed only if a facet may lie in it.
-void SourceTriangles::find_moved_planes(std::uint32_t source, std::size_t first,
+void SourceTriangles::find_moved_planes(std::uint32_t source, std::size_t first, std::size_t end,
                                         const MovedPlanes& wanted, Context& context) {
   const PolygonMesh& mesh = sources_[source].source->mesh;
   PlaneTable own;
   own.add_points(mesh.points);
   std::vector<std::uint32_t> by_doubles, others;
   std::vector<std::array<InputPointId, 3>> corners;
-  for (auto t = static_cast<std::uint32_t>(first); t < triangles_.size(); ++t) {
+  for (auto t = static_cast<std::uint32_t>(first); t < end; ++t) {
     std::array<InputPointId, 3> ids;
     bool has_exact = false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -178,18 +201,58 @@ void SourceTriangles::find_moved_planes(std::uint32_t source, std::size_t first,
   intern_planes(others, context);
 }
 
+/// Finds the planes of triangles that are facets, or parts of them. Most facets of a set have the
+/// index of their face in facet_origin, and their plane is defined by the corners of this face. The
+/// source is not known, so some are tried. Whatever facet_origin is, the corners decide. Returns 1
+/// for each plane of the table whose triangle was found.
+std::vector<std::uint8_t> SourceTriangles::find_planes_of_facets(
+    std::span<const std::size_t> first_of_source) {
+  constexpr std::size_t kMostTries = 4;
+  const SpaceComplex& complex = complex_.get();
+  std::vector<std::uint8_t> is_found(planes().size(), 0);
+  // Sources whose corners are doubles at their places.
+  std::vector<std::uint32_t> plain;
+  for (std::uint32_t s = 0; s < sources_.size(); ++s) {
+    const MeshSource& source = *sources_[s].source;
+    if (!moves_[s] && !source.plane && source.mesh.exact.empty()) plain.push_back(s);
+  }
+  std::size_t likely = 0;  // Facets of one source follow each other.
+  for (std::size_t f = 0; f < complex.facet_count() && !plain.empty(); ++f) {
+    const PlaneId plane = complex.facet_plane[FacetId(f)];
+    if (is_found[plane.value()] != 0) continue;
+    const std::uint32_t face = complex.facet_origin[FacetId(f)];
+    for (std::size_t k = 0; k < std::min(kMostTries, plain.size()); ++k) {
+      const std::uint32_t source = plain[likely];
+      const std::size_t t = first_of_source[source] + face;
+      if (t < first_of_source[source + 1] && triangles_[t].face == face &&
+          take_plane_of_corners(triangles_[t], plane)) {
+        is_found[plane.value()] = 1;
+        break;
+      }
+      if (++likely == plain.size()) likely = 0;
+    }
+  }
+  return is_found;
+}
+
+/// Gives a triangle whose corners are doubles at their places a plane, if these corners define it.
+bool SourceTriangles::take_plane_of_corners(SourceTriangle& t, PlaneId plane) const {
+  const PolygonMesh& mesh = mesh_of(t);
+  PlanesByCorners::Found found;
+  const std::array<const Point3*, 3> corners{&mesh.points[mesh.corners[t.corner[0]]],
+                                             &mesh.points[mesh.corners[t.corner[1]]],
+                                             &mesh.points[mesh.corners[t.corner[2]]]};
+  if (!PlanesByCorners::is_defined_by(planes(), plane, corners, found)) return false;
+  set_plane(t, found.plane);
+  t.input = found.points;
+  return true;
+}
+
 /// Most planes of a set are defined by the corners of the source triangle itself. A plane that is
 /// found in this way needs no arithmetic. The others are interned.
-void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
+void SourceTriangles::find_planes(std::uint32_t source, std::span<const std::uint32_t> triangles,
                                   const PlanesByCorners& known, Context& context) {
-  std::vector<std::uint32_t> hash(places_[source].size(), 0);
-  std::vector<std::uint8_t> has_doubles(hash.size(), 0);
-  for (std::uint32_t p = 0; p < hash.size(); ++p) {
-    const Point3* at = doubles(source, p);
-    if (at == nullptr) continue;
-    has_doubles[p] = 1;
-    hash[p] = PlanesByCorners::hash_of(*at);
-  }
+  std::vector<std::uint32_t> hash(places_[source].size(), 0);  // 0 until it is needed.
   // The index is larger than the caches, so a block of triangles is prepared before it is looked
   // up.
   constexpr std::size_t kBlock = 32;
@@ -197,18 +260,21 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
   std::array<std::uint32_t, kBlock> hash_of{};
   std::array<PlaneId, kBlock> candidate;
   std::vector<std::uint32_t> unknown;
-  for (std::size_t begin = first; begin < triangles_.size(); begin += kBlock) {
-    if ((begin - first) % kStepsOfCheckpoint == 0) {
-      context.checkpoint("planes of sources", begin - first, triangles_.size() - first);
+  for (std::size_t begin = 0; begin < triangles.size(); begin += kBlock) {
+    if (begin % kStepsOfCheckpoint == 0) {
+      context.checkpoint("planes of sources", begin, triangles.size());
     }
-    const std::size_t count = std::min(kBlock, triangles_.size() - begin);
+    const std::size_t count = std::min(kBlock, triangles.size() - begin);
     std::array<bool, kBlock> has_all{};
     for (std::size_t k = 0; k < count; ++k) {
       has_all[k] = true;
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t p = point_index(triangles_[begin + k], i);
-        has_all[k] = has_all[k] && has_doubles[p] != 0;
-        if (has_all[k]) corners[k][i] = {doubles(source, p), hash[p]};
+        const std::uint32_t p = point_index(triangles_[triangles[begin + k]], i);
+        const Point3* const at = doubles(source, p);
+        has_all[k] = has_all[k] && at != nullptr;
+        if (!has_all[k]) break;
+        if (hash[p] == 0) hash[p] = PlanesByCorners::hash_of(*at);
+        corners[k][i] = {at, hash[p]};
       }
       if (!has_all[k]) continue;
       hash_of[k] = PlanesByCorners::hash_of_all(corners[k]);
@@ -224,10 +290,10 @@ void SourceTriangles::find_planes(std::uint32_t source, std::size_t first,
       const auto found =
           candidate[k].is_valid() ? known.find(corners[k], candidate[k]) : PlanesByCorners::Found();
       if (found.plane.is_valid()) {
-        set_plane(triangles_[begin + k], found.plane);
-        triangles_[begin + k].input = found.points;
+        set_plane(triangles_[triangles[begin + k]], found.plane);
+        triangles_[triangles[begin + k]].input = found.points;
       } else {
-        unknown.push_back(static_cast<std::uint32_t>(begin + k));
+        unknown.push_back(triangles[begin + k]);
       }
     }
   }
@@ -257,11 +323,12 @@ void SourceTriangles::intern_planes(std::span<const std::uint32_t> triangles, Co
       continue;
     }
     std::array<RationalPoint3, 3> exact_corners;
-    for (std::size_t k = 0; k < 3; ++k) exact_corners[k] = exact(tables_.points, at[k]);
-    set_plane(triangle, plane_through(tables_.planes, exact_corners));
+    for (std::size_t k = 0; k < 3; ++k) exact_corners[k] = exact(complex_.tables().points, at[k]);
+    set_plane(triangle, plane_through(complex_.changed_tables().planes, exact_corners));
   }
+  if (by_inputs.empty()) return;
   std::vector<OrientedPlane> planes(by_inputs.size());
-  tables_.planes.intern_triangles(corners, planes);
+  complex_.changed_tables().planes.intern_triangles(corners, planes);
   for (std::size_t i = 0; i < planes.size(); ++i) set_plane(triangles_[by_inputs[i]], planes[i]);
 }
 
@@ -285,15 +352,33 @@ bool SourceTriangles::has_definition_of(const SourceTriangle& t, std::size_t i,
   const SpacePoint corner = places_[t.source][point_index(t, i)];
   if (p.is_input() || !corner.is_valid() || corner.is_input()) return false;
   if (p == corner) return true;
-  const PointSource &a = tables_.points.source(p), &b = tables_.points.source(corner);
+  const Point3Table& points = complex_.tables().points;
+  const PointSource &a = points.source(p), &b = points.source(corner);
   if (a.is_line() || b.is_line()) return false;
   return b.has_plane(a.plane(0)) && b.has_plane(a.plane(1)) && b.has_plane(a.plane(2));
 }
 
+std::size_t SourceTriangles::edge_of(const SourceTriangle& t, const CornerPoints& corners,
+                                     SpacePoint p) const {
+  if (p.is_input()) return 3;
+  const SpaceTables& tables = complex_.tables();
+  const PointSource line = exact3::as_line(tables.planes, tables.points.source(p));
+  if (line.is_line()) {
+    const std::size_t i = corner_index(corners, tables.planes.point(line.end(0)));
+    const std::size_t j = corner_index(corners, tables.planes.point(line.end(1)));
+    if (i < 3 && j < 3 && i != j) return (i + 1) % 3 == j ? i : j;
+  }
+  return edge_of_neighbour(t, p);
+}
+
+/// Returns i if a triangle of the same source that lies in one of the planes of a constructed point
+/// has the corners i and i + 1 of triangle t, otherwise 3. The point lies in the plane of t, and so
+/// on the line of these corners.
 std::size_t SourceTriangles::edge_of_neighbour(const SourceTriangle& t, SpacePoint p) const {
   constexpr std::size_t kMostTriangles = 8;
-  if (p.is_input() || tables_.points.source(p).is_line()) return 3;
-  const PointSource& planes = tables_.points.source(p);
+  const Point3Table& points = complex_.tables().points;
+  if (p.is_input() || points.source(p).is_line()) return 3;
+  const PointSource& planes = points.source(p);
   const auto has_corner = [&](const SourceTriangle& other, std::size_t i) {
     const std::uint32_t point = point_index(t, i);
     return point_index(other, 0) == point || point_index(other, 1) == point ||
@@ -338,11 +423,14 @@ bool SourceTriangles::has_same_face_attributes(const SourceTriangle& s,
 
 bool SourceTriangles::has_same_channels(const SourceTriangle& s, const SourceTriangle& t) {
   std::array<IntegerRow, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i) corners[i] = homogeneous(tables_.points, place(s, i));
-  const BarycentricForm form(FlatView::of_plane(tables_.planes, s.plane), corners);
+  const auto corner_of = [this](const SourceTriangle& of, std::size_t i) {
+    const SpacePoint at = place(of, i);  // May change the tables.
+    return homogeneous(complex_.tables().points, at);
+  };
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = corner_of(s, i);
+  const BarycentricForm form(FlatView::of_plane(planes(), s.plane), corners);
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::array<Rational, 3> weights =
-        form.at(homogeneous(tables_.points, place(t, i))).exact();
+    const std::array<Rational, 3> weights = form.at(corner_of(t, i)).exact();
     for (const MeshChannel& channel : sources_[s.source].source->attributes.channels) {
       if (channel.values.empty()) continue;
       for (std::uint32_t k = 0; k < channel.width; ++k) {

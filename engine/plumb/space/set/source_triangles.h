@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "plumb/base/context.h"
-#include "plumb/space/complex/space_tables.h"
+#include "plumb/space/set/growing_complex.h"
 #include "plumb/space/set/moved_planes.h"
 #include "plumb/space/set/planes_by_corners.h"
 #include "plumb/space/source_mesh.h"
-#include "plumb/space/space_complex.h"
 
 namespace plumb {
 
@@ -43,17 +42,22 @@ struct TriangleRange {
   std::uint32_t operator[](std::uint32_t i) const { return first + i; }
 };
 
+/// The corners of a triangle that are doubles; null for others.
+using CornerPoints = std::array<const Point3*, 3>;
+
+/// Returns the index of the corner with these coordinates, or 3.
+std::size_t corner_index(const CornerPoints& corners, const Point3& p);
+
 /// The triangles of all sources that have an area, sorted by their planes, then by their sources
 /// and faces. Planes have ids in the order in which sets were made, so what belongs to neighbouring
 /// facets is close in memory. Points of a source get a place in the tables
 /// when they are asked for, because most of them never are.
 class SourceTriangles {
  public:
-  /// Finds the planes of the triangles of all sources. Planes that `tables` does not have are added
-  /// to it. A moved triangle gets a plane only if a facet of `complex`, whose tables are `tables`,
-  /// lies in its plane. Throws the errors of the Context.
-  SourceTriangles(std::span<const PlacedSource> sources, const SpaceComplex& complex,
-                  SpaceTables& tables, Context& context);
+  /// Finds the planes of the triangles of all sources. Planes that the tables of `complex` do not
+  /// have are added to them. A moved triangle gets a plane only if a facet of `complex` lies in its
+  /// plane. Keeps a reference to `complex`. Throws the errors of the Context.
+  SourceTriangles(std::span<const PlacedSource> sources, GrowingComplex& complex, Context& context);
 
   /// Returns a triangle.
   const SourceTriangle& operator[](std::uint32_t t) const { return triangles_[t]; }
@@ -70,6 +74,7 @@ class SourceTriangles {
   }
   /// Returns the place of corner i of a triangle. Adds it to the tables if they do not have it.
   SpacePoint place(const SourceTriangle& t, std::size_t i) {
+    if (t.input[i].is_valid()) return SpacePoint(t.input[i]);
     return place(t.source, point_index(t, i));
   }
   /// Returns the coordinates of a point of the mesh of a source in the set if they are doubles that
@@ -77,11 +82,11 @@ class SourceTriangles {
   const Point3* doubles(std::uint32_t source, std::uint32_t point) {
     const SpacePoint known = moves_[source] ? place(source, point) : places_[source][point];
     if (!known.is_valid()) return &sources_[source].source->mesh.points[point];
-    return known.is_input() ? &tables_.planes.point(known.input()) : nullptr;
+    return known.is_input() ? &planes().point(known.input()) : nullptr;
   }
   /// Returns the same for corner i of a triangle.
   const Point3* doubles(const SourceTriangle& t, std::size_t i) {
-    if (t.input[i].is_valid()) return &tables_.planes.point(t.input[i]);
+    if (t.input[i].is_valid()) return &planes().point(t.input[i]);
     return doubles(t.source, point_index(t, i));
   }
   /// Places the corners of a moved triangle, so that doubles() does not change the tables.
@@ -93,10 +98,14 @@ class SourceTriangles {
   /// the triangle was not moved or that place_if_moved() was called. A result of false does not
   /// mean that the points are different.
   bool has_definition_of(const SourceTriangle& t, std::size_t i, SpacePoint p) const;
-  /// Returns i if a triangle of the same source that lies in one of the planes of a constructed
-  /// point has the corners i and i + 1 of triangle t, otherwise 3. The point lies in the plane of
-  /// t, and so on the line of these corners.
-  std::size_t edge_of_neighbour(const SourceTriangle& t, SpacePoint p) const;
+  /// Returns doubles() of the three corners of a triangle.
+  CornerPoints corner_points(const SourceTriangle& t) {
+    return {doubles(t, 0), doubles(t, 1), doubles(t, 2)};
+  }
+  /// Returns i if the definition of a constructed point in the plane of a triangle says that it
+  /// lies on the line of the corners i and i + 1, otherwise 3. In general position, most points at
+  /// which a triangle is cut are of this kind. `corners` has the corner_points() of the triangle.
+  std::size_t edge_of(const SourceTriangle& t, const CornerPoints& corners, SpacePoint p) const;
   /// Whether a triangle stands for its whole plane.
   bool is_plane(const SourceTriangle& t) const {
     return sources_[t.source].source->plane.has_value();
@@ -118,25 +127,29 @@ class SourceTriangles {
     SpacePoint& known = places_[source][point];
     if (known.is_valid()) return known;
     const Point3& at = sources_[source].source->mesh.points[point];
-    known =
-        moves_[source] ? image_of(*moves_[source], at) : SpacePoint(tables_.planes.add_point(at));
+    known = moves_[source] ? image_of(*moves_[source], at)
+                           : SpacePoint(complex_.changed_tables().planes.add_point(at));
     return known;
   }
+  const PlaneTable& planes() const { return complex_.tables().planes; }
   SpacePoint image_of(const MovedPlanes::Map& map, const Point3& point);
   void add_exact_points(std::uint32_t source, Context& context);
-  void find_moved_planes(std::uint32_t source, std::size_t first, const MovedPlanes& wanted,
-                         Context& context);
+  void find_moved_planes(std::uint32_t source, std::size_t first, std::size_t end,
+                         const MovedPlanes& wanted, Context& context);
   void add_triangles(std::uint32_t source, Context& context);
-  void find_planes(std::uint32_t source, std::size_t first, const PlanesByCorners& known,
-                   Context& context);
+  std::vector<std::uint8_t> find_planes_of_facets(std::span<const std::size_t> first_of_source);
+  bool take_plane_of_corners(SourceTriangle& t, PlaneId plane) const;
+  void find_planes(std::uint32_t source, std::span<const std::uint32_t> triangles,
+                   const PlanesByCorners& known, Context& context);
   void intern_planes(std::span<const std::uint32_t> triangles, Context& context);
   void set_plane(SourceTriangle& t, OrientedPlane plane) const;
   void sort_by_plane(std::size_t planes);
+  std::size_t edge_of_neighbour(const SourceTriangle& t, SpacePoint p) const;
   bool has_same_face_attributes(const SourceTriangle& s, const SourceTriangle& t) const;
   bool has_same_channels(const SourceTriangle& s, const SourceTriangle& t);
 
   std::span<const PlacedSource> sources_;
-  SpaceTables& tables_;
+  GrowingComplex& complex_;
   // For each source, the places of its points. If a place is not valid, it is the point itself, or
   // the image of the point if the source was moved.
   std::vector<std::vector<SpacePoint>> places_;
