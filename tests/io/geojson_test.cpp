@@ -56,6 +56,10 @@ TEST(GeoJsonReader, accepts_what_the_format_allows) {
             kPoint + "}]}",
         R"({"features":[{"type":"Feature","geometry":{"type":"GeometryCollection","geometries":[)" +
             kPoint + R"(]}}],"type":"FeatureCollection"})",
+        R"({"type":"GeometryCollection","geometries":[null,)" + kPoint + ",null]}",
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","id":1},)"
+        R"({"type":"Feature","geometry":)" +
+            kPoint + "}]}",
         R"({"a":1,"b":-1.5e3,"c":"x","d":[1,[2,{"e":3}]],"type":"Point","f":true,)"
         R"("coordinates":[1,2],"g":null})",
         // What is dropped may be anything that has an end.

@@ -402,6 +402,18 @@ TEST(ReadPlaneSet, says_that_a_file_with_content_is_the_empty_set) {
   EXPECT_TRUE(notes_of("plumb-nef2 1\n0 0 0 0 0\n").empty());
 }
 
+TEST(ReadPlaneSet, counts_geometries_of_geojson_that_are_null) {
+  constexpr std::string_view kText =
+      R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":null},)"
+      R"({"type":"Feature","id":7},{"type":"Feature","geometry":{"type":"GeometryCollection",)"
+      R"("geometries":[null,{"type":"Point","coordinates":[1,2]}]}}]})";
+  Context context;
+  const PlaneRead read = read_plane_set(kText, PlaneFormat::GeoJson, {}, context);
+  EXPECT_EQ(read.set, Nef2::point({1, 2}));
+  EXPECT_EQ(read.notes,
+            (std::vector<std::string>{"passed over: 'id', geometries that are null (3)"}));
+}
+
 /// Returns the area and the number of notes of a text under each rule: odd, nonzero, positive,
 /// negative.
 std::vector<Rational> areas_by_rule(const std::string& text) {

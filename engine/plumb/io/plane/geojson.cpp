@@ -177,6 +177,7 @@ class GeoJsonReader {
   Coordinates coordinates_;                     // Of the object that had coordinates last.
   bool is_in_coordinates_ = false;              // Whether the reader is among them.
   bool has_more_numbers_ = false;               // Whether a position had more than x and y.
+  std::size_t null_geometries_ = 0;             // Features and members without a geometry.
   std::vector<std::string_view> passed_names_;  // Names of members that were skipped.
   ReadNumber x_, y_;
 };
@@ -184,6 +185,10 @@ class GeoJsonReader {
 PlaneFile GeoJsonReader::read() {
   for (JsonToken token = json_.next(); token != JsonToken::End; token = json_.next()) take(token);
   if (has_more_numbers_) shapes_.pass_over("numbers of positions after x and y");
+  // A file without any shape is told to be empty.
+  if (null_geometries_ > 0 && shapes_.position_count() > 0) {
+    shapes_.pass_over("geometries that are null (" + std::to_string(null_geometries_) + ')');
+  }
   return shapes_.take();
 }
 
@@ -211,7 +216,10 @@ void GeoJsonReader::take(JsonToken token) {
 // ---------------------------------------------------------------- structure
 
 GeoJsonReader::Expected GeoJsonReader::expected() const {
-  if (objects_.empty() || objects_.back().is_in_list) return Expected::Object;
+  if (objects_.empty()) return Expected::Object;
+  if (objects_.back().is_in_list) {
+    return objects_.back().member == Member::Geometries ? Expected::ObjectOrNull : Expected::Object;
+  }
   switch (objects_.back().member) {
     case Member::Type:
       return Expected::String;
@@ -241,6 +249,7 @@ void GeoJsonReader::take_word(JsonToken token) {
   }
   if (token != JsonToken::Null) fail_expected();
   require(Expected::ObjectOrNull);
+  ++null_geometries_;
 }
 
 void GeoJsonReader::take_type() {
@@ -377,6 +386,8 @@ void GeoJsonReader::close_list() {
 void GeoJsonReader::finish(const Object& object) {
   check_members(object);
   if (object.type->content == Member::Coordinates) add_coordinates(*object.type);
+  const bool is_feature = object.type->content == Member::Geometry;
+  if (is_feature && !object.has(Member::Geometry)) ++null_geometries_;
 }
 
 void GeoJsonReader::check_members(const Object& object) const {
@@ -393,7 +404,9 @@ void GeoJsonReader::check_members(const Object& object) const {
   for (const Member m :
        {Member::Coordinates, Member::Geometries, Member::Geometry, Member::Features}) {
     const bool is_needed = m == object.type->content;
-    if (object.has(m) == is_needed) continue;
+    // Some programs leave out the member if a feature has no geometry.
+    const bool may_lack = is_needed && m == Member::Geometry;
+    if (object.has(m) == is_needed || may_lack) continue;
     fail(ErrorCode::Syntax, "a " + name + (is_needed ? " needs " : " has no ") + quoted_name(m),
          object.place);
   }
