@@ -3,11 +3,12 @@
 //
 // Most planes of a set are defined by the three corners of a source triangle. A facet whose
 // facet_origin is the index of this triangle in its source finds it without a search. The remaining
-// planes are found by a hash of these corners (planes_by_corners.h). Other triangles of a source that was not moved are
-// interned from three input points, many at a time. The plane of a moved triangle is computed
-// before the move, and its image is looked up among the planes of facets (moved_planes.h), because
-// only triangles in these planes are ever asked for. A moved point gets its exact place when it is
-// asked for. In all cases equal planes have the same id. All other steps rely on this.
+// planes are found by a hash of these corners (planes_by_corners.h). Other triangles of a source
+// that was not moved are interned from three input points, many at a time. The plane of a moved
+// triangle is computed before the move, and its image is looked up among the planes of facets
+// (moved_planes.h), because only triangles in these planes are ever asked for. A moved point gets
+// its exact place when it is asked for. In all cases equal planes have the same id. All other steps
+// rely on this.
 //
 // Two triangles of a plane have the same channel if its function over the first triangle, which is
 // affine, takes the values of the second triangle at the corners of the second triangle. The test
