@@ -39,7 +39,7 @@ struct SeededHash {
 /// by the latency of memory. Ids are never removed.
 class IdIndex {
  public:
-  /// Reserves memory for `ids` ids, including those that are already in the set.
+  /// Reserves memory for `ids` ids, including the ids that are already in the set.
   void reserve(std::size_t ids) {
     const std::size_t entries = std::bit_ceil(ids + ids / 2 + 1);
     if (entries > entries_.size()) rehash(entries);

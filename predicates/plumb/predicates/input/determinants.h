@@ -112,9 +112,9 @@ Sign big_cross(const std::array<Integer, 2>& x, const std::array<Integer, 2>& y)
 /// Returns the sign of the determinant of three columns.
 Sign big_orient3d(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y,
                   const std::array<Integer, 3>& z);
-/// Returns that of the columns x, y and x^2 + y^2.
+/// Returns the sign of the determinant with the columns x, y and x^2 + y^2.
 Sign big_incircle(const std::array<Integer, 3>& x, const std::array<Integer, 3>& y);
-/// Returns that of the columns x, y, z and x^2 + y^2 + z^2.
+/// Returns the sign of the determinant with the columns x, y, z and x^2 + y^2 + z^2.
 Sign big_insphere(const std::array<Integer, 4>& x, const std::array<Integer, 4>& y,
                   const std::array<Integer, 4>& z);
 

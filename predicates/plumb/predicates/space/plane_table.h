@@ -164,7 +164,7 @@ class PlaneTable {
   PlaneTable(PlaneTable&&) noexcept;
   PlaneTable& operator=(PlaneTable&&) noexcept;
 
-  /// Reserves memory for `planes` planes, including those that are in the table already.
+  /// Reserves memory for `planes` planes, including the planes that are already in the table.
   void reserve(std::size_t planes);
 
   // --- input points ---------------------------------------------------------------------------

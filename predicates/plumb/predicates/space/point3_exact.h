@@ -90,8 +90,8 @@ FilteredSign axis_order(const PointOf<Plane>& x, const PointOf<Plane>& y, std::s
 /// Returns a part of the exact point as integers (x, y, z, w) on one scale.
 IntegerRow integer_row(const PointOperand& operand, Part part = Part::Finite);
 
-/// Returns the fingerprint of a point whose residues are all zero: that of (P0, P1, w) without a
-/// common factor.
+/// Returns the fingerprint of a point whose residues are all zero. It is computed from (P0, P1, w)
+/// after the common factor was removed.
 Fingerprint primitive_fingerprint(const PointOperand& operand);
 
 /// Calls question<Plane>() -> FilteredSign with plane types from the narrowest that `width` allows

@@ -113,7 +113,7 @@ class Point3Table {
 
   const PlaneTable& planes() const { return *planes_; }
   std::size_t size() const { return boxes_.size(); }
-  /// Reserves memory for `points` constructed points, including those that are already in the
+  /// Reserves memory for `points` constructed points, including the points that are already in the
   /// table.
   void reserve(std::size_t points);
 
