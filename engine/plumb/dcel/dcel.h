@@ -414,7 +414,7 @@ class Dcel {
 
  private:
   friend class DcelAudit;
-  friend class DcelSurgeon;  // For tests, which damage the arrays on purpose.
+  friend class DcelSurgeon;  // Tests use this class to damage the arrays on purpose.
 
   struct Halfedge {
     VertexId origin;  ///< Invalid if the half-edge was removed.
