@@ -2,17 +2,17 @@
 // minimal form. docs/design/sweep.md proves that labels are known (Lemma 2) and that the kept cells
 // are the minimal complex (Lemma 3).
 //
-// Notation: a label says what a face of the arrangement is (for a Boolean, the faces of both
-// operands that it is part of; for polygons, a winding number). The value of a bundle says what its
-// curves are together; an event reports which curves join and leave, so it costs what changes. The
-// rule (concept PlaneRule) defines what both mean.
+// Notation: a label describes a face of the arrangement. For a Boolean, it names the faces of both
+// operands that contain the face. For polygons, it is a winding number. The value of a bundle
+// describes all its curves together. An event reports the curves that join and leave, so its cost
+// depends only on the changes. The rule (concept PlaneRule) defines what both mean.
 //
 // Main flow of on_event():
 //  1. face_below        reads the label and support of the face just below (right of) the event
 //                       from the bundle there; the support is a kept half-edge with that face to
 //                       its left
 //  2. label_outgoing    labels the outgoing bundles upward; a piece is kept if its mark differs
-//                       from that of a face beside it
+//                       from the mark of a face beside it
 //  3. place_vertex      decides on a vertex: if nothing is kept here, an isolated one if its mark
 //                       differs from that of its face; if one kept piece ends and one starts, on
 //                       one line and with equal marks, none, and the edge passes; else a vertex

@@ -92,9 +92,10 @@ FinishedDraft finish(const PlaneDraft& draft, const PlaneLoops& loops,
 // The unique minimal form of a marked complex, in linear time and without a sweep.
 //
 // Main flow of simplify():
-//  1. drops each edge whose mark is that of both faces beside it, and joins these (union-find)
-//  2. drops each vertex that keeps no edge if its mark is that of its face, and each that keeps two
-//     on one line if its mark is theirs
+//  1. drops each edge that has the same mark as both faces beside it, and joins these faces
+//     (union-find)
+//  2. drops each vertex that keeps no edge and has the mark of its face, and each vertex that keeps
+//     two edges on one line and has their mark
 //  3. makes one edge of each chain through dropped vertices, at the place of its first edge
 //  4. runs trace_loops() and finish(), with the joined faces as classes
 // Cost: O(n a(n)) with the inverse Ackermann function a, and one cross_sign for each vertex that

@@ -1,5 +1,5 @@
-// The rules with which PlaneBuilder is run: what labels and marks mean for polygons, Booleans,
-// overlays of maps and arrangements. plane_builder.h lists what a rule has;
+// The rules with which PlaneBuilder is run: the meaning of labels and marks for polygons, Booleans,
+// overlays of maps and arrangements. plane_builder.h lists the members of a rule;
 // docs/design/sweep.md, Labels carried upward, has a table of them.
 #pragma once
 

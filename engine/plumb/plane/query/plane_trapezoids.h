@@ -50,8 +50,8 @@ class PlaneTrapezoids {
 
   const PlaneTrapezoid& operator[](TrapezoidId t) const { return trapezoids_[t]; }
 
-  // The trapezoids above `bottom` and below `top`, left to right. Without a valid edge they are
-  // those that reach down to infinity, or up.
+  // The trapezoids above `bottom` and below `top`, left to right. If the edge is invalid, they are
+  // the trapezoids that reach down, or up, to infinity.
   std::span<const TrapezoidId> above(EdgeId bottom) const { return above_.of(bottom); }
   std::span<const TrapezoidId> below(EdgeId top) const { return below_.of(top); }
 

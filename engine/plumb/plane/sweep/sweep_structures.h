@@ -78,9 +78,10 @@ class SweepQueue {
 // threaded as a list.
 //
 // The order is one of positions: nodes are placed next to known neighbours and never compared by a
-// stored key. So the geometry may change at crossings, as long as the sweep replaces what changes.
-// Cost: expected O(1) for insert and erase next to a known node, expected O(log n) for a search.
-// Source: R. G. Seidel, C. R. Aragon, Randomized search trees, Algorithmica 16 (1996).
+// stored key. So the geometry may change at crossings, as long as the sweep replaces the curves
+// whose order changes. Cost: expected O(1) for insert and erase next to a known node, expected
+// O(log n) for a search. Source: R. G. Seidel, C. R. Aragon, Randomized search trees, Algorithmica
+// 16 (1996).
 
 using StatusNode = StrongId<struct StatusNodeTag>;
 
