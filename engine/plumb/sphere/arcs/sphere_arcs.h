@@ -100,7 +100,7 @@ constexpr ArcCrossings operator&(ArcCrossings a, ArcCrossings b) {
 }
 
 /// Returns which of the points +-(n_c x n_d) lie strictly inside an arc, given the sides of d on
-/// which the arc begins and ends (those of a loop are not read). Requires d != circle[arc].
+/// which the arc begins and ends (for a loop, these sides are not read). Requires d != circle[arc].
 ArcCrossings crossings(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc, PlaneId d,
                        Sign from_side, Sign to_side);
 /// Returns the same, and computes the sides.

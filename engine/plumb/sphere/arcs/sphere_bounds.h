@@ -27,14 +27,15 @@ namespace plumb {
 /// A ball that contains an exact unit vector.
 struct UnitBall {
   std::array<double, 3> middle;  ///< The computed vector.
-  double radius;                 ///< Bounds the distance of the exact one.
+  double radius;                 ///< A bound for the distance from the exact direction.
 };
 
 /// Returns a ball around the direction of an exact vector, of any length, with |v - exact| <=
 /// error.
 UnitBall unit_ball(const std::array<double, 3>& v, double error);
-UnitBall ball_of(const PlaneTable& planes, PlaneId circle);     ///< Returns that of the normal.
-UnitBall ball_of(const PlaneTable& planes, SphereDirection u);  ///< Returns that of the direction.
+/// Returns a ball around the normal of the circle.
+UnitBall ball_of(const PlaneTable& planes, PlaneId circle);
+UnitBall ball_of(const PlaneTable& planes, SphereDirection u);  ///< Returns a ball around u.
 
 /// The way around a circle from one of its directions, counter-clockwise about the normal, in
 /// radians.

@@ -5,7 +5,7 @@
 // puts the pieces around their points. Main flow of SpherePieces::build():
 //  1. sort_stops   sorts the stops of each arc along it
 //  2. cut_arcs     makes the pieces between them; a loop with stops is cut into ordinary arcs
-//  3. merge        makes one piece of those of one circle that leave one point
+//  3. merge        makes one piece of all pieces of one circle that leave one point
 //  4. link_rings   puts half-arcs around each point in circular order, which is known where only
 //                  one map is present, and sorted by headings where both are
 //  5. trace        finds the orbits of next, each of which is one boundary cycle

@@ -2,9 +2,10 @@
 // entry point.
 //
 // Main flow of run():
-//  1. drop_arcs     drops each arc whose mark is that of both faces beside it, which become one
-//  2. judge_points  drops each point that keeps no arc if its mark is that of its face, and each
-//                   point between two arcs of one circle if its mark is theirs
+//  1. drop_arcs     drops each arc that has the same mark as both faces beside it; these faces
+//                   become one face
+//  2. judge_points  drops each point that keeps no arc and has the mark of its face, and each point
+//                   between two arcs of one circle that has their mark
 //  3. chain_arcs    makes one arc of those through dropped points, or a loop of a closed chain
 //  4. link_points   makes the rings of the points that stay
 //  5. number_faces  numbers the classes of merged faces, by the least of each
