@@ -1,6 +1,7 @@
 // Brings a complex into minimal form after its marks have changed. A cell is removed if it does not
-// differ from the cells around it. CoplanarMerge does so in the arrays where no facet, free edge or
-// isolated vertex is removed; simplified() takes every case, by sphere maps where it has to.
+// differ from the cells around it. CoplanarMerge works in the arrays, and handles the case in which
+// no facet, free edge or isolated vertex is removed. simplified() handles every case, by sphere
+// maps if necessary.
 //
 // CoplanarMerge unites facets of one plane over the edges between them, and edges over places
 // inside them. Volumes do not change.

@@ -11,10 +11,10 @@
 //  3. halves     on either side of the median along the axis on which the triangles' middles are
 //                spread most
 //
-// Two boxes are apart if they are so along one of their six axes, or along the direction across the
-// longest axis of each, which separates needles that pass each other. (Eight more directions,
-// across an axis of each, would decide all cases.) Boxes along the coordinate axes are compared
-// before; those need no slack.
+// Two boxes are apart if they are apart along one of their six axes, or along the direction
+// orthogonal to the longest axes of both boxes. This direction separates needles that pass each
+// other. (Eight more directions, across an axis of each, would decide all cases.) Boxes along the
+// coordinate axes are compared before; those need no slack.
 //
 // Notation: a box holds every middle + sum t_k axis_k with |t_k| <= half_k. Axes are unit vectors
 // at right angles up to some 100 roundings. Halves have been widened by 2^-40 of the distance to

@@ -17,7 +17,7 @@ std::size_t array_bytes(const SpaceComplex& complex);
 /// The bytes that a set takes besides its arrays and its tables.
 inline constexpr std::size_t kBytesPerSet = 2500;
 
-// Complexes with no more planes and points in their tables than they use.
+// Complexes whose tables contain only planes and points that the complex uses.
 
 /// Returns the complex with tables that have the planes and points in use, and no others. O(size of
 /// the tables).

@@ -16,8 +16,8 @@
 //  3. name         gives the common facet of two layers a new number for the pair; in the end each
 //                  number is unfolded to the sheets in which the facet lies
 //
-// Cost: layers - 1 overlays of surfaces, O((n + c) log(n + c)) each for c contacts; Booleans do no
-// more. Proof: docs/design/meshes.md, "Layers of a mesh that crosses itself".
+// Cost: layers - 1 overlays of surfaces, each of which takes O((n + c) log(n + c)) for c contacts,
+// like a Boolean. Proof: docs/design/meshes.md, "Layers of a mesh that crosses itself".
 #pragma once
 
 #include <cstdint>

@@ -2,9 +2,9 @@
 // turned.
 //
 // Main flow of orient_faces():
-//  1. list_edges    lists which faces run along which edge, and which way
+//  1. list_edges    lists the faces that run along each edge, with their directions
 //  2. cut_edges     cuts edges that an odd number of faces use at the vertices that lie on them, so
-//                   that a long edge meets the short ones beside it
+//                   that a long edge meets the short edges beside it
 //  3. relate_pairs  relates the two faces at each edge that has two: they must run through it in
 //                   opposite directions
 //  4. relate_rest   relates the patches that are left over at an edge with more faces, if they are

@@ -20,7 +20,7 @@ namespace plumb {
 /// How often an edge is run through from its lesser to its greater vertex, less how often back.
 struct EdgeSurplus {
   std::array<std::uint32_t, 2> end;  ///< The vertices of the edge, ascending.
-  std::int32_t times;                ///< Not 0 in a collected list.
+  std::int32_t times;                ///< In a collected list, it is not 0.
 };
 /// Surpluses of edges. In a collected list, edges ascend, are different, and do not balance.
 using EdgeSurpluses = std::vector<EdgeSurplus>;

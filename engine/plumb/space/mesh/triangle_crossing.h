@@ -40,7 +40,8 @@ class TriangleCrossing {
   explicit TriangleCrossing(const Point3Table& points) : points_(points) {}
 
   /// Whether the triangles have a common point outside common vertices and edges of their facets.
-  /// Around a common vertex with a fan they have none; most pairs need no more than that.
+  /// Around a common vertex with a fan, they have no other common point. For most pairs, this fact
+  /// is enough.
   bool operator()(const FacetTriangle& s, const FacetTriangle& t) const {
     const unsigned shared = shared_corners(s, t);
     return (shared & s.fans) == 0 && meet_elsewhere(s, t, shared != 0);

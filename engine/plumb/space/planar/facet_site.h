@@ -261,9 +261,9 @@ struct CycleNesting {
 };
 
 /// Nests all boundary cycles of all facets of a plane, and points that lie inside facets there.
-/// Requires facets that do not overlap; reads no more of the complex than uses, the origins of
-/// edges and the points of vertices. Stops the program if a hole or point has no facet around it.
-/// Throws the errors of the Context.
+/// Requires facets that do not overlap. Of the complex, it reads only uses, the origins of edges
+/// and the points of vertices. Stops the program if a hole or point has no facet around it. Throws
+/// the errors of the Context.
 CycleNesting nest_cycles(const SpaceComplex& complex, PlaneId plane, std::span<const UseId> cycles,
                          std::span<const VertexId> points, Context& context);
 

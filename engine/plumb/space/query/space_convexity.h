@@ -32,8 +32,9 @@
 // edge's ends is left; without a facet, if at most one edge or vertex in that plane is left, with
 // ends.
 //
-// The frame: S is convex if S within the cube is so for all large R. What lies on the cube looks as
-// S does on one of its cells, cut by half-spaces, so cells of the frame are skipped.
+// The frame: S is convex if its intersection with the cube is convex for all large R. What lies on
+// the cube looks as S does on one of its cells, cut by half-spaces, so cells of the frame are
+// skipped.
 #pragma once
 
 #include "plumb/space/space_complex.h"

@@ -8,8 +8,8 @@
 namespace plumb {
 
 /// Returns the image under an invertible map. Planes are transformed exactly. An image of a point
-/// is an input point if its coordinates are doubles, and otherwise a point of three planes. Numbers
-/// grow with every map that is not dyadic, by no more than the map's own.
+/// is an input point if its coordinates are doubles, and otherwise a point of three planes. Every
+/// map that is not dyadic makes numbers longer, by at most the length of the numbers in the map.
 ///
 /// O(n); for a framed complex up to twelve cuts by planes besides (frame.h): none for a shift of a
 /// set that meets the cube in general position, or for maps that permute axes. Throws
