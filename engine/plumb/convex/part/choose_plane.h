@@ -3,10 +3,10 @@
 //
 // Main flow of CutChooser::candidates():
 //  1. gather    collects the reflex edges of the piece and their ends in doubles
-//  2. propose   lists planes for an edge: those of its faces, and those through it and the end of
-//               another reflex edge (in small pieces any vertex), if edge and vertex are of the
-//               input. If one is not, only planes are listed whose equation is that of the faces'
-//               planes with small integer factors, so that numbers stay short
+//  2. propose   lists planes for an edge: the planes of its faces, and the planes through the edge
+//               and the end of another reflex edge (in small pieces, any vertex), if edge and
+//               vertex belong to the input. Otherwise only planes of the pencil of the two faces
+//               with small integer factors are listed, so that numbers stay short
 //  3. judge     counts the reflex edges that lie in the plane (resolved) and those it crosses
 //               (doubled), against what the planes of its own faces would do for each edge in it.
 //               If planes are equally good, the plane that leaves most on both sides wins, because

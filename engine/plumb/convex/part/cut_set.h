@@ -3,15 +3,15 @@
 // Main flow of cut_solid():
 //  1. choose   takes a plane through a reflex edge of the piece (choose_plane.h). The rule Greedy
 //              takes the plane that leaves the fewest reflex edges, anew in each piece; Fixed takes
-//              the one plane of the first edge of the piece, in the order of the solid's edges
+//              the only plane of the first edge of the piece, in the order of the solid's edges
 //  2. cut      divides along the component of the section that the edge bounds (surface_cut.h)
 //  3. repeat   goes on with one piece, or two, until nothing is reflex
 //
 // Main flow of cut_set(), for a part of any kind:
 //  1. cut_solid     cuts the part if it is a solid with one connected surface; most parts are done
 //                   then
-//  2. divide        divides what is no such solid, or is stuck, by a Boolean with a half-space, and
-//                   goes on with the parts of both halves
+//  2. divide        divides a part that is not such a solid, or is stuck, by a Boolean with a
+//                   half-space, and goes on with the parts of both halves
 //  3. again         cuts by the rule Fixed if such a solid gave more pieces than most_pieces()
 //
 // A surface that is connected and has no reflex edges bounds a convex solid (docs/design/walls.md,

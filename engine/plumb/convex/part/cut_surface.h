@@ -5,11 +5,11 @@
 //   face        A face has an outward plane. Boundary cycles run counter-clockwise seen from
 //               outside, holes clockwise.
 //   half-edge   A half-edge runs along `along` * (n_f x n_other), n_f the canonical normal of its
-//               face's plane. Each half names its line for itself, so both copies of an edge on a
-//               cut keep what they had.
-//   marks       Marks are those of the copy: 1 if the piece owns the cell and the set has it. Every
-//               point of the surface is owned by one copy, so pieces need no comparison with each
-//               other.
+//               face's plane. Each half stores its own line, so both copies of an edge on a cut
+//               keep their data.
+//   marks       A mark belongs to the copy of a cell: it is 1 if the piece owns the cell and the
+//               cell belongs to the set. Every point of the surface is owned by one copy, so pieces
+//               need no comparison with each other.
 //
 // The structure is combinatorial, not geometric: a cut that does not separate a piece leaves both
 // its sides on one surface, and if the solid touches itself along an edge, each of its wedges has

@@ -1,5 +1,5 @@
-// One cut of a piece of a surface along a plane, and the rings of vertices in a plane that it
-// needs: which way a ring runs around, and what lies inside.
+// One cut of a piece of a surface along a plane, and the rings of vertices in a plane that the cut
+// needs: the direction of a ring, and the vertices inside it.
 //
 // Notation
 //   T, above     T is the plane; above is the side its canonical normal points to

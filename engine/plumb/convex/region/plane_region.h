@@ -132,7 +132,7 @@ class RegionMaker {
   IdVector<VertexId, FaceId> owner_;
   PlaneRegion region_;
   FaceId face_;
-  // Numbers in the region at hand, and what has one; reset by forget().
+  // Numbers in the current region, and the cells that have a number. forget() resets them.
   IdVector<VertexId, VertexId> vertex_;
   IdVector<EdgeId, EdgeId> edge_;
   std::vector<std::uint32_t> input_;

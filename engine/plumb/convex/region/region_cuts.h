@@ -41,9 +41,9 @@ class PieceMaker {
   std::vector<std::uint32_t> marked_;
 };
 
-/// Appends the part to the left of each loop of a region, with what it owns of the boundary: marked
-/// sides of the face, cuts along their lines, and marked vertices that no loop before it has. Cost:
-/// O(n log n).
+/// Appends the part to the left of each loop of a region, with the cells of the boundary that it
+/// owns: marked sides of the face, cuts along their lines, and marked vertices that no loop before
+/// it has. Cost: O(n log n).
 void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& context);
 
 // Main flow of cut_by_sides():
@@ -53,7 +53,7 @@ void add_pieces(const PlaneRegion& region, std::vector<Nef2>& pieces, Context& c
 //  2. resolve  prolongs one side of each corner that is still reflex into it, up to the first thing
 //              it meets on the boundary of its part. Both parts of the corner are then at most half
 //              a turn
-//  3. tidy     removes cuts that later ones made superfluous (drop_superfluous())
+//  3. tidy     removes cuts that later cuts made superfluous (drop_superfluous())
 //
 // Each cut of step 1 joins two loops and each cut of step 2 divides one, so r reflex corners and h
 // holes of positive area give at most r + 1 - h parts; a point or slit inside the region adds to r

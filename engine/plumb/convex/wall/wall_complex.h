@@ -12,11 +12,11 @@ namespace plumb {
 
 /// Returns the complex with the walls inside its marked volumes as facets with mark kBeyond and
 /// facet_origin kWallOrigin; their edges and vertices have mark kBeyond too. Walls may cross,
-/// overlap, and reach out of the volumes: what is in no marked volume is left out. Steps: equal
-/// points become one vertex; the walls are arranged among themselves (mesh_arrangement.h); the
-/// result is combined with the complex once. Requires that the polygons refer to `tables`, which
-/// are the tables of the complex. Cost: O((n + c) log(n + c)) for c contacts. Throws the errors of
-/// the Context.
+/// overlap, and reach out of the volumes. Parts of walls that lie in no marked volume are left out.
+/// Steps: equal points become one vertex; the walls are arranged among themselves
+/// (mesh_arrangement.h); the result is combined with the complex once. Requires that the polygons
+/// refer to `tables`, which are the tables of the complex. Cost: O((n + c) log(n + c)) for c
+/// contacts. Throws the errors of the Context.
 SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>& tables,
                         const std::vector<WallPolygon>& walls, Context& context);
 

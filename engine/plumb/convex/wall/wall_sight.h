@@ -1,4 +1,5 @@
-// Step 1 of walls: what is seen from a reflex edge straight up and down (internal to walls).
+// Step 1 of walls: the obstacles that are visible from a reflex edge straight up and down (internal
+// to walls).
 //
 // Main flow of sight_walls(), for each reflex edge that is not vertical, once up and once down if a
 // marked volume is there:
