@@ -96,11 +96,11 @@ struct SurfaceCounts {
 struct Separation {
   bool over_z = true;  ///< Whether an integer label exists.
   bool mod_2 = true;   ///< Whether a label modulo 2 exists.
-  /// A closed walk over cells that proves that no integer label exists. It is empty if over_z is
-  /// true. Each cell of the walk is adjacent to the next cell, and the last cell is adjacent to the
-  /// first. An integer label would change from cell to cell along this walk, and the changes would
-  /// not add up to zero. This is impossible on a closed walk. If mod_2 is false, the sum of the
-  /// changes is odd.
+  /// A closed walk over cells, which proves that no integer label exists. The walk is empty if
+  /// over_z is true. Each cell of the walk is adjacent to the next cell, and the last cell is
+  /// adjacent to the first. An integer label would change from cell to cell along this walk, and
+  /// the changes would not add up to zero. This is impossible on a closed walk. If mod_2 is false,
+  /// the sum of the changes is odd.
   std::vector<CellId> cycle;
 };
 

@@ -3,8 +3,8 @@
 // Main flow of run():
 //  1. contacts   finds crossings, ends on other segments and overlaps among pairs of segments whose
 //                boxes meet
-//  2. split      sorts the points on each segment; equal ones become one (union-find)
-//  3. merge      adds up pieces of overlapping segments; those that cancel go
+//  2. split      sorts the points on each segment; equal points become one point (union-find)
+//  3. merge      adds up pieces of overlapping segments; pieces that cancel each other vanish
 //  4. link       orders half-edges by angle around nodes and links them around pieces
 //  5. nest       places components that do not reach the boundary in a piece: the one below their
 //                leftmost point, which a sweep over the points finds if there are many
