@@ -44,8 +44,8 @@ struct LayerReadOptions {
 /// A layer read from a file.
 struct LayerFile {
   Layer layer;  ///< The features in the order of the file.
-  /// Contents of the file that are not in `layer`, and whether polygons seem to cross the
-  /// antimeridian.
+  /// Notes for a human reader. They report contents of the file that are not in `layer`, and
+  /// polygons that seem to cross the antimeridian.
   std::vector<std::string> notes;
   /// Whether the file has points or lines, which are left out.
   bool has_points_or_lines = false;

@@ -45,10 +45,10 @@ struct ReadOptions {
   /// positive number. If there is no value, the largest distance is a thousandth of the larger side
   /// of the drawing.
   std::optional<double> curve_tolerance = {};
-  /// For meshes: whether MeshFile::attributes is filled. If it is false, the reader skips colours,
-  /// materials, groups and all other data of faces and corners. For sets of the plane in GeoJSON:
-  /// whether the caller keeps the ids and properties of features. If it is true, no note reports
-  /// that they are left out.
+  /// For meshes, this option states whether MeshFile::attributes is filled. If it is false, the
+  /// reader skips colours, materials, groups and all other data of faces and corners. For sets of
+  /// the plane in GeoJSON, it states whether the caller keeps the ids and properties of features.
+  /// If it is true, no note reports that they are left out.
   bool attributes = false;
 };
 

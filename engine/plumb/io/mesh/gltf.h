@@ -16,9 +16,9 @@
 // (gltf_extensions.h). Refused are such extensions if they are required, and a file without
 // triangles.
 //
-// Cost: O(bytes + n log n) for n triangles, counted as often as they are placed. Errors: those of
-// gltf_parts.h and gltf_codecs.h; "FILE: accessors[3]: what" for what the document says wrong:
-// Syntax, BadIndex, CountMismatch, BadShape, NumberOutOfRange; ResourceLimit; Cancelled.
+// Cost: O(bytes + n log n) for n triangles, counted as often as they are placed. Errors: the errors
+// of gltf_parts.h and gltf_codecs.h. Errors of the document have the form "FILE: accessors[3]:
+// message": Syntax, BadIndex, CountMismatch, BadShape, NumberOutOfRange; ResourceLimit; Cancelled.
 #pragma once
 
 #include <string_view>

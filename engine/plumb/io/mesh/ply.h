@@ -5,7 +5,8 @@
 // vertices and faces become attributes (ply_attributes.h).
 //
 // Main flow of read_ply():
-//  1. read_ply_header   reads what there is; claims are checked against the bytes that follow
+//  1. read_ply_header   reads the list of elements. The counts are compared with the number of
+//                       bytes that follow
 //  2. elements          reads the elements in their order: in a text each on a line of its own, or
 //                       all on one line, or each value on a line; in a binary file without gaps
 //  3. pass_over_rest    notes bytes behind the last element; refuses text that may be more elements

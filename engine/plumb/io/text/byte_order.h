@@ -1,5 +1,5 @@
-// Converts numbers of fixed size to bytes of a file, and bytes to numbers. The byte order is the
-// byte order of the file, whatever the byte order of the processor is.
+// Converts numbers of fixed size to bytes of a file, and bytes to numbers. Numbers have the byte
+// order of the file, which does not depend on the byte order of the processor.
 #pragma once
 
 #include <algorithm>

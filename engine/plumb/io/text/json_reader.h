@@ -43,8 +43,8 @@ struct SteppedText {
   friend bool operator==(const SteppedText& a, const SteppedText& b) { return a.at == b.at; }
 };
 
-// The places of the tokens of a JSON text: the parser reports what they are, not where. For readers
-// that follow the events of nlohmann::json and call find_token() at the start of each
+// The places of the tokens of a JSON text. The parser reports tokens, but not their places. For
+// readers that follow the events of nlohmann::json and call find_token() at the start of each
 // (find_number() for numbers).
 
 /// Finds the token of each event.
@@ -69,7 +69,8 @@ class JsonPlaces {
   /// Finds the token of an event: it starts behind the last token, blanks and separators, and ends
   /// where the parser stands.
   void find_token();
-  /// Does the same for a number, whose end the parser sees only by looking at what follows.
+  /// Does the same for a number. The parser finds the end of a number only by reading the next
+  /// character.
   void find_number();
 
   /// Returns where the parser took a zero byte for the end of the text although more than such
@@ -108,8 +109,8 @@ class JsonPlaces {
   std::size_t tokens_ = 0;
 };
 
-// A JSON text as a flat list of its values: 8 bytes for each, wherever it stands and whatever it
-// holds. Texts and numbers stay in the JSON and are read on demand.
+// A JSON text as a flat list of its values: 8 bytes for each value, independent of its place and
+// contents. Texts and numbers stay in the JSON and are read on demand.
 //  1. count   A pass over the bytes counts values, so that the list is charged and reserved before
 //             it is filled, for no more values than a text of its size can hold
 //  2. list    nlohmann-json splits the text into events (no recursion, no tree); each value notes

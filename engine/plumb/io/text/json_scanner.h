@@ -1,4 +1,4 @@
-// Tokens of JSON texts with their places, for readers that take what they need and skip the rest.
+// Tokens of JSON texts with their places, for readers that read some values and skip all others.
 //
 // Broader than JSON where files are, and where nothing depends on it:
 //   - a text may hold several values one after the other, with blanks or record separators (RFC

@@ -1,4 +1,5 @@
-// The lines of a text, whatever ends them and whatever fills up the file.
+// The lines of a text. Lines may end in different ways, and different characters may fill up the
+// file.
 #pragma once
 
 #include <string>

@@ -55,8 +55,9 @@ std::size_t exact_bytes(const ReadNumber& x, const ReadNumber& y);
 /// Appends the point (x, y).
 void push_point(PointTable2& points, const ReadNumber& x, const ReadNumber& y);
 
-/// Which numbers of a format are results of plumb. They have up to 16,384 digits, whatever the
-/// limits of the context say: more than any double, as the planes through three points do.
+/// Which numbers of a format are results of plumb. They may have up to 16,384 digits, whatever the
+/// limits of the Context are. This is more than for any double, because the planes through three
+/// points have long coefficients.
 enum class ResultNumbers : std::uint8_t {
   None,
   Fractions,  ///< Other programs write the same format, but no fractions.
@@ -110,7 +111,8 @@ class NumberReader {
   std::size_t bytes_unchecked_ = 0;  // Of long numbers, since the limits were checked.
 };
 
-// Reads files of counted records, one a line: what map, OFF, text PLY, .nef2 and .nef share.
+// Reads files of counted records, with one record on each line. map, OFF, text PLY, .nef2 and .nef
+// have this form.
 //
 // Claims are compared with the bytes that follow before anything is reserved for them. Every error,
 // an exhausted memory limit included, is thrown with its place.
@@ -120,8 +122,8 @@ class RecordReader {
  public:
   static constexpr std::uint32_t kMostIds = std::numeric_limits<std::uint32_t>::max() - 1;
 
-  /// `contents` names what the memory is charged for, such as "the map". All arguments must outlive
-  /// the reader.
+  /// `contents` names the data for which memory is charged, such as "the map". All arguments must
+  /// outlive the reader.
   RecordReader(std::string_view text, const ReadOptions& options, Context& context,
                std::string_view contents, ResultNumbers results = ResultNumbers::None);
 
@@ -139,7 +141,8 @@ class RecordReader {
   /// Throws at `start` unless at least as many bytes follow as `announced` needs.
   void require_bytes(std::uint64_t bytes, const std::string& announced, const char* start) const;
 
-  /// Moves to the line of record `index` of `count`, or throws an error that says what is missing.
+  /// Moves to the line of record `index` of `count`, or throws an error that names the missing
+  /// record.
   void next_record(std::string_view what, std::uint32_t index, std::uint32_t count);
   /// Begins the same record where the cursor is, which may be in the middle of a line.
   void begin_record(std::string_view what, std::uint32_t index);
