@@ -34,13 +34,13 @@ concept SetInput = std::default_initializable<Input> &&
   input.load(file, common, context).notes;
 };
 
-/// A kind of sets: Nef2 or Nef3, and what the commands need to know of it. A kind whose files show
-/// how a set was made has, besides, `canonical(set, context)`: the same set in a form that does not
-/// (--canonical). If files of a kind may contain shapes of doubles, the kind also has `kHasGrid`
-/// (--raw, --grid). If they may be meshes, it also has `kWritesMeshes` (--triangles). If files of a
-/// kind may contain features, the kind also has `Features`, which collects the features of all
-/// operands: `add(read)` is called for each operand in order, and `ready(set, features, output,
-/// session)` makes the file.
+/// A kind of sets: Nef2 or Nef3, and the facts about it that the commands need. A kind whose files
+/// show how a set was made has, besides, `canonical(set, context)`: the same set in a form that
+/// does not (--canonical). If files of a kind may contain shapes of doubles, the kind also has
+/// `kHasGrid` (--raw, --grid). If they may be meshes, it also has `kWritesMeshes` (--triangles). If
+/// files of a kind may contain features, the kind also has `Features`, which collects the features
+/// of all operands: `add(read)` is called for each operand in order, and `ready(set, features,
+/// output, session)` makes the file.
 template <class Kind>
 concept SetKind = SetInput<typename Kind::Input> &&
     requires(const typename Kind::Set& set, const SetOutput& output, Context& context,
@@ -74,7 +74,7 @@ inline void require_one_stdin(const std::vector<std::string>& files) {
 }
 
 /// Returns the sets of some files, read in parallel if there are threads for that. Notes and
-/// warnings come in the order of the files. `visit` is called for what was read of each file, in
+/// warnings come in the order of the files. `visit` is called for the contents of each file, in
 /// this order.
 template <SetInput Input, class Visit>
 auto read_sets(const Input& input, const std::vector<std::string>& files, Session& session,

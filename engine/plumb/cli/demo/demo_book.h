@@ -29,7 +29,7 @@ struct DemoPicture {
   std::string page = {};  ///< HTML that shows it turning; empty if there is none.
 };
 
-/// One capability: what was done, with times, and pictures of it.
+/// One capability: the steps with their times, and pictures of the results.
 struct DemoChapter {
   std::string title;
   std::string claim;  ///< What its figures show, in a sentence.
@@ -60,7 +60,7 @@ class DemoBook {
 
   /// Begins a chapter, to which all that follows belongs. Required before the first step.
   void chapter(std::string title, std::string claim);
-  /// Records what was done since the last step, and how long it took.
+  /// Records the work since the last step, and the time that it took.
   void step(const std::string& what);
   void write(const std::string& name, std::string bytes);
   /// Adds a picture for the page and as a file of its own, together with the page that shows it
@@ -78,7 +78,7 @@ class DemoBook {
   std::vector<DemoChapter> chapters_;
 };
 
-/// Returns a number as text: exactly, whatever its length; a long one also rounded.
+/// Returns a number as exact text of any length. A long number is also given rounded.
 std::string in_full(const Rational& value);
 
 /// Adds the chapter on solids.

@@ -1,5 +1,4 @@
-// Operands of commands: what kind of thing a file holds, numbers, and how solids and scenes are
-// read.
+// Operands of commands: the kinds of files, numbers, and the reading of solids and scenes.
 #pragma once
 
 #include <cstdint>

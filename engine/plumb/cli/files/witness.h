@@ -33,8 +33,8 @@ struct SeparatingPlane {
 };
 
 /// Searches for a plane with all vertices of `a` on its negative side and all vertices of `b` on
-/// its positive side. Returns nothing if the convex hulls meet, if they are so close that doubles
-/// do not tell them apart, or if a set is unbounded or empty.
+/// its positive side. Returns no value if the convex hulls meet, if they are so close that doubles
+/// cannot separate them, or if a set is unbounded or empty.
 std::optional<SeparatingPlane> separating_plane(const Nef3& a, const Nef3& b, Context& context);
 
 }  // namespace plumb::cli

@@ -48,7 +48,7 @@ using ProgressStages = std::vector<ProgressStage>;
 /// An estimate of progress. Times are seconds since the command began.
 class ProgressEstimate {
  public:
-  /// Sets the stages; also later, if it turns out meanwhile what there is to do.
+  /// Sets the stages. It may be called again if the number of steps becomes known later.
   void expect(ProgressStages stages);
   /// Begins the next stage of this name and skips others; does nothing if there is none.
   void begin(std::string_view stage, double now);
@@ -139,7 +139,7 @@ ProgressStage adding_solids();  ///< Minkowski sums.
 ProgressStages stages_of_surfaces();
 ProgressStages stages_of_demo();
 
-ProgressStage writing();  ///< An answer, or what is short beside the rest.
+ProgressStage writing();  ///< An answer, or another step that is short compared with the rest.
 
 // A bar on standard error.
 

@@ -158,7 +158,7 @@ class Session {
   /// file has.
   void warn(const std::string& file, const std::string& text);
 
-  /// Sets what the command will do, for the progress bar; begin() is called when each stage begins
+  /// Sets the steps of the command, for the progress bar; begin() is called when each stage begins
   /// (progress.h).
   void expect(ProgressStages stages) { progress_.expect(std::move(stages)); }
   void begin(std::string_view stage) { progress_.begin(stage); }
