@@ -251,8 +251,8 @@ typedef struct plumb_read_options {
    * nearest doubles. */
   bool exact_decimals;
   /** 1 if a mesh gets the attributes of its file, otherwise 0. For solids, use
-   * plumb_solid_options::keep instead. The type is not bool, because a bool would be stored in
-   * bytes that are padding in older programs. */
+   * plumb_solid_options::keep instead. The type is size_t and not bool, because programs that were
+   * compiled for an older version have padding with unknown contents at the place of a bool. */
   size_t attributes;
 } plumb_read_options;
 #define PLUMB_READ_OPTIONS_INIT \
@@ -672,8 +672,8 @@ typedef struct plumb_to_mesh_options {
   bool exact;
   /** 1 if points are rounded to the nearest doubles, even if faces then cross; otherwise 0. The
    * points are the same as with `exact`, but exact points are not computed. Computing them can
-   * triple the time. The type is not bool, because a bool would be stored in bytes that are padding
-   * in older programs. */
+   * triple the time. The type is size_t and not bool, because programs that were compiled for an
+   * older version have padding with unknown contents at the place of a bool. */
   size_t nearest;
 } plumb_to_mesh_options;
 #define PLUMB_TO_MESH_OPTIONS_INIT \
@@ -922,7 +922,7 @@ PLUMB_API plumb_status plumb_solid_convexity(const plumb_solid* solid, bool* is_
                                              uint64_t* reflex_edges, plumb_indices** failing,
                                              const plumb_context* context, plumb_error** error);
 /** Checks every invariant from scratch. If all invariants hold, *flaw is set to null. Otherwise
- * *flaw receives a text that states which invariant does not hold, and where. */
+ * *flaw receives a text that names the invariant that does not hold, and the place. */
 PLUMB_API plumb_status plumb_solid_audit(const plumb_solid* solid, plumb_bytes** flaw,
                                          const plumb_context* context, plumb_error** error);
 
@@ -1871,8 +1871,8 @@ PLUMB_API plumb_status plumb_plane_set_simplify(const plumb_plane_set* set, doub
                                                 double kept, double within, plumb_plane_set** out,
                                                 double* moved, const plumb_context* context,
                                                 plumb_error** error);
-/** What a simplification has changed. Integer members except struct_size count the things that
- * their comments describe. */
+/** A report on the changes that a simplification has made. Integer members except struct_size count
+ * the things that their comments describe. */
 typedef struct plumb_simplify_report {
   size_t struct_size;      /**< sizeof(plumb_simplify_report). */
   uint64_t corners_before; /**< The corners of the original borders. */
