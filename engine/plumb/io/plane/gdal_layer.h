@@ -3,8 +3,8 @@
 // plane sets take, so that every rule of GeoJSON holds for it.
 //
 // Main flow of read_gdal_layer():
-//  1. open      opens the file with the only driver that belongs to the extension. Few other drivers
-//               are registered, and none of them opens network addresses or files elsewhere
+//  1. open      opens the file with the only driver that belongs to the extension. Few other
+//               drivers are registered, and none of them opens network addresses or files elsewhere
 //  2. features  geometries go through WKB and the reader of plumb (wkb.h); fields become properties
 //
 // Errors: CannotOpen, UnknownFormat, Syntax, BadArgument, CannotWrite, ResourceLimit, Cancelled.
