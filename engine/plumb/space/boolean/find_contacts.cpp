@@ -29,6 +29,7 @@
 #include "plumb/base/internal/parallel.h"
 #include "plumb/predicates/input_predicates.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/predicates/space/box_orientation.h"
 #include "plumb/space/boolean/contact_leaves.h"
 #include "plumb/space/boolean/thin_leaves.h"
 #include "plumb/space/complex/space_boxes.h"
@@ -145,38 +146,54 @@ class InputTriangle {
   bool is_valid_ = false;
 };
 
-/// Whether the line a b passes through the interior of a facet with one cycle of a few corners, all
-/// of them input points. Returns nothing for other facets, or if the line meets the cycle or a
-/// diagonal from its first corner: then the facet is asked about the point of the cut. Requires
-/// that the line cuts the plane of the facet in one point. That point is inside if an odd number of
-/// triangles of the fan around the first corner hold it.
-std::optional<bool> passes_inside(const SpaceComplex& complex, FacetId f, const Point3& a,
-                                  const Point3& b) {
+/// Returns the side on which the line a b passes the line p q, the sign of orient3d(a, b, p, q). Zero
+/// if the lines meet, and if a point is constructed and the boxes do not show the sign. The planes
+/// of an edge may be nearly parallel, so signs of the ends are clearer than signs of the planes.
+Sign passing_side(const Point3Table& points, SpacePoint a, SpacePoint b, SpacePoint p,
+                  SpacePoint q) {
+  if (a.is_input() && b.is_input() && p.is_input() && q.is_input()) {
+    const PlaneTable& planes = points.planes();
+    return orient3d(planes.point(a.input()), planes.point(b.input()), planes.point(p.input()),
+                    planes.point(q.input()));
+  }
+  const FilteredSign sign =
+      rung::orient3d_filter(points.box(a), points.box(b), points.box(p), points.box(q));
+  return is_decided(sign) ? decided(sign) : Sign::Zero;
+}
+
+/// Whether the line a b passes through the interior of a facet of a few corners. Returns nothing
+/// for other facets, if the line meets a cycle or a diagonal from the first corner, or if a sign is
+/// unclear: then the facet is asked about the point of the cut. Requires that the line cuts the
+/// plane of the facet in one point. That point is inside if an odd number of triangles hold it that
+/// have the first corner and a side of a cycle.
+std::optional<bool> passes_inside(const SpaceComplex& complex, FacetId f, SpacePoint a,
+                                  SpacePoint b) {
   constexpr std::size_t kMostCorners = 16;
-  if (complex.cycles_of(f).size() != 1 || !complex.inner_of(f).empty()) return {};
+  if (complex.cycles_of(f).empty() || !complex.inner_of(f).empty()) return {};
+  const Point3Table& points = complex.points();
+  const auto corner_of = [&](UseId u) { return complex.vertex_point[complex.use_origin(u)]; };
   const UseId first = complex.cycles_of(f).front();
-  const Point3* start = nullptr;   // The first corner.
-  const Point3* before = nullptr;  // The corner before the one at hand.
-  Sign spoke = Sign::Zero;  // On which side the line passes the one from `start` to `before`.
+  const SpacePoint start = corner_of(first);
   bool is_inside = false;
-  UseId u = first;
-  for (std::size_t i = 0; i == 0 || u != first; ++i, u = complex.use_next[u]) {
-    const SpacePoint p = complex.vertex_point[complex.use_origin(u)];
-    if (!p.is_input() || i == kMostCorners) return {};
-    const Point3* const corner = &complex.planes().point(p.input());
-    if (i == 0) {
-      start = corner;
-      continue;
-    }
-    const Sign next_spoke = orient3d(a, b, *start, *corner);
-    if (next_spoke == Sign::Zero) return {};
-    if (i > 1) {
-      const Sign side = orient3d(a, b, *before, *corner);
-      if (side == Sign::Zero) return {};
+  std::size_t count = 0;
+  for (const UseId cycle : complex.cycles_of(f)) {
+    // The first cycle begins and ends at `start`, so its first and its last side have no triangle.
+    UseId u = cycle == first ? complex.use_next[cycle] : cycle;
+    const UseId last = cycle == first ? complex.use_prev[cycle] : cycle;
+    SpacePoint before = corner_of(u);
+    Sign spoke = passing_side(points, a, b, start, before);
+    if (spoke == Sign::Zero) return {};
+    do {
+      if (++count == kMostCorners) return {};
+      u = complex.use_next[u];
+      const SpacePoint corner = corner_of(u);
+      const Sign next_spoke = passing_side(points, a, b, start, corner);
+      const Sign side = passing_side(points, a, b, before, corner);
+      if (next_spoke == Sign::Zero || side == Sign::Zero) return {};
       if (spoke == side && side != next_spoke) is_inside = !is_inside;
-    }
-    spoke = next_spoke;
-    before = corner;
+      spoke = next_spoke;
+      before = corner;
+    } while (u != last);
   }
   return is_inside;
 }
@@ -194,10 +211,9 @@ SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex&
     if (triangle.is_valid()) {
       return triangle.cut(of_facet, f, planes.point(a.input()), planes.point(b.input()));
     }
-    const auto is_inside =
-        passes_inside(of_facet, f, planes.point(a.input()), planes.point(b.input()));
-    if (is_inside) return *is_inside ? SpaceItem(f) : SpaceItem();
   }
+  const auto is_inside = passes_inside(of_facet, f, a, b);
+  if (is_inside) return *is_inside ? SpaceItem(f) : SpaceItem();
   const auto [p, q] = of_edge.edge_planes[e];
   return sites.site(f, p, q, context);
 }
