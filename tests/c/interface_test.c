@@ -566,6 +566,12 @@ static void test_solid_algebra(void) {
   OK(plumb_solid_evaluate("(A + B) - A * B", names, three, 2, &x, NULL, &error));
   CHECK(same(x, either));
   plumb_solid_free(x);
+  plumb_solid* sum = NULL;
+  OK(plumb_solid_evaluate("A @ B", names, three, 2, &x, NULL, &error));
+  OK(plumb_solid_minkowski_sum(a, b, &sum, NULL, &error));
+  CHECK(same(x, sum));
+  plumb_solid_free(sum);
+  plumb_solid_free(x);
   FAILS(plumb_solid_evaluate("A + C", names, three, 2, &x, NULL, &error), PLUMB_BAD_ARGUMENT);
   FAILS(plumb_solid_evaluate("A +", names, three, 2, &x, NULL, &error), PLUMB_SYNTAX);
   FAILS(plumb_solid_evaluate("A", null_names, three, 2, &x, NULL, &error), PLUMB_BAD_ARGUMENT);

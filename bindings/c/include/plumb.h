@@ -798,8 +798,9 @@ PLUMB_API plumb_status plumb_solid_intersection_of(const plumb_solid* const* sol
                                                    plumb_solid** out, const plumb_context* context,
                                                    plumb_error** error);
 /** Makes the value of an expression such as "(A + B) * !C". The operators are the union (+), the
- * intersection (*), the difference (-), the symmetric difference (^) and the complement (!).
- * names[i] is the name of solids[i]. */
+ * intersection (*), the difference (-), the symmetric difference (^), the complement (!) and the
+ * Minkowski sum (@), which binds more tightly than the intersection. names[i] is the name of
+ * solids[i]. */
 PLUMB_API plumb_status plumb_solid_evaluate(const char* expression, const char* const* names,
                                             const plumb_solid* const* solids, size_t count,
                                             plumb_solid** out, const plumb_context* context,

@@ -460,13 +460,15 @@ plumb_status plumb_solid_evaluate(const char* expression, const char* const* nam
                                   plumb_error** error) {
   return make(out, error, [&] {
     Call call(context);
-    const SetExpression parsed = parse_set_expression(text(expression, "expression"));
+    const SetExpression parsed =
+        parse_set_expression(text(expression, "expression"), SetOperators::WithSums);
     const std::vector<Nef3> operands =
         operands_of(parsed, array(names, count, "names"), array(solids, count, "solids"));
     return evaluate<Nef3>(
         parsed, [&](std::uint32_t name) { return operands[name]; },
         [&](const Nef3& a) { return a.complement(call); },
         [&](SetOperator op, const Nef3& a, const Nef3& b) {
+          if (op == SetOperator::MinkowskiSum) return minkowski_sum(a, b, call);
           return boolean_op(a, b, mark_function(op), call);
         });
   });

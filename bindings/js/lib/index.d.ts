@@ -536,7 +536,8 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   static hullOf(solids: readonly Solid[], options?: Options): Solid;
   /**
    * Returns the value of an expression such as '(A + B) * !C'. The operators are + (union), *
-   * (intersection), - (difference), ^ (symmetric difference) and ! (complement).
+   * (intersection), - (difference), ^ (symmetric difference), ! (complement) and @ (Minkowski
+   * sum), which binds more tightly than *.
    */
   static evaluate(expression: string, solids: Record<string, Solid>, options?: Options): Solid;
   /** Reads OFF, OBJ, STL, PLY, glTF, 3MF or .nef. */

@@ -119,6 +119,7 @@ export const cases = {
       check(
           Solid.evaluate('(A + B) * !C', {A: p, B: q, C: c}).equals(p.union(q).difference(c)),
           'expression');
+      check(Solid.evaluate('A @ B', {A: p, B: q}).equals(p.minkowskiSum(q)), 'sum in expression');
     }
     check(Solid.empty().isEmpty() && Solid.whole().isWhole() && Solid.whole().volume() === null);
     check(Solid.unionOf([]).isEmpty() && Solid.intersectionOf([]).isWhole());

@@ -323,7 +323,7 @@ MarkFunction function_of(SetOperator op) {
 using NamedSolids = std::map<std::string, Nef3>;
 
 Nef3 value_of(Context& context, const std::string& expression, const NamedSolids& solids) {
-  const SetExpression parsed = parse_set_expression(expression);
+  const SetExpression parsed = parse_set_expression(expression, SetOperators::WithSums);
   std::vector<Nef3> operands;
   for (const std::string& name : parsed.names) {
     const auto found = solids.find(name);
@@ -336,6 +336,7 @@ Nef3 value_of(Context& context, const std::string& expression, const NamedSolids
       parsed, [&](std::uint32_t name) { return operands[name]; },
       [&](const Nef3& a) { return a.complement(context); },
       [&](SetOperator op, const Nef3& a, const Nef3& b) {
+        if (op == SetOperator::MinkowskiSum) return minkowski_sum(a, b, context);
         return boolean_op(a, b, function_of(op), context);
       });
 }
@@ -478,8 +479,9 @@ void def_operations(nb::class_<Nef3>& c) {
           "plane"_a, "side"_a = "closed", "keep"_a = "inside");
   def_run_static(c, "evaluate", &value_of,
                  "Return the value of an expression such as '(A + B) * !C'. The operators are + "
-                 "(union), * (intersection), - (difference), ^ (symmetric difference) and ! "
-                 "(complement). `solids` contains the solid for each name.",
+                 "(union), * (intersection), - (difference), ^ (symmetric difference), ! "
+                 "(complement) and @ (Minkowski sum), which binds more tightly than *. `solids` "
+                 "contains the solid for each name.",
                  "expression"_a, "solids"_a);
   def_run(c, "decompose", &pieces_of,
           "Return the convex parts of the set. `method` is 'best', 'cuts' or 'walls'. If `closed` "

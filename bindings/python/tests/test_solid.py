@@ -259,6 +259,7 @@ def test_expressions():
     a, b, c = (plumb.Solid.box((i, 0, 0), (i + 2, 2, 2)) for i in range(3))
     solids = {"A": a, "B": b, "C": c, "unused": a}
     assert plumb.Solid.evaluate("(A + B) * !C", solids) == (a | b) & ~c
+    assert plumb.Solid.evaluate("A + B @ C", solids) == a | b.minkowski_sum(c)
     assert plumb.Solid.evaluate("A - B ^ C", {"A": a, "B": b, "C": c}) in (
         (a - b) ^ c,
         a - (b ^ c),
