@@ -354,6 +354,31 @@ const std::string kHoleBorder =
     "92 16 93 4 72 1 10 1 20 1 11 2 21 1 72 1 10 2 20 1 11 2 21 2 "
     "72 1 10 2 20 2 11 1 21 2 72 1 10 1 20 2 11 1 21 1 97 1";
 
+/// Filled polygons unite, also where they overlap.
+TEST(DxfReader, filled_polygons_are_areas) {
+  const std::string square = "10 0 20 0 11 2 21 0 12 0 22 2 13 2 23 2";
+  const auto area = [](const std::string& entities) {
+    return area_of(read(drawing(entities), PlaneFormat::Dxf).set);
+  };
+  EXPECT_EQ(area(entity("SOLID", square)), 4);
+  EXPECT_EQ(area(entity("TRACE", square) + entity("SOLID", square + " 210 0 220 0 230 -1")), 8);
+  EXPECT_EQ(area(entity("SOLID", "10 0 20 0 11 2 21 0 12 0 22 2 13 0 23 2")), 2);
+  EXPECT_EQ(area(entity("SOLID", "10 0 20 0 11 2 21 0 12 0 22 2")), 2);
+  EXPECT_EQ(area(entity("3DFACE", "10 0 20 0 11 2 21 0 12 2 22 2 13 0 23 2 33 7")), 4);
+  EXPECT_EQ(area(entity("SOLID", square) + entity("SOLID", square)), 4);
+  EXPECT_EQ(area(entity("SOLID", "10 0 20 0 11 0 21 0 12 0 22 0 13 0 23 0")), 0);
+}
+
+TEST(DxfReader, splines_without_length_are_named) {
+  const PlaneRead result = read(
+      drawing(entity("SPLINE", "71 1 40 3 40 3 40 3 40 3 10 0 20 0 10 1 20 1")), PlaneFormat::Dxf);
+  EXPECT_TRUE(result.set.is_empty());
+  ASSERT_FALSE(result.notes.empty());
+  EXPECT_NE(result.notes[0].find("splines without length, whose knots are all equal (1)"),
+            std::string::npos)
+      << result.notes[0];
+}
+
 TEST(DxfReader, hatches_are_areas_of_their_own) {
   const Nef2 square = wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
   EXPECT_EQ(read(drawing(hatch(1, kSquareBorder))).set, square);

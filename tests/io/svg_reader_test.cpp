@@ -244,6 +244,26 @@ TEST(svg_reader, what_means_nothing) {
                                                      "left out: use of what is not in the file"}));
 }
 
+/// What cuts shapes, or adds to them, is named once.
+TEST(svg_reader, effects_on_outlines_are_noted) {
+  const std::string defs =
+      "<defs><pattern id='p'><rect width='1' height='1'/></pattern><linearGradient id='l'/></defs>";
+  const auto notes = [&](const std::string& attributes) {
+    const std::string rect = "<rect width='3' height='4' " + attributes + "/>";
+    const SvgDrawing drawing = read("<svg viewBox='0 0 9 9'>" + defs + rect + rect + "</svg>");
+    EXPECT_EQ(drawing.shape_count(), 2U);
+    return drawing.notes;
+  };
+  using Notes = std::vector<std::string>;
+  EXPECT_EQ(notes("clip-path='url(#c)'"), Notes{"left out: clip-path"});
+  EXPECT_EQ(notes("style='fill:red;mask:url(#m)'"), Notes{"left out: mask"});
+  EXPECT_EQ(notes("marker-end='url(#m)'"), Notes{"left out: markers"});
+  EXPECT_EQ(notes("style='fill: url(#p)'"),
+            Notes{"left out: patterns that fill shapes; the whole shapes are read"});
+  EXPECT_EQ(notes("fill='url(#l)' clip-path='none'"), Notes{});
+  EXPECT_EQ(notes("fill='url('"), Notes{});
+}
+
 /// A switch draws its first element without conditions, as Illustrator writes them.
 TEST(svg_reader, a_switch_draws_one_element) {
   const auto points_in = [](const std::string& parts) {

@@ -113,6 +113,8 @@ class SvgReader {
   std::string_view property(std::string_view name) const;
   bool is_even_odd(bool inherited) const;
   bool is_hidden(bool inherited) const;
+  bool refers(std::string_view name) const;
+  void note_effects();
   void read_style_sheet();
   std::optional<double> millimetres(std::string_view name);
   void set_frame(double x, double y, double width, double height);
@@ -459,6 +461,7 @@ void SvgReader::start_element() {
   transforms_.push_back(transform);
   const bool fills_by_evenodd = is_even_odd(even_odd_.back() != 0);
   even_odd_.push_back(fills_by_evenodd ? 1 : 0);
+  note_effects();
   const bool hides = is_hidden(hidden_.back() != 0);
   hidden_.push_back(hides ? 1 : 0);
   choices_.push_back(name == "switch" ? SvgChoice::One : SvgChoice::All);
@@ -468,6 +471,36 @@ void SvgReader::start_element() {
   outline_.set_transform(transform);
   (this->*kind->outline)();
   outline_.end_shape(fills_by_evenodd);
+}
+
+/// Notes what a program that draws would do to the element that started last, beyond its outline.
+void SvgReader::note_effects() {
+  constexpr std::array<std::string_view, 2> kCuts{"clip-path", "mask"};
+  constexpr std::array<std::string_view, 4> kMarkers{"marker", "marker-start", "marker-mid",
+                                                     "marker-end"};
+  for (const std::string_view name : kCuts) {
+    if (refers(name)) left_out_.insert(name);
+  }
+  for (const std::string_view name : kMarkers) {
+    if (refers(name)) left_out_.insert("markers");
+  }
+  if (!refers("fill")) return;
+  std::string_view id = property("fill");
+  id.remove_prefix(std::min(id.find('#'), id.size() - 1) + 1);
+  id = id.substr(0, id.find_first_of("\"')"));
+  find_ids();
+  const auto found = elements_.find(id);
+  if (found != elements_.end() && plain_name(found->second.element()) == "pattern") {
+    left_out_.insert("patterns that fill shapes; the whole shapes are read");
+  }
+}
+
+/// Whether a property of the element that started last names another element.
+bool SvgReader::refers(std::string_view name) const {
+  const bool may_be_in_style =
+      scanner().attribute("style").value_or("").find("url(") != std::string_view::npos;
+  if (!may_be_in_style && !scanner().attribute(name)) return false;
+  return property(name).starts_with("url(");
 }
 
 // ---------------------------------------------------------------- attributes

@@ -15,7 +15,8 @@
 //
 // Shapes: each element that has an outline becomes one shape, in the order of the file. The
 // subpaths of the element are the rings of the shape. The fill rule of each shape is reported.
-// Colours, strokes, other styles and clips are ignored.
+// Colours, strokes and other styles are ignored. Clips, masks, markers and patterns are ignored,
+// too, and notes name those that shapes refer to.
 //
 // Skipped elements: elements that only define something are skipped with their contents, because
 // they draw nothing. These elements are defs, clipPath, mask, marker and pattern, and a symbol that

@@ -63,7 +63,12 @@ std::string start_part(ZipArchive& archive, const std::string& file) {
   }
   if (target) return *target;
   if (archive.find(kUsual)) return kUsual;
-  throw Error(ErrorCode::UnknownFormat, "the ZIP archive has no 3D model, so it is no 3MF file",
+  const bool is_amf = file.ends_with(".amf") || file.ends_with(".AMF");
+  throw Error(ErrorCode::UnknownFormat,
+              is_amf
+                  ? "this is a zipped AMF file; export a mesh of it, as OFF, OBJ, STL, PLY, glTF "
+                    "or 3MF"
+                  : "the ZIP archive has no 3D model, so it is no 3MF file",
               {file});
 }
 

@@ -191,8 +191,10 @@ class DxfReader {
     entity_line_ = line_ - 1;
     if (entity_ == "ENDSEC" || entity_ == "SECTION") section_ = {};
     if (entity_ == "EOF") has_end_ = true;
+    const bool is_filled =
+        entity_ == "HATCH" || entity_ == "SOLID" || entity_ == "TRACE" || entity_ == "3DFACE";
     is_read_ = section_ == "ENTITIES" && maker_of(entity_) != nullptr &&
-               !(entity_ == "HATCH" && selection_.as_openscad);
+               !(is_filled && selection_.as_openscad);
     if (section_ == "ENTITIES" && !is_read_) skipped_.insert({entity_, 0}).first->second += 1;
   }
 
@@ -206,7 +208,7 @@ class DxfReader {
 
   using Maker = void (DxfReader::*)();
   static Maker maker_of(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, Maker>, 12> kMakers{{
+    constexpr std::array<std::pair<std::string_view, Maker>, 15> kMakers{{
         {"LINE", &DxfReader::make_line},
         {"LWPOLYLINE", &DxfReader::make_polyline},
         {"POLYLINE", &DxfReader::begin_polyline},
@@ -217,6 +219,9 @@ class DxfReader {
         {"ELLIPSE", &DxfReader::make_ellipse},
         {"SPLINE", &DxfReader::make_spline},
         {"HATCH", &DxfReader::make_hatch},
+        {"SOLID", &DxfReader::make_solid},
+        {"TRACE", &DxfReader::make_solid},
+        {"3DFACE", &DxfReader::make_face},
         {"INSERT", &DxfReader::make_insert},
         {"BLOCK", &DxfReader::set_base},
     }};
@@ -238,7 +243,7 @@ class DxfReader {
       return;
     }
     for (const Value& each : values_) {
-      has_heights_ |= (each.code == 30 || each.code == 31 || each.code == 38) && each.number != 0;
+      has_heights_ |= ((each.code >= 30 && each.code <= 33) || each.code == 38) && each.number != 0;
     }
     (this->*maker_of(entity_))();
   }
@@ -450,6 +455,13 @@ class DxfReader {
                       std::to_string(curve.end_knot - curve.first_knot) +
                       " knots; there must be as many knots as points, the degree and 1 together");
     }
+    const auto& knots = content_.curves.knots;
+    if (knots[curve.first_knot + curve.degree] == knots[curve.first_knot + points]) {
+      content_.curves.vertices.resize(curve.first_vertex);
+      content_.curves.knots.resize(curve.first_knot);
+      skipped_.insert({"splines without length, whose knots are all equal", 0}).first->second += 1;
+      return;
+    }
     push_curve(curve);
   }
 
@@ -492,6 +504,30 @@ class DxfReader {
     }
     with_line([&] { charge_.add(2 * sizeof(double), "the drawing"); });
     content_.curves.knots.push_back(knot);
+  }
+
+  // ---------------------------------------------------------------- filled polygons
+
+  /// A SOLID lists its third and fourth corner in the order of the letter Z.
+  void make_solid() {
+    add_area(std::array{10, 11, 13, 12}, is_seen_from_below() ? kFromBelow : SvgTransform{});
+  }
+  void make_face() { add_area(std::array{10, 11, 12, 13}, {}); }
+
+  /// Adds an area of its own with three or four corners. Of a triangle, the fourth corner is
+  /// missing or equal to the third.
+  void add_area(const std::array<int, 4>& codes, const SvgTransform& transform) {
+    ++areas_;
+    DxfCurve curve = new_edge(DxfKind::Polyline);
+    curve.is_closed = true;
+    curve.transform = transform;
+    for (const int code : codes) {
+      const Point2 p = required_point(code == 13 && !has(13) ? 12 : code);
+      const auto& vertices = content_.curves.vertices;
+      const bool is_first = vertices.size() == curve.first_vertex;
+      if (is_first || vertices.back().p != p) push_vertex(p, 0);
+    }
+    finish_polyline(curve);
   }
 
   // ---------------------------------------------------------------- hatches
