@@ -99,6 +99,7 @@ TEST_F(ModelProgram, writes_slices_at_several_heights) {
   for (const Words& rest :
        std::vector<Words>{{"--format", "wkt"},
                           {},
+                          {"--format", "geojson", "--z", "2/2"},
                           {"--format", "geojson", "--every", "0"},
                           {"--format", "geojson", "--every", "-1"},
                           {"--format", "geojson", "--every", "1e-9"},

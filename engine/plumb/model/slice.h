@@ -28,7 +28,8 @@ namespace plumb {
 /// and so may its slice.
 [[nodiscard]] Nef2 slice(const Nef3& set, const Rational& height,
                          Context& context = unlimited_context());
-/// Returns one slice for each of the given heights, in the same order.
+/// Returns one slice for each of the given heights, in the same order. Heights may be equal. Cost:
+/// one slice() for each height.
 [[nodiscard]] std::vector<Nef2> slices(const Nef3& set, std::span<const Rational> heights,
                                        Context& context = unlimited_context());
 /// Returns the closure of the set of points (x, y) for which some point (x, y, z) belongs to the

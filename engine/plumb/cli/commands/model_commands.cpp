@@ -5,6 +5,7 @@
 // set_command.h. A command whose operands and result are of different kinds has a kind of its own:
 // the kind of the result with the input of the operand. Tested by tests/cli/model_command_test.cpp.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -421,12 +422,25 @@ class SliceSolid : public SetOperation<FlatPart> {
     return slice(set, height, session.context());
   }
 
+  /// The features of a file have different ids, which are the heights.
+  static void require_different(std::vector<Rational> heights) {
+    std::sort(heights.begin(), heights.end());
+    const auto twice = std::adjacent_find(heights.begin(), heights.end());
+    if (twice == heights.end()) return;
+    throw Error(ErrorCode::Usage, "--z " + twice->str() +
+                                      " is given twice; the slices at different heights are "
+                                      "features with different ids");
+  }
+
   std::vector<Rational> all_heights(Session& session) const {
     std::vector<Rational> heights;
     for (const std::string& text : heights_) {
       heights.push_back(read_number_argument(text, "--z", session));
     }
-    if (every_.empty()) return heights;
+    if (every_.empty()) {
+      require_different(heights);
+      return heights;
+    }
     const Rational step = read_number_argument(every_, "--every", session);
     if (heights.size() != 2 || heights[0] > heights[1] || step <= 0) {
       throw Error(ErrorCode::Usage,
