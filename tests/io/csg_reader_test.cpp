@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "plumb/csg/evaluate.h"
+#include "plumb/model/primitives.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
 
@@ -176,8 +177,10 @@ TEST(CsgReader, RefusesAtThePlace) {
   expect_refusal("cube(size = \"a\");", ErrorCode::BadArgument, "m.csg:1:13: expected a vector");
   expect_refusal("sphere(r = [1]);", ErrorCode::BadArgument, "m.csg:1:12: expected a number");
   expect_refusal("multmatrix();", ErrorCode::BadArgument, "m.csg:1:1: multmatrix needs a matrix");
-  expect_refusal("multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,1,1]]);", ErrorCode::BadArgument,
-                 "m.csg:1:12: the last row");
+  expect_refusal("multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,0]]);", ErrorCode::BadArgument,
+                 "m.csg:1:12: the last number of the matrix is 0");
+  expect_refusal("linear_extrude(height = 1, v = [1, 0]) square();", ErrorCode::BadArgument,
+                 "m.csg:1:32: v must have three numbers");
   expect_refusal("polygon(points = [[0,0],[1,0],[0,1]], paths = [[0, 1, 3]]);", ErrorCode::BadIndex,
                  "m.csg:1:55: there is no point of this number");
   expect_refusal("polygon(points = [[0,0]], paths = [[0.5]]);", ErrorCode::BadIndex,
@@ -187,6 +190,52 @@ TEST(CsgReader, RefusesAtThePlace) {
   expect_refusal("import(file = \"a\x01\");", ErrorCode::NotText, "m.csg:1:17: ");
   expect_refusal("cube(size = " + std::string(100, '[') + ");", ErrorCode::Syntax,
                  "m.csg:1:77: vectors are nested too deep");
+}
+
+// OpenSCAD 2021.01 gives the same volumes and areas.
+TEST(CsgReader, UnusualParametersMeanWhatTheyMeanInOpenScad) {
+  const std::string affine = "[1,0,0,2],[0,1,0,4],[0,0,1,6]";
+  const CsgRead projective = read_csg("m.csg", "multmatrix([" + affine + ",[0.5,0,0,2]]) cube(2);");
+  EXPECT_EQ(evaluate(projective.tree).solid.volume(), Rational(1));
+  EXPECT_EQ(projective.notes,
+            std::vector<std::string>{
+                "the first three numbers of the last row of a matrix have no effect"});
+  EXPECT_EQ(evaluate(tree_of("polygon(points = [[0,0],[4,0],[4,4]], paths = []);")).shape.area(),
+            Rational(8));
+  const std::string text = "text(text = \"a\nb\", size = 0);";
+  EXPECT_EQ(tree_of(text + " cube();").nodes.back().line, 2U);
+}
+
+TEST(CsgReader, OpenPolyhedraInHullsAreTheirPoints) {
+  const std::string open =
+      "polyhedron(points = [[0,0,0],[4,0,0],[0,4,0],[9,9,9]], faces = [[0,1,2]]);";
+  const std::string cube = "multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,3],[0,0,0,1]]) cube(1);";
+  EXPECT_EQ(volume_of("hull() {" + open + cube + "}"), Rational(52, 3));
+  EXPECT_EQ(volume_of("hull() { group() { multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) "
+                      "color(\"red\") " +
+                      open + "} " + cube + "}"),
+            Rational(52, 3));
+  EXPECT_TRUE(evaluate(tree_of("hull() " + open)).solid.is_empty());
+  // Outside of hulls it is no solid.
+  EXPECT_THROW(static_cast<void>(volume_of(open + "hull() {" + open + cube + "}")), Error);
+  EXPECT_THROW(
+      static_cast<void>(volume_of("hull() { difference() {" + open + cube + "} cube(); }")), Error);
+}
+
+// Parameters of versions of OpenSCAD after 2021.01.
+TEST(CsgReader, ExtrusionsHaveDirectionsAndStarts) {
+  const CsgResult sheared =
+      evaluate(tree_of("linear_extrude(height = 5, v = [0.6, 0, 0.8], center = true) square(2);"));
+  EXPECT_EQ(sheared.solid.volume(), Rational(16));
+  EXPECT_TRUE(sheared.solid.contains(RationalPoint3{Rational(-3, 2), 1, Rational(-2)}));
+  EXPECT_FALSE(sheared.solid.contains(RationalPoint3{Rational(-3, 2), 1, 2}));
+  const auto turn = [](const std::string& parameters) {
+    return evaluate(tree_of("rotate_extrude(" + parameters + ", $fn = 8) square([2, 1]);")).solid;
+  };
+  EXPECT_EQ(turn("angle = 90, start = 0"), turn("angle = 90"));
+  EXPECT_EQ(turn("angle = 360, start = 180"), turn("angle = 360"));
+  EXPECT_TRUE(turn("angle = 90, start = 90").contains(Point3{-1, 1, 0}));
+  EXPECT_FALSE(turn("angle = 90, start = 90").contains(Point3{1, 1, 0}));
 }
 
 TEST(CsgReader, AMillionNestedGroupsAreRead) {
@@ -320,6 +369,19 @@ TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
   const std::string model = (top_ / "model" / "m.csg").string();
   EXPECT_EQ(evaluate(read_csg(model, both, {CsgImports::BelowModel, false}).tree).shape.area(),
             Rational(5));
+}
+
+TEST_F(CsgImportsTest, DrawingsInSvgCanBeCentred) {
+  std::ofstream(top_ / "model" / "plan.svg")
+      << "<svg width='20mm' height='10mm' viewBox='0 0 40 20'><rect x='2' y='4' width='8' "
+         "height='6'/></svg>";
+  const auto shape = [this](const std::string& center) {
+    const std::string text = "import(file = \"plan.svg\", center = " + center + ");";
+    const std::string model = (top_ / "model" / "m.csg").string();
+    return evaluate(read_csg(model, text, {CsgImports::BelowModel, false}).tree).shape;
+  };
+  EXPECT_EQ(shape("false"), rectangle({4, 3}, Placement::Corner).transformed({1, 0, 1, 0, 1, 5}));
+  EXPECT_EQ(shape("true"), rectangle({4, 3}, Placement::Centred));
 }
 
 // OpenSCAD 2021.01 gives the same areas.

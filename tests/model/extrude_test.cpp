@@ -124,6 +124,10 @@ TEST(Extrusion, AgreesWithOpenSCAD) {
   EXPECT_NEAR(twisted(triangle, 60, 1), 5.86603, 1e-4);
   const LinearExtrusion narrowed{.height = 3, .twist = 60, .slices = 4, .scale = {1.5, 0.5}};
   EXPECT_NEAR(volume(linear_extrusion(plate, narrowed)), 19.85260, 1e-4);
+  // Towards a segment, it takes the longer diagonals.
+  const LinearExtrusion wedge{.height = 5, .slices = 1, .scale = {0, 2}};
+  EXPECT_NEAR(volume(linear_extrusion(disk(5, 16), wedge)), 271.69836, 1e-4);
+  EXPECT_TRUE(linear_extrusion(disk(5, 16), wedge).contains(Point3{0, 10, 5}));
   const Nef2 tip = Nef2::polygon(std::vector<Point2>{{2, 0}, {4, 0}, {3, 2}});
   EXPECT_NEAR(volume(rotational_extrusion(tip, 200, 5)), 19.28360, 1e-4);
   EXPECT_NEAR(volume(rotational_extrusion(tip, 360, 7)), 32.83693, 1e-4);

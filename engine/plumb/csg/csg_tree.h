@@ -56,10 +56,12 @@ enum class CsgKind : std::uint8_t {
   Projection,
   /// The solid that the union of the children sweeps along the z-axis. The node has nine numbers:
   /// the height; 1 if the solid is centred at z = 0, else 0; the twist; the number of slices, or 0
-  /// if it is not given; the scales of x and y at the top; the division.
+  /// if it is not given; the scales of x and y at the top; the division. It may have two more
+  /// numbers: the distances along x and y by which the top is shifted.
   LinearExtrude,
   /// The solid that the union of the children sweeps around the z-axis. The node has four numbers:
-  /// the angle; the division.
+  /// the angle; the division. It may have a fifth number: the angle at which the turn begins,
+  /// which otherwise is 180 degrees for a full turn and 0 for any other turn.
   RotateExtrude,
   /// A box. The node has four numbers: the three sizes; 1 if the box is centred at the origin,
   /// else 0.

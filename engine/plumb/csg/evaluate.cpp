@@ -97,6 +97,7 @@ class Evaluator {
         input_begin_(count_, 0),
         users_(count_, 0),
         only_user_(count_, kNoNode),
+        is_only_in_hulls_(count_, true),
         region_(count_, Region::Own),
         values_(count_) {}
 
@@ -295,10 +296,19 @@ class Evaluator {
     return node(i).kind == CsgKind::Multmatrix && !acts_as_union(i);
   }
 
-  /// Counts, for each representative, how many nodes need its value.
+  /// Whether a hull needs nothing of an input of a node but its points.
+  bool needs_points(std::uint32_t user) const {
+    if (user == kNoNode) return false;
+    const bool passes_points_on = acts_as_union(user) || is_map(user);
+    return node(user).kind == CsgKind::Hull || (passes_points_on && is_only_in_hulls_[user]);
+  }
+
+  /// Counts, for each representative, how many nodes need its value, and finds those whose points
+  /// alone are needed. The users of a node come before it.
   void find_users() {
     const auto use = [this](std::uint32_t i, std::uint32_t user) {
       only_user_[i] = users_[i]++ == 0 ? user : kNoNode;
+      is_only_in_hulls_[i] = is_only_in_hulls_[i] && needs_points(user);
     };
     if (dimension_[0] != CsgDimension::Nothing) use(same_[0], kNoNode);
     for (std::uint32_t i = 0; i < count_; ++i) {
@@ -407,6 +417,9 @@ class Evaluator {
   /// Returns the set of a primitive without its colour. Equal primitives of different colours share
   /// it.
   Nef3 plain_primitive(std::uint32_t i, std::string& remark) {
+    if (node(i).kind == CsgKind::Polyhedron && is_only_in_hulls_[i]) {
+      return hull_of_polyhedron(tree_, node(i), context_);
+    }
     const auto has_same_shape = [&](const PlainPrimitive& known) {
       return kind_of(i) == kind_of(known.node) &&
              std::ranges::equal(numbers_of(i), numbers_of(known.node)) &&
@@ -500,7 +513,9 @@ class Evaluator {
         if (!is_rewritten(input)) sets.push_back(taken<Set>(input));
       }
     }
-    return convex_hull(std::span<const Set>(sets), context_);
+    const Set all = convex_hull(std::span<const Set>(sets), context_);
+    // The hull of flat polyhedra can be flat; every other input has an interior.
+    return all.regularization(context_);
   }
 
   /// Returns the nodes that are computed together with a node: itself, and its rewritten inputs.
@@ -660,6 +675,7 @@ class Evaluator {
   std::vector<std::uint32_t> input_end_;    // The same, last node first.
   std::vector<std::uint32_t> users_;        // How many nodes still need the value.
   std::vector<std::uint32_t> only_user_;    // kNoNode if there is none, or several.
+  std::vector<bool> is_only_in_hulls_;      // Whether all users take the points alone.
   std::vector<Region> region_;
   std::vector<Remark> remarks_;
   std::uint64_t needed_ = 0;  // Representatives whose values are needed.

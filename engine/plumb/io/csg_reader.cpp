@@ -204,6 +204,7 @@ class ModelReader {
     }
     if (format) {
       PlaneRead shape = is_drawing ? read_drawing(file, import) : read_shape(file);
+      if (format == PlaneFormat::Svg && import.is_centred) shape.set = centred(shape.set);
       tell(file, shape.notes, read_.notes);
       tell(file, shape.warnings, read_.warnings);
       tree.shapes.push_back(shape.set.regularization(context_));
@@ -245,6 +246,24 @@ class ModelReader {
     map.y0 = -scale * import.origin[1];
     shape.set = shape.set.transformed(map, context_);
     return shape;
+  }
+
+  /// Returns a bounded set whose bounding box has its middle at the origin.
+  Nef2 centred(const Nef2& set) {
+    std::optional<RationalPoint2> low, high;
+    const PlaneParts parts = set.parts(context_);
+    for (const PolygonWithHoles2& polygon : parts.polygons) {
+      for (const RationalPoint2& p : polygon.outer) {
+        if (!low) low = high = p;
+        low = RationalPoint2{std::min(low->x, p.x), std::min(low->y, p.y)};
+        high = RationalPoint2{std::max(high->x, p.x), std::max(high->y, p.y)};
+      }
+    }
+    if (!low) return set;
+    AffineMap2 map{.xx = 1, .x0 = -(low->x + high->x) / 2};
+    map.yy = 1;
+    map.y0 = -(low->y + high->y) / 2;
+    return set.transformed(map, context_);
   }
 
   static void tell(const std::string& file, const std::vector<std::string>& from,

@@ -102,15 +102,19 @@ class Sweep {
       mesh_.add_face(std::array{at(low, p), at(low, q), at(high, q), at(high, p)});
     }
   }
-  /// Joins two layers by pairs of triangles, whose common edge is the shorter diagonal of the wall.
-  /// If both diagonals are equally long up to rounding, `rises_in_doubt` says whether it rises in
-  /// the direction of the outline.
-  void add_triangle_walls(std::uint32_t low, std::uint32_t high, bool rises_in_doubt) {
+  /// Which diagonal of a wall becomes the common edge of its two triangles.
+  enum class Diagonal : std::uint8_t { Shorter, Longer };
+
+  /// Joins two layers by pairs of triangles. If both diagonals are equally long up to rounding,
+  /// `rises_in_doubt` says whether the chosen one rises in the direction of the outline.
+  void add_triangle_walls(std::uint32_t low, std::uint32_t high, bool rises_in_doubt,
+                          Diagonal diagonal = Diagonal::Shorter) {
     for (const auto& [p, q] : outline_.edges) {
       const std::array<std::uint32_t, 4> wall{at(low, p), at(low, q), at(high, q), at(high, p)};
       const double rising = distance(wall[0], wall[2]), falling = distance(wall[1], wall[3]);
       const bool is_doubtful = std::fabs(rising - falling) <= kSameLength * falling;
-      const bool rises = is_doubtful ? rises_in_doubt : rising < falling;
+      const bool is_rising = (rising < falling) == (diagonal == Diagonal::Shorter);
+      const bool rises = is_doubtful ? rises_in_doubt : is_rising;
       mesh_.add_face(std::array{wall[0], wall[1], wall[rises ? 2 : 3]});
       mesh_.add_face(std::array{wall[rises ? 0 : 1], wall[2], wall[3]});
     }
@@ -218,7 +222,12 @@ Nef3 linear_extrusion(const Nef2& outline, const LinearExtrusion& options, Conte
       return Point3{scale_x * (p.x * cosine - p.y * sine), scale_y * (p.x * sine + p.y * cosine),
                     z};
     });
-    if (i > 0) sweep.add_triangle_walls(i - 1, i, options.twist > 0);
+    if (i == 0) continue;
+    // Towards a segment, the shorter diagonals would leave out its ends: two triangles of a wall
+    // would lie in one plane, back to back. OpenSCAD 2021.01 takes the longer ones, too.
+    const bool ends_in_segment = i == options.slices && (scale_x == 0) != (scale_y == 0);
+    sweep.add_triangle_walls(i - 1, i, options.twist > 0,
+                             ends_in_segment ? Sweep::Diagonal::Longer : Sweep::Diagonal::Shorter);
   }
   sweep.add_bottom(0);
   sweep.add_top(options.slices);

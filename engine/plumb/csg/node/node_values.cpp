@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "plumb/model/extrude.h"
+#include "plumb/model/hull.h"
 #include "plumb/model/primitives.h"
 #include "plumb/model/slice.h"
 #include "plumb/model/transform.h"
@@ -157,7 +158,9 @@ struct LinearNumbers {
         twist(n[2]),
         slices(n[3]),
         scale{std::max(n[4], 0.0), std::max(n[5], 0.0)},
-        division{n[6], n[7], n[8]} {}
+        division{n[6], n[7], n[8]} {
+    if (n.size() > 9) shift = {n[9], n[10]};
+  }
 
   double height;
   bool is_centred;
@@ -165,6 +168,7 @@ struct LinearNumbers {
   double slices;
   std::array<double, 2> scale;
   CircleDivision division;
+  std::array<double, 2> shift = {0, 0};  ///< Of the top, along x and y.
 };
 
 /// Returns the length of an Archimedean spiral r = a theta from 0 to theta.
@@ -207,18 +211,16 @@ double slices_of(const Nef2& set, const LinearNumbers& n, Context& context) {
   if (n.slices >= 1) return std::floor(n.slices);
   const bool is_uniform = n.scale[0] == n.scale[1];
   if (n.twist == 0 && is_uniform) return 1;
-  double radius = 0, scaled = 0, shift = 0;
+  double radius = 0, shift = 0;
   for_each_corner(set, context, [&](const RationalPoint2& p) {
     const double x = nearest_double(p.x), y = nearest_double(p.y);
     radius = std::max(radius, std::hypot(x, y));
-    scaled = std::max(scaled, std::hypot(x * n.scale[0], y * n.scale[1]));
     shift = std::max(shift, std::hypot(x * (1 - n.scale[0]), y * (1 - n.scale[1])));
   });
   if (is_uniform) return slices_of_twist(radius, n);
   LinearNumbers unscaled = n;
   unscaled.scale = {1, 1};
-  const double of_twist = n.twist == 0 ? 1 : slices_of_twist(std::max(radius, scaled), unscaled);
-  return std::max(of_twist, slices_of_scale(shift, n));
+  return n.twist == 0 ? slices_of_scale(shift, n) : slices_of_twist(radius, unscaled);
 }
 
 std::uint32_t checked_steps(double steps) {
@@ -234,7 +236,14 @@ Nef3 linear(const Nef2& set, const LinearNumbers& n, std::string& remark, Contex
     return Nef3::empty();
   }
   const std::uint32_t slices = checked_steps(slices_of(set, n, context));
-  return linear_extrusion(set, {n.height, n.is_centred, n.twist, slices, n.scale}, context);
+  const Nef3 upright =
+      linear_extrusion(set, {n.height, n.is_centred, n.twist, slices, n.scale}, context);
+  if (n.shift == std::array<double, 2>{0, 0}) return upright;
+  AffineMap3 shear = scaling({1, 1, 1});
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    shear.matrix[axis][2] = Rational(n.shift[axis]) / Rational(n.height);
+  }
+  return upright.transformed(shear, context);
 }
 
 Nef3 rotational(const Nef2& set, Numbers n, std::string& remark, Context& context) {
@@ -249,7 +258,10 @@ Nef3 rotational(const Nef2& set, Numbers n, std::string& remark, Context& contex
   const double right = std::max(nearest_double(extent->high[0]), 0.0);
   const double chords = chords_of(right - left, division(n, 1));
   const double steps = std::max(std::floor(chords * std::abs(angle) / 360), 1.0);
-  return rotational_extrusion(set, angle, checked_steps(steps), context);
+  const Nef3 turned = rotational_extrusion(set, angle, checked_steps(steps), context);
+  const double first = std::abs(angle) == 360 ? 180 : 0;  // Where the turn begins by itself.
+  if (n.size() < 5 || n[4] == first) return turned;
+  return turned.transformed(rotation({0, 0, 1}, n[4] - first), context);
 }
 
 }  // namespace
@@ -275,6 +287,15 @@ Nef3 primitive_solid(const CsgTree& tree, const CsgTree::Node& node, std::string
   }
   remark = "a length is not positive, so it gives nothing";
   return Nef3::empty();
+}
+
+Nef3 hull_of_polyhedron(const CsgTree& tree, const CsgTree::Node& node, Context& context) {
+  const PolygonMesh mesh = mesh_of(tree.numbers_of(node), tree.indices_of(node));
+  std::vector<Point3> corners;
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    for (const std::uint32_t p : mesh.face(f)) corners.push_back(mesh.points[p]);
+  }
+  return convex_hull(std::span<const Point3>(corners), context);
 }
 
 Nef2 primitive_shape(const CsgTree& tree, const CsgTree::Node& node, std::string& remark,

@@ -14,6 +14,9 @@ namespace plumb {
 /// Returns a cube, sphere, cylinder, polyhedron or solid of a file.
 Nef3 primitive_solid(const CsgTree& tree, const CsgTree::Node& node, std::string& remark,
                      Context& context);
+/// Returns the convex hull of the corners of a polyhedron node, whose faces need not be closed. It
+/// may be flat.
+Nef3 hull_of_polyhedron(const CsgTree& tree, const CsgTree::Node& node, Context& context);
 /// Returns a square, circle, polygon or shape of a file.
 Nef2 primitive_shape(const CsgTree& tree, const CsgTree::Node& node, std::string& remark,
                      Context& context);

@@ -42,7 +42,7 @@ constexpr std::array kWords{
     CsgWord{"projection", CsgKind::Projection, " cut convexity "},
     CsgWord{"linear_extrude", CsgKind::LinearExtrude,
             " height center twist slices scale convexity v $fn $fa $fs "},
-    CsgWord{"rotate_extrude", CsgKind::RotateExtrude, " angle convexity $fn $fa $fs "},
+    CsgWord{"rotate_extrude", CsgKind::RotateExtrude, " angle start convexity $fn $fa $fs "},
     CsgWord{"cube", CsgKind::Cube, " size center "},
     CsgWord{"sphere", CsgKind::Sphere, " r $fn $fa $fs "},
     CsgWord{"cylinder", CsgKind::Cylinder, " h r r1 r2 center $fn $fa $fs "},
@@ -118,7 +118,9 @@ void CsgNodes::append_numbers(CsgKind kind) {
       return append_linear();
     case CsgKind::RotateExtrude:
       push(number("angle", 360));
-      return append_division();
+      append_division();
+      if (const auto start = find("start")) push(number_of(*start));
+      return;
     case CsgKind::Cube:
       append_vector(find_or_first("size"), 3, 1);
       return push(flag("center"));
@@ -144,7 +146,8 @@ void CsgNodes::append_numbers(CsgKind kind) {
 
 // ---------------------------------------------------------------- nodes
 
-/// The rows are those of an affine map: the last one has to be 0 0 0 1.
+/// The rows are those of an affine map. As in OpenSCAD, all entries are divided by the last one, and
+/// the other entries of the last row have no effect.
 void CsgNodes::append_map() {
   const std::optional<CsgValue> matrix = find_or_first("m");
   if (!matrix) scanner_.fail(ErrorCode::BadArgument, "multmatrix needs a matrix");
@@ -156,12 +159,18 @@ void CsgNodes::append_map() {
       entries[4 * row + column] = number_of(columns[column]);
     }
   }
-  const bool is_affine = entries[12] == 0 && entries[13] == 0 && entries[14] == 0;
-  if (!is_affine || entries[15] != 1) {
-    scanner_.fail(ErrorCode::BadArgument, "the last row of the matrix is not 0, 0, 0, 1",
-                  matrix->at);
+  const double divisor = entries[15];
+  if (entries[12] != 0 || entries[13] != 0 || entries[14] != 0) {
+    add_note("the first three numbers of the last row of a matrix have no effect");
   }
-  for (std::size_t i = 0; i < 12; ++i) push(entries[i]);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const double entry = entries[i] / divisor;
+    if (!std::isfinite(entry)) {
+      scanner_.fail(ErrorCode::BadArgument, "the last number of the matrix is 0 or too small",
+                    matrix->at);
+    }
+    push(entry);
+  }
 }
 
 void CsgNodes::append_color() {
@@ -206,13 +215,28 @@ void CsgNodes::append_offset() {
   append_division();
 }
 
+/// The direction `v`, which later versions of OpenSCAD write, is a unit vector. The height is
+/// measured along it.
 void CsgNodes::append_linear() {
-  push(number("height", 100));
+  const double length = number("height", 100);
+  std::array<double, 3> direction{0, 0, 1};
+  const std::optional<CsgValue> given = find("v");
+  if (given) {
+    const std::vector<CsgValue> parts = elements(*given);
+    if (parts.size() != 3) {
+      scanner_.fail(ErrorCode::BadArgument, "v must have three numbers", given->at);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) direction[axis] = number_of(parts[axis]);
+  }
+  push(length * direction[2]);
   push(flag("center"));
   push(number("twist", 0));
   push(number("slices", 0));
   append_vector(find("scale"), 2, 1);
   append_division();
+  if (!given) return;
+  push(length * direction[0]);
+  push(length * direction[1]);
 }
 
 void CsgNodes::append_cylinder() {
@@ -239,7 +263,8 @@ void CsgNodes::append_points(std::uint32_t axes) {
   append_lists(lists, count, are_faces);
 }
 
-/// Appends faces or paths. A polygon without paths has one path through all points.
+/// Appends faces or paths. A polygon without paths, or with an empty list of them, has one path
+/// through all points.
 void CsgNodes::append_lists(std::optional<CsgValue> lists, std::uint32_t points, bool are_faces) {
   if (!lists) {
     push_index(are_faces || points == 0 ? 0 : 1);
@@ -249,6 +274,7 @@ void CsgNodes::append_lists(std::optional<CsgValue> lists, std::uint32_t points,
     return;
   }
   const std::vector<CsgValue> all = elements(*lists);
+  if (all.empty() && !are_faces) return append_lists({}, points, are_faces);
   push_index(all.size());
   for (const CsgValue& list : all) push_index(elements(list).size());
   for (const CsgValue& list : all) {
@@ -268,10 +294,8 @@ void CsgNodes::append_import() {
   import.file = scanner_.text_of(*file);
   import.division = division();
   import.is_surface = scanner_.name() == "surface";
-  if (import.is_surface) {
-    import.is_centred = flag("center") != 0;
-    import.is_inverted = flag("invert") != 0;
-  }
+  import.is_centred = flag("center") != 0;
+  if (import.is_surface) import.is_inverted = flag("invert") != 0;
   if (const auto layer = find("layer"); layer && layer->kind == Kind::Text) {
     import.layer = scanner_.text_of(*layer);
   }

@@ -23,7 +23,7 @@ struct CsgImport {
   double scale = 1;                       ///< Of a drawing in DXF, around the origin.
   CircleDivision division;                ///< Of a drawing in DXF: how curves are divided.
   bool is_surface = false;                ///< Whether it is a field of heights: surface().
-  bool is_centred = false;                ///< Of a surface.
+  bool is_centred = false;                ///< Of a surface, or of a drawing in SVG.
   bool is_inverted = false;               ///< Of a surface.
 
   bool has_placement() const { return origin != std::array<double, 2>{0, 0} || scale != 1; }

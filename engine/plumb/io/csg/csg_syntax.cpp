@@ -285,10 +285,14 @@ void CsgScanner::read_text() {
   const char* const first = p_++;
   while (p_ != end_ && *p_ != '"') p_ += *p_ == '\\' && end_ - p_ > 1 ? 2 : 1;
   if (p_ == end_) fail(ErrorCode::Syntax, "this text does not end", first);
-  const std::string_view text(first + 1, static_cast<std::size_t>(p_ - first - 1));
-  const std::size_t good = text_prefix(text);
-  if (good != text.size()) {
-    fail(ErrorCode::NotText, "a byte that is not text", first + 1 + good);
+  // OpenSCAD writes a line break within a text as it is.
+  const char* line = first + 1;
+  while (line <= p_) {
+    const char* const end = std::find_if(line, p_, [](char c) { return c == '\n' || c == '\r'; });
+    const std::string_view text(line, static_cast<std::size_t>(end - line));
+    const std::size_t good = text_prefix(text);
+    if (good != text.size()) fail(ErrorCode::NotText, "a byte that is not text", line + good);
+    line = end + 1;
   }
   ++p_;
   push(CsgValue::Kind::Text, 0, first);
