@@ -22,6 +22,8 @@ FIELD = "# a field\n1 2 3\n4 -5 6\n\n7 8\n1e0 .5 2 3\n"
 IMAGE = bytes.fromhex(
     "89504e470d0a1a0a0000000d4948445200000003000000020802000000"
     "1216f14d0000001849444154789c63f8cfc0c000c15c227227528cfeffff0f003c190795efc2c6d80000000049454e44ae426082")
+VECTORS = """<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="20mm" viewBox="0 0 80 40">
+<rect x="2" y="4" width="30" height="20"/><path d="M40 8 l20 0 l-9 20 z"/></svg>"""
 DRAWING = """0 SECTION 2 BLOCKS 0 BLOCK 2 part 10 0 20 0 0 LINE 10 1 20 1 11 3 21 1 0 LINE 10 3 20 1 11 1 21 2
 0 LINE 10 1 20 2 11 1 21 1 0 ENDBLK 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 a 10 0 20 0 11 8 21 0 0 LINE 8 a 10 8 20 0 11 8 21 5
 0 CIRCLE 8 a 10 20 20 0 40 3 0 ARC 8 a 10 30 20 0 40 4 50 30 51 200
@@ -34,6 +36,12 @@ MODELS = (
     'linear_extrude(2) import("plan.dxf");',
     'linear_extrude(2) import("plan.dxf", layer = "a", scale = 2.5, origin = [3, 4], $fn = 7);',
     'difference() { cube(9); for (i = [0 : 3]) translate([2 * i, 1, 1]) rotate([0, 10 * i, 0]) cylinder(r = 1, h = 20, $fn = 9); }',
+    'hull() { polyhedron([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]]); translate([0, 0, 3]) cube(1); }',
+    'linear_extrude(5, twist = 500, scale = [3, 1]) translate([1, 0]) square([3, 2]);',
+    'linear_extrude(5, scale = [0, 2]) circle(5);',
+    'multmatrix([[1, 0, 0, 2], [0, 1, 0, 4], [0, 0, 1, 6], [0.1, 0, 0, 2]]) cube(2);',
+    'linear_extrude(2) polygon([[0, 0], [4, 0], [4, 4]], paths = []);',
+    'linear_extrude(2) import("plan.svg", center = true);',
 )
 # Strings without ligatures: `text()` of plumb has none.
 TEXTS = (
@@ -136,6 +144,8 @@ def check_models(program, folder):
         out.write(IMAGE)
     with open(os.path.join(folder, "plan.dxf"), "w") as out:
         out.write("\n".join(DRAWING.split()) + "\n")
+    with open(os.path.join(folder, "plan.svg"), "w") as out:
+        out.write(VECTORS)
     source = os.path.join(folder, "model.scad")
     for model in MODELS:
         with open(source, "w") as out:
