@@ -146,8 +146,8 @@ void CsgNodes::append_numbers(CsgKind kind) {
 
 // ---------------------------------------------------------------- nodes
 
-/// The rows are those of an affine map. As in OpenSCAD, all entries are divided by the last one, and
-/// the other entries of the last row have no effect.
+/// The rows are those of an affine map. As in OpenSCAD, all entries are divided by the last one,
+/// and the other entries of the last row have no effect.
 void CsgNodes::append_map() {
   const std::optional<CsgValue> matrix = find_or_first("m");
   if (!matrix) scanner_.fail(ErrorCode::BadArgument, "multmatrix needs a matrix");

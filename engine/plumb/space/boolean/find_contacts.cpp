@@ -146,9 +146,10 @@ class InputTriangle {
   bool is_valid_ = false;
 };
 
-/// Returns the side on which the line a b passes the line p q, the sign of orient3d(a, b, p, q). Zero
-/// if the lines meet, and if a point is constructed and the boxes do not show the sign. The planes
-/// of an edge may be nearly parallel, so signs of the ends are clearer than signs of the planes.
+/// Returns the side on which the line a b passes the line p q, the sign of orient3d(a, b, p, q).
+/// Zero if the lines meet, and if a point is constructed and the boxes do not show the sign. The
+/// planes of an edge may be nearly parallel, so signs of the ends are clearer than signs of the
+/// planes.
 Sign passing_side(const Point3Table& points, SpacePoint a, SpacePoint b, SpacePoint p,
                   SpacePoint q) {
   if (a.is_input() && b.is_input() && p.is_input() && q.is_input()) {
