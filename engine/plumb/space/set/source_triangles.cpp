@@ -35,6 +35,7 @@ namespace {
 
 // A moved point takes some microseconds, and the plane of three of them as well.
 constexpr std::size_t kStepsOfCheckpoint = 1024;
+constexpr std::size_t kFacetsOfCheckpoint = 4096;
 
 RationalPoint3 image(const AffineMap3& map, const RationalPoint3& p) {
   const auto row = [&](std::size_t i) {
@@ -105,7 +106,7 @@ SourceTriangles::SourceTriangles(std::span<const PlacedSource> sources, GrowingC
     add_triangles(s, context);
   }
   first_of_source.push_back(triangles_.size());
-  const std::vector<std::uint8_t> is_found = find_planes_of_facets(first_of_source);
+  const std::vector<std::uint8_t> is_found = find_planes_of_facets(first_of_source, context);
   std::optional<PlanesByCorners> known;  // Made for the first triangle that needs it.
   std::optional<MovedPlanes> wanted;     // Made for the first source that was moved.
   for (std::uint32_t s = 0; s < sources.size(); ++s) {
@@ -207,7 +208,7 @@ void SourceTriangles::find_moved_planes(std::uint32_t source, std::size_t first,
 /// source is not known, so some are tried. Whatever facet_origin is, the corners decide. Returns 1
 /// for each plane of the table whose triangle was found.
 std::vector<std::uint8_t> SourceTriangles::find_planes_of_facets(
-    std::span<const std::size_t> first_of_source) {
+    std::span<const std::size_t> first_of_source, Context& context) {
   constexpr std::size_t kMostTries = 4;
   const SpaceComplex& complex = complex_.get();
   std::vector<std::uint8_t> is_found(planes().size(), 0);
@@ -219,6 +220,9 @@ std::vector<std::uint8_t> SourceTriangles::find_planes_of_facets(
   }
   std::size_t likely = 0;  // Facets of one source follow each other.
   for (std::size_t f = 0; f < complex.facet_count() && !plain.empty(); ++f) {
+    if (f % kFacetsOfCheckpoint == 0) {
+      context.checkpoint("planes of sources", f, complex.facet_count());
+    }
     const PlaneId plane = complex.facet_plane[FacetId(f)];
     if (is_found[plane.value()] != 0) continue;
     const std::uint32_t face = complex.facet_origin[FacetId(f)];

@@ -137,7 +137,8 @@ class SourceTriangles {
   void find_moved_planes(std::uint32_t source, std::size_t first, std::size_t end,
                          const MovedPlanes& wanted, Context& context);
   void add_triangles(std::uint32_t source, Context& context);
-  std::vector<std::uint8_t> find_planes_of_facets(std::span<const std::size_t> first_of_source);
+  std::vector<std::uint8_t> find_planes_of_facets(std::span<const std::size_t> first_of_source,
+                                                  Context& context);
   bool take_plane_of_corners(SourceTriangle& t, PlaneId plane) const;
   void find_planes(std::uint32_t source, std::span<const std::uint32_t> triangles,
                    const PlanesByCorners& known, Context& context);
