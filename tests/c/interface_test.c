@@ -504,6 +504,7 @@ static void test_mesh_defects(void) {
 static void test_degenerate_arrays(void) {
   const uint32_t begin[10] = {0, 0, 1, 3, 7, 11, 15, 19, 23, 27};
   const uint32_t chains[4] = {0, 0, 3, 3};
+  const uint32_t ids[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9};
   uint32_t corners[27] = {0, 0, 1};
   plumb_mesh *mesh = NULL, *mended = NULL;
   plumb_mesh_report* report = NULL;
@@ -519,10 +520,15 @@ static void test_degenerate_arrays(void) {
   CHECK(plumb_mesh_report_is_closed(report));
   CHECK(plumb_mesh_report_list(report, PLUMB_MESH_DEGENERATE, &count) != NULL && count == 3);
   plumb_mesh_report_free(report);
+  OK(plumb_mesh_set_face_values(mesh, PLUMB_FACE_ID, ids, 9, &error));
   OK(plumb_mesh_triangulate(mesh, &mended, NULL, &error));
+  count = plumb_mesh_face_count(mended);
+  CHECK(plumb_mesh_face_values(mended, PLUMB_FACE_ID)[count - 1] == 9);
+  CHECK(plumb_mesh_face_values(mended, PLUMB_FACE_ID)[count - 2] == 9);
   plumb_mesh_free(mended);
   OK(plumb_mesh_repair(mesh, NULL, &mended, &told, NULL, NULL, &error));
   CHECK(told.degenerate == 3 && plumb_mesh_face_count(mended) == 6);
+  CHECK(plumb_mesh_face_values(mended, PLUMB_FACE_ID)[0] == 4);
   plumb_mesh_free(mended);
   OK(plumb_mesh_convexity(mesh, &is_convex, NULL, NULL, NULL, &error));
   OK(plumb_mesh_write(mesh, "off", &bytes, &error));

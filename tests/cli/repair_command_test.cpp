@@ -125,6 +125,44 @@ std::vector<Refused> refused() {
   };
 }
 
+TEST_F(RepairProgram, ColoursStay) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\n"
+      "property double z\nelement face 6\nproperty list uchar int vertex_indices\n"
+      "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  std::string faces;
+  for (std::size_t f = 0; f < kSides.size(); ++f) {
+    const std::string side = f == 2 ? "4 4 5 1 0" : kSides[f].substr(0, kSides[f].size() - 1);
+    faces += side + ' ' + std::to_string(f + 1) + " 0 0\n";
+  }
+  const std::string box = holding(header + kPoints + faces, "box.ply");
+  const auto colours = [&](const Words& more) {
+    Words words{"solid", "repair", box, "-o", file("out.ply"), "--format", "ply-text"};
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult result = run(words);
+    EXPECT_EQ(result.code, 0) << result.err;
+    std::istringstream in(read_file(file("out.ply")));
+    Words found;
+    for (std::string line; std::getline(in, line);) {
+      if (line.ends_with(" 0 0") && line.starts_with("4 ")) {
+        found.push_back(line.substr(10));
+      }
+    }
+    return found;
+  };
+  EXPECT_EQ(colours({}), (Words{"1 0 0", "2 0 0", "3 0 0", "4 0 0", "5 0 0", "6 0 0"}));
+  EXPECT_EQ(colours({"--keep", "none"}), Words());
+
+  // OBJ has the colours as materials in a file beside it; STL has none, and a note says so.
+  EXPECT_EQ(run({"solid", "repair", box, "-o", file("out.obj")}).code, 0);
+  EXPECT_NE(read_file(file("out.obj")).find("mtllib out.mtl"), std::string::npos);
+  EXPECT_NE(read_file(file("out.mtl")).find("Kd"), std::string::npos);
+  const RunResult stl = run({"solid", "repair", box, "-o", file("out.stl")});
+  EXPECT_NE(stl.err.find("out.stl: not written, because the format does not hold them: colours"),
+            std::string::npos)
+      << stl.err;
+}
+
 TEST_F(RepairProgram, every_hint_leads_to_a_valid_file) {
   for (const Refused& mesh : refused()) {
     SCOPED_TRACE(mesh.name);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "generate/meshes.h"
@@ -314,6 +315,94 @@ TEST(RepairMesh, DoubledFacesAreTurnedTogether) {
                  {4, 3, 1, 6, 6, 2},
                  {2, 6, 6, 1, 3, 4}});
   EXPECT_TRUE(mended(mesh, {.reorient = true, .fill_holes = 15}).is_closed());
+}
+
+/// Returns attributes in which each face and each corner has numbers of its own: face f has the id
+/// 10 + f, and corner i of face f has the numbers of its point and f.
+MeshAttributes own_attributes(const PolygonMesh& mesh) {
+  MeshAttributes attributes;
+  attributes.materials = {{"red", {}, {}}};
+  MeshChannel at{"at", 4, {}}, normal{"normal", 3, {}}, color{"color", 3, {}};
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    attributes.face_id.push_back(10 + f);
+    attributes.face_material.push_back(0);
+    for (const std::uint32_t v : mesh.face(f)) {
+      const Point3& p = mesh.points[v];
+      at.values.insert(at.values.end(), {p.x, p.y, p.z, static_cast<double>(f)});
+      normal.values.insert(normal.values.end(), {1, 2, 3});
+      color.values.insert(color.values.end(), {0.5, 0.5, 0.5});
+    }
+  }
+  attributes.channels = {at, normal, color};
+  return attributes;
+}
+
+/// Expects at each corner the numbers of own_attributes(), and at faces with the id kNone the
+/// numbers of new faces. Returns the ids of faces whose normals are negated.
+Faces expect_own(const PolygonMesh& mesh, const MeshAttributes& attributes) {
+  Faces reversed;
+  EXPECT_EQ(attributes.face_id.size(), mesh.face_count());
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const std::uint32_t id = attributes.face_id[f];
+    const bool is_new = id == MeshAttributes::kNone;
+    EXPECT_EQ(attributes.face_material[f], is_new ? MeshAttributes::kNone : 0);
+    const double turn = attributes.channels[1].values[3 * std::size_t{mesh.face_begin[f]}];
+    if (turn < 0) reversed.push_back(id);
+    for (std::size_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+      const double* const at = &attributes.channels[0].values[4 * c];
+      const double* const normal = &attributes.channels[1].values[3 * c];
+      const Point3 p = is_new ? Point3{0, 0, 0} : mesh.points[mesh.corners[c]];
+      EXPECT_EQ((Point3{at[0], at[1], at[2]}), p) << f;
+      EXPECT_EQ(at[3], is_new ? 0 : id - 10.0);
+      EXPECT_EQ(normal[1], 2 * turn);
+      EXPECT_EQ(normal[2], 3 * turn);
+      EXPECT_EQ(attributes.channels[2].values[3 * c], is_new ? 1 : 0.5);
+    }
+  }
+  return reversed;
+}
+
+TEST(RepairMesh, AttributesStayWithTheirFaces) {
+  // A cube without its last face, with face 1 flipped, face 2 listed twice, a face without area, and
+  // repeated corners and a spike in face 3. Every corner is a point of its own.
+  PolygonMesh mesh = kCube;
+  mesh.corners.resize(mesh.face_begin[5]);
+  mesh.face_begin.resize(6);
+  std::reverse(mesh.corners.begin() + 4, mesh.corners.begin() + 8);
+  const Faces second(mesh.face(2).begin(), mesh.face(2).end());
+  mesh.add_face(second);
+  mesh.add_face(std::array<std::uint32_t, 3>{0, 1, 1});
+  const auto third = mesh.corners.begin() + mesh.face_begin[3];
+  const std::uint32_t a = third[0], b = third[1], other = second[0] == b ? second[1] : second[0];
+  mesh.corners.insert(third + 1, {a, a});
+  mesh.corners.insert(mesh.corners.begin() + mesh.face_begin[3] + 4, {other, b});
+  for (std::size_t f = 4; f < mesh.face_begin.size(); ++f) mesh.face_begin[f] += 4;
+  mesh = as_soup(mesh);
+  const PolygonMesh given = mesh;
+  MeshAttributes attributes = own_attributes(mesh);
+  RepairOptions options = kSafe;
+  options.doubled = DoubledFaces::Drop;
+  options.fill_holes = 4;
+  PolygonMesh plain = mesh;
+  const RepairReport report = repair_mesh(plain, options);
+  EXPECT_EQ(repair_mesh(mesh, attributes, options).flipped, report.flipped);
+  EXPECT_EQ(mesh.corners, plain.corners);
+  EXPECT_EQ(mesh.face_begin, plain.face_begin);
+  EXPECT_TRUE(report.is_closed());
+  EXPECT_EQ(attributes.face_id, (Faces{10, 11, 12, 13, 14, MeshAttributes::kNone}));
+  EXPECT_EQ(expect_own(mesh, attributes), (Faces{11}));
+
+  PolygonMesh cut = triangulated(mesh, attributes);
+  EXPECT_EQ(cut.corners, triangulated(mesh).corners);
+  EXPECT_EQ(cut.face_count(), 12);
+  EXPECT_EQ(expect_own(cut, attributes), (Faces{11, 11}));
+
+  PolygonMesh refused = given;
+  MeshAttributes incomplete = own_attributes(given);
+  incomplete.face_id.pop_back();
+  EXPECT_THROW(repair_mesh(refused, incomplete, options), Error);
+  EXPECT_EQ(refused.corners, given.corners);
+  EXPECT_THROW((void)triangulated(given, incomplete), Error);
 }
 
 TEST(RepairMesh, AnErrorLeavesTheMesh) {

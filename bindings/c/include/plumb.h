@@ -377,7 +377,7 @@ PLUMB_API const uint32_t* plumb_mesh_facets(const plumb_mesh* mesh);
 PLUMB_API plumb_status plumb_mesh_exact_point(const plumb_mesh* mesh, size_t point,
                                               plumb_numbers** out, plumb_error** error);
 /** Makes a mesh of triangles: every face with more than three corners is cut into triangles. The
- * new mesh has no attributes. */
+ * triangles have the attributes of their faces. */
 PLUMB_API plumb_status plumb_mesh_triangulate(const plumb_mesh* mesh, plumb_mesh** out,
                                               const plumb_context* context, plumb_error** error);
 /** The repairs that plumb_mesh_repair() made. A member of the type uint64_t is the number of the
@@ -402,8 +402,10 @@ typedef struct plumb_repair_report {
 } plumb_repair_report;
 #define PLUMB_REPAIR_REPORT_INIT \
   { sizeof(plumb_repair_report), 0, 0, 0.0, 0, 0, 0, 0, 0, 0, 0, 0, 0, false }
-/** Makes the repaired mesh, without attributes. (To repair a mesh and keep its attributes in a
- * solid, use plumb_solid_options::repair.) `report` and `notes` may be null. */
+/** Makes the repaired mesh. Faces keep their material, group, id and the numbers at their corners.
+ * If a face is flipped, its normals (the channel "normal" of width 3) are negated. Faces added in
+ * holes have PLUMB_NONE as their material, group and id; their numbers are 1 in the channel "color"
+ * and 0 in all other channels. `report` and `notes` may be null. */
 PLUMB_API plumb_status plumb_mesh_repair(const plumb_mesh* mesh,
                                          const plumb_repair_options* options, plumb_mesh** out,
                                          plumb_repair_report* report, plumb_notes** notes,

@@ -214,7 +214,10 @@ plumb_status plumb_mesh_triangulate(const plumb_mesh* mesh, plumb_mesh** out,
                                     const plumb_context* context, plumb_error** error) {
   return make(out, error, [&] {
     Call call(context);
-    return triangulated(need(mesh, "mesh").mesh, call);
+    const plumb_mesh& from = need(mesh, "mesh");
+    MeshAttributes attributes = from.attributes;
+    PolygonMesh cut = triangulated(from.mesh, attributes, call);
+    return plumb_mesh{std::move(cut), {}, std::move(attributes)};
   });
 }
 
@@ -223,8 +226,10 @@ plumb_status plumb_mesh_repair(const plumb_mesh* mesh, const plumb_repair_option
                                const plumb_context* context, plumb_error** error) {
   return make_with_notes(out, notes, error, [&](plumb_notes& told) {
     Call call(context);
-    PolygonMesh mended = need(mesh, "mesh").mesh;
-    const RepairReport done = repair_mesh(mended, repair_options(options), call);
+    const plumb_mesh& from = need(mesh, "mesh");
+    plumb_mesh mended{from.mesh, {}, from.attributes};
+    const RepairReport done =
+        repair_mesh(mended.mesh, mended.attributes, repair_options(options), call);
     add_notes(told, sentences(done));
     if (report != nullptr) fill(report, report_of(done), "report");
     return mended;

@@ -15,12 +15,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "plumb/base/internal/message_text.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/from_mesh.h"
+#include "plumb/space/mesh/face_corners.h"
 #include "plumb/space/mesh/fill_polygons.h"
 #include "plumb/space/mesh/mesh_arrangement.h"
 #include "plumb/space/mesh/mesh_facets.h"
@@ -111,6 +113,11 @@ class MeshRepair {
     charge_.add(kBytesPerCorner * mesh_.corners.size(), "mending of a mesh");
   }
 
+  /// Keeps what origins() needs. To be called before run().
+  void keep_origins() { before_.emplace(); }
+  /// Returns where the faces of the mended mesh come from.
+  FaceOrigins origins() const { return origins_of(*before_, mesh_, origin_); }
+
   RepairReport run() {
     weld();
     drop_doubled();
@@ -128,6 +135,10 @@ class MeshRepair {
     report_.equal = weld.equal;
     report_.welded = weld.moved;
     report_.farthest = weld.farthest;
+    if (before_) {
+      before_->corners = mesh_.corners;
+      before_->face_begin = mesh_.face_begin;
+    }
     trim_faces();
   }
 
@@ -315,6 +326,8 @@ class MeshRepair {
     for (auto& chain : report_.holes) {
       for (std::uint32_t& v : chain) v = number[v];
     }
+    if (!before_) return;
+    for (std::uint32_t& v : before_->corners) v = number[v];
   }
 
   PolygonMesh mesh_;
@@ -324,6 +337,8 @@ class MeshRepair {
   std::vector<std::uint32_t> origin_;  // The number that each face had at first.
   std::uint32_t next_face_;            // The number of the next face that is added.
   RepairReport report_;
+  // The faces after the weld, without points, if origins are kept.
+  std::optional<PolygonMesh> before_;
 };
 
 // ---------------------------------------------------------------- sentences
@@ -339,6 +354,20 @@ RepairReport repair_mesh(PolygonMesh& mesh, const RepairOptions& options, Contex
   MeshRepair repair(mesh, options, context);
   RepairReport report = repair.run();
   mesh = repair.take();
+  return report;
+}
+
+RepairReport repair_mesh(PolygonMesh& mesh, MeshAttributes& attributes,
+                         const RepairOptions& options, Context& context) {
+  if (attributes.empty()) return repair_mesh(mesh, options, context);
+  require_sizes(attributes, mesh.face_count(), mesh.corners.size());
+  MeshRepair repair(mesh, options, context);
+  repair.keep_origins();
+  RepairReport report = repair.run();
+  const FaceOrigins origins = repair.origins();
+  PolygonMesh mended = repair.take();
+  attributes = carried(attributes, mended, origins);
+  mesh = std::move(mended);
   return report;
 }
 

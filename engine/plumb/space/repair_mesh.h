@@ -29,6 +29,7 @@
 
 #include "plumb/base/context.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/mesh_attributes.h"
 
 #pragma GCC visibility push(default)
 namespace plumb {
@@ -120,6 +121,16 @@ struct RepairReport {
 RepairReport repair_mesh(PolygonMesh& mesh, const RepairOptions& options,
                          Context& context = unlimited_context());
 
+/// Does the same with the attributes of the mesh, which become those of the repaired mesh. A face
+/// keeps its material, its group, its id and the numbers at its corners. If a face is flipped, its
+/// normals (the channel "normal" of width 3) are negated. Faces added in holes have no material, no
+/// group and no id; their numbers are 1 in the channel "color" and 0 in all other channels. If the
+/// function throws, the mesh and the attributes are unchanged. In addition, it throws
+/// Error{BadArgument} if an array of the attributes is neither empty nor complete
+/// (mesh_attributes.h). Additional cost: O(n) for n corners.
+RepairReport repair_mesh(PolygonMesh& mesh, MeshAttributes& attributes,
+                         const RepairOptions& options, Context& context = unlimited_context());
+
 /// Describes the repairs for a human reader, with one sentence for each kind of repair. Returns an
 /// empty list if nothing was repaired. The merging of equal points is not mentioned.
 std::vector<std::string> sentences(const RepairReport& report);
@@ -131,6 +142,13 @@ std::vector<std::string> sentences(const RepairReport& report);
 /// Error{BadIndex}, Error{NotFinite}, and the errors of the Context. Cost: O(n log n) for n
 /// corners.
 PolygonMesh triangulated(const PolygonMesh& mesh, Context& context = unlimited_context());
+/// Does the same with the attributes of the mesh, which become those of the triangles: a triangle
+/// has the attributes of its face, and the numbers at the corners of this face. If two corners of a
+/// face are at one point, each of them belongs to the triangles between its own two edges. In
+/// addition, throws Error{BadArgument} if an array of the attributes is neither empty nor complete
+/// (mesh_attributes.h).
+PolygonMesh triangulated(const PolygonMesh& mesh, MeshAttributes& attributes,
+                         Context& context = unlimited_context());
 
 }  // namespace plumb
 #pragma GCC visibility pop

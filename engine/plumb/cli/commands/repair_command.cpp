@@ -19,9 +19,11 @@
 #include "plumb/cli/files/operands.h"
 #include "plumb/cli/files/outputs.h"
 #include "plumb/cli/session/command.h"
+#include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/io/solid/solid_text.h"
 #include "plumb/io/solid_io.h"
+#include "plumb/io/text/file_names.h"
 #include "plumb/io/text/files.h"
 #include "plumb/picture/svg/sheet.h"
 #include "plumb/predicates/error.h"
@@ -40,6 +42,7 @@ class SolidRepair : public CommandBody {
         ->required()
         ->type_name("");
     flags_.declare(app);
+    input_.declare_keep(app);
   }
 
   ExitCode run(Session& session) override {
@@ -47,7 +50,7 @@ class SolidRepair : public CommandBody {
     session.expect({mending_mesh(), writing()});
     session.begin("mend");
     read(session);
-    report_ = repair_mesh(mesh_, asked(), session.context());
+    report_ = repair_mesh(mesh_, attributes_, asked(), session.context());
     if (!report_.is_closed()) {
       SolidReadOptions reading;
       reading.repair = flags_.options();
@@ -61,6 +64,7 @@ class SolidRepair : public CommandBody {
       }
     }
     session.deliver();
+    if (!dropped_.empty()) session.note(out_name_ + ": " + dropped_);
     return report_.is_closed() ? ExitCode::Yes : ExitCode::No;
   }
 
@@ -76,6 +80,7 @@ class SolidRepair : public CommandBody {
     } else if (!common.out.empty()) {
       format_ = &format_of_file(solid_formats(), common.out);
     }
+    out_name_ = common.out.empty() ? "-" : common.out;
     is_on_stdout_ = format_ != nullptr && (common.out.empty() || common.out == "-");
     if (format_ != nullptr) {
       session.outputs().add(is_on_stdout_ ? "-" : common.out,
@@ -95,10 +100,13 @@ class SolidRepair : public CommandBody {
       throw Error(ErrorCode::UnknownFormat, "a .nef file has a set, where a mesh is needed",
                   {input_name(file_)});
     }
-    const ReadOptions options{input_name(file_), session.options().exact_decimals};
+    ReadOptions options{input_name(file_), session.options().exact_decimals};
+    options.attributes = input_.kept() != KeptAttributes::None;
     MeshFile file = read_mesh_of(file_, bytes, options, session.context());
     print_notes(file_, file, session);
     mesh_ = std::move(file.mesh);
+    attributes_ = std::move(file.attributes);
+    keep_only(input_.kept(), attributes_);
     session.context().release_memory(bytes.size());
   }
 
@@ -117,19 +125,30 @@ class SolidRepair : public CommandBody {
   /// the set for .nef.
   void prepare(Session& session) {
     if (format_ == nullptr) return;
+    dropped_ = lost_attributes(attributes_, format_->mesh.value_or(MeshFormat::Stl));
     if (!format_->mesh) {
       set_.emplace(Nef3::from_mesh(mesh_, {}, session.context()), *format_, OutputRounding::Valid,
                    session.context());
-    } else if (lists_triangles(*format_->mesh)) {
-      mesh_ = triangulated(mesh_, session.context());
+      return;
     }
+    if (lists_triangles(*format_->mesh)) {
+      mesh_ = triangulated(mesh_, attributes_, session.context());
+    }
+    keep_used_materials(attributes_);
+    if (format_->mesh == MeshFormat::Obj && !attributes_.materials.empty() && !is_on_stdout_) {
+      library_ = material_library_of(session.options().out);
+    }
+    if (library_.empty()) return;
+    const auto path = path_of(session.options().out).replace_extension(".mtl");
+    session.outputs().add(file_name_of(path),
+                          [this](std::ostream& out) { write_material_library(out, attributes_); });
   }
 
   void write(std::ostream& out, Context& context) const {
     if (set_) {
       set_->write(out, context);
     } else {
-      write_mesh(out, mesh_, *format_->mesh);
+      write_mesh(out, mesh_, attributes_, *format_->mesh, library_);
     }
   }
 
@@ -171,9 +190,14 @@ class SolidRepair : public CommandBody {
 
   std::string file_;
   RepairFlags flags_;
+  SolidInput input_;                     // Has --keep.
   const SolidFormat* format_ = nullptr;  // Null if only the report is asked for.
   bool is_on_stdout_ = false;            // Whether the mesh is.
+  std::string out_name_;
   PolygonMesh mesh_;
+  MeshAttributes attributes_;
+  std::string library_;  // The material library beside an OBJ file, or empty.
+  std::string dropped_;  // A sentence on attributes that the file does not hold, or empty.
   RepairReport report_;
   std::optional<RepairOptions> remedy_;  // What closes the mesh if it is still open.
   std::optional<SolidText> set_;         // For .nef.

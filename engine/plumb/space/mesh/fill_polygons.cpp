@@ -23,6 +23,7 @@
 
 #include "plumb/predicates/arithmetic/vectors.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/mesh/face_corners.h"
 #include "plumb/space/mesh/mesh_facets.h"
 #include "plumb/space/mesh/mesh_vertices.h"
 #include "plumb/space/planar/facet_triangles.h"
@@ -223,6 +224,46 @@ PolygonMesh triangulated(const PolygonMesh& mesh, Context& context) {
     }
     for (const IndexTriangle& t : cutter.cut(face)) result.add_face(t);
   }
+  return result;
+}
+
+PolygonMesh triangulated(const PolygonMesh& mesh, MeshAttributes& attributes, Context& context) {
+  require_sizes(attributes, mesh.face_count(), mesh.corners.size());
+  PolygonMesh result = triangulated(mesh, context);
+  if (attributes.empty()) return result;
+  SpaceTables tables;
+  const std::vector<std::uint32_t> vertex = merge_equal_points(mesh, tables).of_point;
+  FaceOrigins origins;
+  origins.is_reversed.assign(result.face_count(), 0);
+  std::vector<std::uint32_t> vertices;
+  std::vector<VertexTriangle> triangles;
+  std::vector<FaceTriangle> found;
+  for (std::uint32_t f = 0, next = 0; f < mesh.face_count(); ++f) {
+    if (f % 4096 == 0) context.checkpoint("triangles of faces", f, mesh.face_count());
+    const auto face = mesh.face(f);
+    const std::size_t count = face.size() <= 3 ? 1 : face.size() - 2;
+    origins.face.insert(origins.face.end(), count, f);
+    if (face.size() <= 3) {
+      for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+        origins.corner.push_back(c);
+      }
+      ++next;
+      continue;
+    }
+    vertices.clear();
+    for (const std::uint32_t p : face) vertices.push_back(vertex[p]);
+    triangles.clear();
+    for (std::size_t i = 0; i < count; ++i, ++next) {
+      const auto t = result.face(next);
+      triangles.push_back({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
+    }
+    found.clear();
+    CornerFinder(vertices, mesh.face_begin[f]).add(f, triangles, found);
+    for (const FaceTriangle& t : found) {
+      origins.corner.insert(origins.corner.end(), t.corner.begin(), t.corner.end());
+    }
+  }
+  attributes = carried(attributes, result, origins);
   return result;
 }
 

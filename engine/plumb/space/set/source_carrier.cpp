@@ -4,6 +4,7 @@
 #include <string>
 
 #include "plumb/predicates/error.h"
+#include "plumb/space/mesh/face_corners.h"
 
 namespace plumb {
 namespace {
@@ -32,13 +33,6 @@ AffineMap3 identity_map() {
   return {{{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}}, {zero, zero, zero}};
 }
 
-void require_size(std::size_t size, std::size_t needed, const char* what) {
-  if (size != 0 && size != needed) {
-    throw Error(ErrorCode::BadArgument,
-                std::string("the attributes of a mesh need one entry for each ") + what);
-  }
-}
-
 void require_indices(std::span<const std::uint32_t> indices, std::size_t end, const char* what) {
   for (const std::uint32_t i : indices) {
     if (i != MeshAttributes::kNone && i >= end) {
@@ -47,15 +41,12 @@ void require_indices(std::span<const std::uint32_t> indices, std::size_t end, co
   }
 }
 
-void require_channel(const MeshAttributes& attributes, std::size_t at, std::size_t corners) {
-  const MeshChannel& channel = attributes.channels[at];
-  if (channel.width == 0) {
-    throw Error(ErrorCode::BadArgument, "a channel needs at least one number for each corner");
-  }
-  require_size(channel.values.size(), corners * channel.width, "number of a corner");
-  for (std::size_t i = 0; i < at; ++i) {
-    if (attributes.channels[i].name == channel.name) {
-      throw Error(ErrorCode::BadArgument, "two channels of a mesh have the same name");
+void require_different_names(std::span<const MeshChannel> channels) {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (channels[j].name == channels[i].name) {
+        throw Error(ErrorCode::BadArgument, "two channels of a mesh have the same name");
+      }
     }
   }
 }
@@ -87,9 +78,7 @@ void require_consistent(const MeshSource& source) {
   const MeshAttributes& attributes = source.attributes;
   if (source.plane) require_plane(source);
   const std::size_t faces = source.plane ? 1 : source.mesh.face_count();
-  require_size(attributes.face_material.size(), faces, "face");
-  require_size(attributes.face_group.size(), faces, "face");
-  require_size(attributes.face_id.size(), faces, "face");
+  require_sizes(attributes, faces, source.mesh.corners.size());
   require_indices(attributes.face_material, attributes.materials.size(), "material");
   require_indices(attributes.face_group, attributes.groups.size(), "group");
   for (const std::uint32_t v : source.mesh.corners) {
@@ -102,9 +91,7 @@ void require_consistent(const MeshSource& source) {
       throw Error(ErrorCode::BadArgument, "exact coordinates of a mesh refer to no point");
     }
   }
-  for (std::size_t i = 0; i < attributes.channels.size(); ++i) {
-    require_channel(attributes, i, source.mesh.corners.size());
-  }
+  require_different_names(attributes.channels);
 }
 
 Nef3 from_source(std::shared_ptr<const MeshSource> source, const FromMeshOptions& options,

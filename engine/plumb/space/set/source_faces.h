@@ -1,20 +1,13 @@
 // The triangles over which the channels of a mesh are linear. Internal.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <vector>
 
 #include "plumb/base/context.h"
+#include "plumb/space/mesh/face_corners.h"
 #include "plumb/space/mesh_arrays.h"
 
 namespace plumb {
-
-/// A triangle of a face.
-struct FaceTriangle {
-  std::uint32_t face;                   ///< The face.
-  std::array<std::uint32_t, 3> corner;  ///< Its corners, indices of PolygonMesh::corners.
-};
 
 /// Returns the triangles of all faces, in the order of faces. Faces of fewer than three corners
 /// have none. A planar and simple polygon is cut as triangulated() (repair_mesh.h) cuts it. Any
