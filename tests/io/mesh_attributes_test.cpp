@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "plumb/io/mesh/glb.h"
 #include "plumb/io/mesh_io.h"
 #include "plumb/predicates/error.h"
 #include "plumb/space/nef3.h"
@@ -791,6 +792,46 @@ TEST(LostAttributes, NamesWhatAFormatDoesNotHold) {
                 "colours of faces, names of materials, textures, groups, ids of faces, "
                 "channel 'color', channel 'heat'");
   EXPECT_EQ(lost_attributes({}, MeshFormat::Stl), "");
+}
+
+TEST(GltfAttributes, FilesOfFourGibibytesAreRefused) {
+  require_glb_size(0xffffffff);
+  try {
+    require_glb_size(0x100000000);
+    FAIL() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::CannotWrite);
+    EXPECT_EQ(error.message(),
+              "the file would have 4294967296 bytes, but binary glTF cannot have more than "
+              "4294967295");
+  }
+}
+
+TEST(MeshAttributes, HundredThousandMaterialsComeBack) {
+  constexpr std::uint32_t kMaterials = 100'000;
+  PolygonMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}};
+  MeshAttributes in;
+  for (std::uint32_t m = 0; m < kMaterials; ++m) {
+    mesh.points.push_back({0.25, 0.5, static_cast<double>(m)});
+    mesh.add_face(std::array<std::uint32_t, 3>{0, 1, m + 2});
+    in.materials.push_back({"m" + std::to_string(m), Color{1, 0.5, 0.25, 1}, ""});
+    in.face_material.push_back(kMaterials - 1 - m);
+  }
+  for (const MeshFormat format : {MeshFormat::Obj, MeshFormat::Gltf}) {
+    const MeshFile file = read(written(mesh, in, format), format);
+    const MeshAttributes& out = file.attributes;
+    ASSERT_EQ(file.mesh.face_count(), kMaterials);
+    ASSERT_EQ(out.materials.size(), kMaterials);
+    std::vector<std::uint8_t> is_known(kMaterials, 0);
+    for (std::uint32_t f = 0; f < kMaterials; ++f) {
+      const double height = file.mesh.points[file.mesh.face(f)[2]].z;
+      const auto m = kMaterials - 1 - static_cast<std::uint32_t>(height);
+      ASSERT_EQ(out.materials[out.face_material[f]].name, "m" + std::to_string(m));
+      is_known[m] = 1;
+    }
+    EXPECT_EQ(std::count(is_known.begin(), is_known.end(), 1), kMaterials);
+  }
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "plumb/io/mesh/glb.h"
 #include "plumb/io/text/byte_order.h"
 
 namespace plumb {
@@ -66,9 +67,11 @@ class GlbWriter {
     const std::string text = padded(json_.dump(-1, ' ', true, Json::error_handler_t::replace), ' ');
     const std::string data = padded(bytes_, '\0');
     const std::size_t data_size = data.empty() ? 0 : 8 + data.size();
+    const std::uint64_t size = 12 + 8 + text.size() + data_size;
+    require_glb_size(size);
     std::string head = "glTF";
     append(head, std::uint32_t{2});
-    append(head, static_cast<std::uint32_t>(12 + 8 + text.size() + data_size));
+    append(head, static_cast<std::uint32_t>(size));
     append(head, static_cast<std::uint32_t>(text.size()));
     out << head << "JSON" << text;
     if (data.empty()) return;

@@ -328,6 +328,13 @@ void put_channels(TextOutput& out, const std::vector<GlbChannel>& channels,
 
 }  // namespace
 
+void require_glb_size(std::uint64_t bytes) {
+  if (bytes <= UINT32_MAX) return;
+  throw Error(ErrorCode::CannotWrite, "the file would have " + std::to_string(bytes) +
+                                          " bytes, but binary glTF cannot have more than " +
+                                          std::to_string(UINT32_MAX));
+}
+
 void write_glb(std::ostream& stream, const PolygonMesh& mesh, const MeshAttributes& attributes) {
   require_faces(mesh);
   require_triangles(mesh);
@@ -352,9 +359,7 @@ void write_glb(std::ostream& stream, const PolygonMesh& mesh, const MeshAttribut
   const std::string document =
       glb_document(floats, attributes, channels, order, vertex_bytes, corner_bytes, channel_bytes);
   const std::uint64_t bytes = kGlbHeaderBytes + 2 * kGlbChunkBytes + document.size() + data_bytes;
-  if (bytes > UINT32_MAX) {
-    throw Error(ErrorCode::CannotWrite, "binary glTF cannot hold 2^32 bytes or more");
-  }
+  require_glb_size(bytes);
   TextOutput out(stream);
   out << "glTF";
   put_little_endian(out, std::uint32_t{2});

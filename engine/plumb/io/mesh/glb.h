@@ -11,6 +11,7 @@
 // Cost: O(bytes). Errors: BadArgument, NumberOutOfRange, CannotWrite, each before the first byte.
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <vector>
 
@@ -23,6 +24,10 @@ namespace plumb {
 /// Error{NumberOutOfRange} if a coordinate lies beyond the largest float, Error{CannotWrite} if the
 /// file would have 2^32 bytes or more, and the exceptions of `out`.
 void write_glb(std::ostream& out, const PolygonMesh& mesh, const MeshAttributes& attributes = {});
+
+/// Throws Error{CannotWrite} with both numbers if a binary file of so many bytes is not possible:
+/// its header states the length in 32 bits.
+void require_glb_size(std::uint64_t bytes);
 
 /// Returns the channels that a file of glTF holds, in the order in which they are written: colours,
 /// normals, and texture coordinates that are numbered from 0 without gaps.

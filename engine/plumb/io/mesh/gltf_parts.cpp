@@ -317,9 +317,18 @@ void GltfTriangles::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t
   mesh_.end_face();
 }
 
-/// Adds points and returns the number of the first.
+/// Adds points and returns the number of the first. Primitives of one mesh often differ in their
+/// materials alone and share their vertices, which are added once if these primitives follow each
+/// other.
 std::uint64_t GltfTriangles::add_points(const GltfElements& positions, const GltfTransform& m,
                                         const std::string& where) {
+  const bool is_last = last_points_ && last_points_->m == m &&
+                       last_points_->positions.bytes.data() == positions.bytes.data() &&
+                       last_points_->positions.stride == positions.stride &&
+                       last_points_->positions.count == positions.count &&
+                       last_points_->positions.component == positions.component &&
+                       last_points_->positions.is_normalized == positions.is_normalized;
+  if (is_last) return last_points_->first;
   const std::uint64_t first = mesh_.point_count();
   if (positions.count > kMostVertices - first) {
     fail(ErrorCode::ResourceLimit, where, "more than 2^32 vertices");
@@ -335,6 +344,7 @@ std::uint64_t GltfTriangles::add_points(const GltfElements& positions, const Glt
     }
     mesh_.add_point({q[0], q[1], q[2]});
   }
+  last_points_ = {positions, m, first};
   return first;
 }
 

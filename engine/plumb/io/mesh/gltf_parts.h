@@ -286,7 +286,15 @@ class GltfTriangles {
                   const std::array<std::size_t, 3>& vertices);
   MeshChannel finished(Collected& from, const std::vector<std::uint32_t>& kept);
 
+  /// The points that were added last.
+  struct AddedPoints {
+    GltfElements positions;
+    GltfTransform m;
+    std::uint64_t first;  ///< The number of the first point.
+  };
+
   std::string name_;
+  std::optional<AddedPoints> last_points_;
   Context& context_;
   MeshCollector mesh_;
   MemoryCharge charge_;  // Of channels.
