@@ -57,6 +57,7 @@ void require_coverage(const Layer& layer, const LayerRepairOptions& options) {
   }
   const RepairedLayer twice = repair_layer(once.layer, {options.rule, 0.0});
   require(twice.report.count(LayerRegionKind::Overlap) == 0, "a repaired layer has no overlaps");
+  require(twice.report.count(LayerRegionKind::Crossing) == 0, "no border crosses itself");
   require(twice.report.rounding.largest_move == 0, "a repaired layer needs no rounding");
   const auto& regions = once.report.regions;
   if (std::any_of(regions.begin(), regions.end(), [](const LayerRegion& r) { return r.is_open; })) {

@@ -2663,6 +2663,41 @@ static void test_layer(void) {
   FAILS_WITH(plumb_layer_read("{", 1, NULL, NULL, &layer, NULL, NULL, &error), PLUMB_SYNTAX, ":1:");
 }
 
+/* A bow tie, and the name of a coordinate reference system. */
+static const char kBowTie[] =
+    "{\"type\":\"FeatureCollection\",\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"EPSG:"
+    "2056\"}},"
+    "\"features\":[{\"type\":\"Feature\",\"properties\":null,\"geometry\":"
+    "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[2,2],[2,0],[0,2],[0,0]]]}}]}";
+
+static void test_layer_crossing(void) {
+  plumb_layer *layer = NULL, *result = NULL, *repaired = NULL;
+  plumb_layer_report* report = NULL;
+  plumb_bytes* text = NULL;
+  double at[2] = {0, 0};
+  OK(plumb_layer_read(kBowTie, sizeof kBowTie - 1, NULL, NULL, &layer, NULL, NULL, &error));
+  OK(plumb_layer_crs(layer, &text, &error));
+  CHECK(!strcmp(plumb_bytes_data(text), "EPSG:2056"));
+  plumb_bytes_free(text);
+  FAILS(plumb_layer_crs(NULL, &text, &error), PLUMB_BAD_ARGUMENT);
+  OK(plumb_layer_repair(layer, PLUMB_OWNER_FIRST, -1, &repaired, &report, NULL, &error));
+  CHECK(plumb_layer_report_has_defects(report) && plumb_layer_report_count(report) == 1);
+  CHECK(plumb_layer_report_kind(report, 0) == PLUMB_LAYER_CROSSING);
+  CHECK(plumb_layer_report_place(report, 0, at) && at[0] == 1 && at[1] == 1);
+  CHECK(!plumb_layer_report_place(report, 1, at) && !plumb_layer_report_place(report, 0, NULL));
+  OK(plumb_layer_report_write(report, layer, "geojson", &text, NULL, &error));
+  CHECK(strstr(plumb_bytes_data(text), "EPSG:2056") && strstr(plumb_bytes_data(text), "Point"));
+  plumb_bytes_free(text);
+  plumb_layer_report_free(report);
+  OK(plumb_layer_overlay(repaired, layer, PLUMB_PAIRS_ALL, &result, NULL, NULL, &error));
+  OK(plumb_layer_write(result, "geojson", &text, NULL, &error));
+  CHECK(strstr(plumb_bytes_data(text), "\"crs\"") && strstr(plumb_bytes_data(text), "EPSG:2056"));
+  plumb_bytes_free(text);
+  plumb_layer_free(result);
+  plumb_layer_free(repaired);
+  plumb_layer_free(layer);
+}
+
 /* Two squares, and between them a slit that opens to the outside at both ends. */
 static const char kSlit[] =
     "{\"type\":\"FeatureCollection\",\"features\":["
@@ -2817,6 +2852,7 @@ int main(int count, char** arguments) {
   test_csg();
   test_cells();
   test_layer();
+  test_layer_crossing();
   test_layer_operations();
   test_layer_options();
   test_simplify_reports();

@@ -330,6 +330,8 @@ TEST(LayerReader, refuses_with_the_place) {
       {"[]", "some.file:1:1: expected an object"},
       {"{\"type\":7}", "some.file:1:1: an object without"},
       {"{\"type\":\"Curve\"}", "some.file:1:1: expected a geometry, found 'Curve'"},
+      {R"({"type":"Feature","properties":null,"geometry":5})",
+       "some.file:1:48: expected a geometry or null"},
       {"{\"type\":\"FeatureCollection\"}", "some.file:1:1: expected a list \"features\""},
       {collection("\n7"), "some.file:2:1: expected an object"},
       {collection("\n" + kSquare), "some.file:2:1: expected a Feature"},

@@ -70,6 +70,15 @@ inline Features features_at(const Layer& layer, Point2 at) {
   return found;
 }
 
+/// Returns how many polygons of a feature cover a point off all edges.
+inline int polygons_at(const Layer& layer, std::uint32_t feature, Point2 at) {
+  int count = 0;
+  for (std::uint32_t p = layer.feature_begin[feature]; p < layer.feature_begin[feature + 1]; ++p) {
+    count += polygon_covers(layer, p, at) ? 1 : 0;
+  }
+  return count;
+}
+
 /// Returns the area of a feature whose holes run clockwise.
 inline double area_of(const Layer& layer, std::uint32_t feature) {
   double twice = 0;
@@ -93,7 +102,11 @@ class GridCells {
  public:
   explicit GridCells(const Layer& layer) {
     for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) cover_.push_back(features_at(layer, centre(x, y)));
+      for (int x = 0; x < kSide; ++x) {
+        cover_.push_back(features_at(layer, centre(x, y)));
+        is_doubled_.push_back(cover_.back().size() == 1 &&
+                              polygons_at(layer, cover_.back().front(), centre(x, y)) > 1);
+      }
     }
     region_.assign(cover_.size(), -1);
     for (int c = 0; c < kSide * kSide; ++c) {
@@ -109,11 +122,13 @@ class GridCells {
   int region(int x, int y) const { return region_[index(y * kSide + x)]; }
   bool is_outside(int x, int y) const { return region_[index(y * kSide + x)] == region_[0]; }
 
-  /// Returns for each region with overlaps, or without features, its features and its area.
+  /// Returns for each region with overlaps of polygons, or without features, its features and its
+  /// area.
   std::vector<std::tuple<Features, int>> regions() const {
     std::map<int, std::tuple<Features, int>> found;
     for (std::size_t c = 0; c < cover_.size(); ++c) {
-      if (cover_[c].size() == 1 || region_[c] == region_[0]) continue;
+      const bool is_sound = cover_[c].size() == 1 && !is_doubled_[c];
+      if (is_sound || region_[c] == region_[0]) continue;
       std::get<0>(found[region_[c]]) = cover_[c];
       ++std::get<1>(found[region_[c]]);
     }
@@ -137,12 +152,15 @@ class GridCells {
           {{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}};
       for (const auto& [i, j] : beside) {
         if (i < 0 || j < 0 || i >= kSide || j >= kSide) continue;
-        if (cover(i, j) == cover(x, y)) open.push_back(j * kSide + i);
+        const int other = j * kSide + i;
+        if (is_doubled_[index(other)] != is_doubled_[index(c)]) continue;
+        if (cover(i, j) == cover(x, y)) open.push_back(other);
       }
     }
   }
 
   std::vector<Features> cover_;
+  std::vector<bool> is_doubled_;  // Whether several polygons of the only feature cover a square.
   std::vector<int> region_;
   int count_ = 0;
 };

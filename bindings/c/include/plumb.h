@@ -1993,6 +1993,11 @@ PLUMB_API plumb_status plumb_layer_id(const plumb_layer* layer, size_t feature, 
  * properties. */
 PLUMB_API plumb_status plumb_layer_properties(const plumb_layer* layer, size_t feature,
                                               plumb_bytes** out, plumb_error** error);
+/** Returns the name of the coordinate reference system that the file of the layer states, or an
+ * empty text. Operations pass it on, and GeoJSON is written with it. Coordinates are never
+ * converted. */
+PLUMB_API plumb_status plumb_layer_crs(const plumb_layer* layer, plumb_bytes** out,
+                                       plumb_error** error);
 /** Finds the feature whose id is `id_or_name`. If there is none, finds the feature whose property
  * "name" or "NAME" is `id_or_name`. Fails with PLUMB_BAD_ARGUMENT if no feature or more than one
  * feature is found. */
@@ -2015,9 +2020,12 @@ enum plumb_owner {
 enum plumb_layer_region_kind {
   PLUMB_LAYER_OVERLAP = 0, /**< A region that several features cover. */
   PLUMB_LAYER_GAP = 1,     /**< A narrow region that no feature covers. */
-  PLUMB_LAYER_HOLE = 2     /**< A wide region that no feature covers. Such a region is no defect. */
+  PLUMB_LAYER_HOLE = 2,    /**< A wide region that no feature covers. Such a region is no defect. */
+  /** A point at which the border of a feature crosses itself, or edges on which it lies twice. */
+  PLUMB_LAYER_CROSSING = 3
 };
-/** The overlaps, gaps and holes that plumb_layer_check() or plumb_layer_repair() found. */
+/** The overlaps, gaps, holes and crossings that plumb_layer_check() or plumb_layer_repair()
+ * found. */
 typedef struct plumb_layer_report plumb_layer_report;
 /** Makes the layer without overlaps and gaps. `owner` is a constant of plumb_owner. An enclosed
  * region that no feature covers is a gap if it is narrower than `gaps_below`; a negative number
@@ -2026,8 +2034,8 @@ typedef struct plumb_layer_report plumb_layer_report;
 PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                           plumb_layer** out, plumb_layer_report** report,
                                           const plumb_context* context, plumb_error** error);
-/** Makes the report of the overlaps, gaps and holes of a layer. The regions of the report have no
- * owners. */
+/** Makes the report of the overlaps, gaps, holes and crossings of a layer. The regions of the report
+ * have no owners. */
 PLUMB_API plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
                                          plumb_layer_report** out, const plumb_context* context,
                                          plumb_error** error);
@@ -2095,7 +2103,7 @@ PLUMB_API plumb_status plumb_layer_simplify_with_report(
     plumb_simplify_report* report, const plumb_context* context, plumb_error** error);
 /** Returns the number of regions of a report. */
 PLUMB_API size_t plumb_layer_report_count(const plumb_layer_report* report);
-/** Whether the layer has overlaps or gaps. */
+/** Whether the layer has overlaps, gaps or crossings. */
 PLUMB_API bool plumb_layer_report_has_defects(const plumb_layer_report* report);
 /** Returns the kind of region i, a constant of plumb_layer_region_kind; -1 if there is none. */
 PLUMB_API int plumb_layer_report_kind(const plumb_layer_report* report, size_t i);
@@ -2106,6 +2114,9 @@ PLUMB_API plumb_status plumb_layer_report_area(const plumb_layer_report* report,
                                                plumb_numbers** out, plumb_error** error);
 /** Returns twice the area divided by the perimeter of region i. */
 PLUMB_API double plumb_layer_report_width(const plumb_layer_report* report, size_t i);
+/** Stores a place to look at in `xy`: the point of a crossing, or a corner of another region.
+ * Returns false if there is no such region, or if rounding leaves nothing of it. */
+PLUMB_API bool plumb_layer_report_place(const plumb_layer_report* report, size_t i, double xy[2]);
 /** Returns the features of region i. `count` receives the number of features. */
 PLUMB_API const uint32_t* plumb_layer_report_features(const plumb_layer_report* report, size_t i,
                                                       size_t* count);

@@ -254,6 +254,10 @@ plumb_status plumb_layer_properties(const plumb_layer* layer, std::size_t featur
               [&] { return std::string(layer_with(layer, feature).properties(feature)); });
 }
 
+plumb_status plumb_layer_crs(const plumb_layer* layer, plumb_bytes** out, plumb_error** error) {
+  return make(out, error, [&] { return need(layer, "layer").layer.crs; });
+}
+
 plumb_status plumb_layer_find(const plumb_layer* layer, const char* id_or_name,
                               std::uint32_t* feature, plumb_error** error) {
   return guarded(error, [&] {
@@ -389,6 +393,15 @@ plumb_status plumb_layer_report_area(const plumb_layer_report* report, std::size
 double plumb_layer_report_width(const plumb_layer_report* report, std::size_t i) {
   const LayerRegion* const region = region_of(report, i);
   return region == nullptr ? 0 : region->width;
+}
+
+bool plumb_layer_report_place(const plumb_layer_report* report, std::size_t i, double xy[2]) {
+  if (region_of(report, i) == nullptr || xy == nullptr) return false;
+  const std::optional<Point2> at = place_of(report->report, i);
+  if (!at) return false;
+  xy[0] = at->x;
+  xy[1] = at->y;
+  return true;
 }
 
 const std::uint32_t* plumb_layer_report_features(const plumb_layer_report* report, std::size_t i,

@@ -938,10 +938,12 @@ export class MapOverlay extends Handle {
 export function overlay(first: MapReport, second: MapReport, options?: Options): MapOverlay;
 
 export interface LayerReport {
-  /** Whether there are overlaps or gaps. */
+  /** Whether there are overlaps, gaps or crossings. */
   hasDefects: boolean;
   regions: {
-    kind: 'overlap'|'gap'|'hole'; area: Fraction;
+    /** A crossing is a point at which the border of a feature crosses itself, or edges on which it
+     * lies twice. */
+    kind: 'overlap'|'gap'|'hole'|'crossing'; area: Fraction;
     /** Whether the region is a gap that opens to the outside or into a hole. */
     isOpen: boolean;
     /** Twice the area divided by the perimeter. */
@@ -949,6 +951,8 @@ export interface LayerReport {
     features: number[];
     /** The feature that gets the region, or null. */
     owner: number | null;
+    /** A place to look at: the point of a crossing, or a corner of another region. */
+    at: [number, number]|null;
   }[];
   text: string;
   geoJson: object;
@@ -1035,6 +1039,11 @@ export class Layer extends Handle {
   /** Returns a layer with the features of this layer, followed by the features of another layer. */
   joined(other: Layer, options?: Options): Layer;
   readonly featureCount: number;
+  /**
+   * The name of the coordinate reference system that the file states, or an empty text. Operations
+   * pass it on, and GeoJSON is written with it. Coordinates are never converted.
+   */
+  readonly crs: string;
   ids(): unknown[];
   properties(): (Record<string, unknown>|null)[];
   /**
@@ -1044,7 +1053,7 @@ export class Layer extends Handle {
   find(idOrName: string): number;
   write(format: 'geojson'|'topojson'|'wkt', options?: Options): Uint8Array;
   toGeoJson(options?: Options): object;
-  /** Returns the overlaps, gaps and holes of the layer. */
+  /** Returns the overlaps, gaps, holes and crossings of the layer. */
   check(options?: LayerCheckOptions): LayerReport;
   /** Returns the layer without overlaps and gaps. */
   repaired(options?: LayerRepairOptions): {layer: Layer; report: LayerReport};

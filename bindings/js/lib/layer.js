@@ -21,7 +21,7 @@ import {PlaneSet} from './plane_set.js';
 import {readOptions, self, simplified} from './sets.js';
 
 const owners = ['longest border', 'largest', 'smallest', 'first', 'lowest id'];
-const kinds = ['overlap', 'gap', 'hole'];
+const kinds = ['overlap', 'gap', 'hole', 'crossing'];
 const pairsKept = ['all', 'first', 'both', 'first only'];
 const none = 0xffffffff;
 const optionsLayout = new Struct({
@@ -108,6 +108,11 @@ export class Layer extends Handle {
   get featureCount() { return engine()._plumb_layer_feature_count(self(this)) >>> 0; }
   ids() { return jsonOfFeatures(this, 'plumb_layer_id'); }
   properties() { return jsonOfFeatures(this, 'plumb_layer_properties'); }
+  get crs() {
+    return inFrame(
+        undefined,
+        (frame) => decode(takeBytes(frame.makeBriefly('plumb_layer_crs', self(this)))));
+  }
   /** The index of the feature with this id, or else with this name. */
   find(idOrName) {
     return inFrame(undefined, (frame) => {
@@ -206,9 +211,10 @@ function reportOf(report, layer, frame) {
 }
 
 function factsOf(report, layer, frame) {
-  const length = frame.block(4);
+  const length = frame.block(4), place = frame.block(16);
   const regions = Array.from({length: engine()._plumb_layer_report_count(report) >>> 0}, (_, i) => {
     const features = engine()._plumb_layer_report_features(report, i, length);
+    const hasPlace = engine()._plumb_layer_report_place(report, i, place) !== 0;
     const owner = engine()._plumb_layer_report_owner(report, i) >>> 0;
     return {
       kind: kinds[engine()._plumb_layer_report_kind(report, i)],
@@ -217,6 +223,7 @@ function factsOf(report, layer, frame) {
       width: engine()._plumb_layer_report_width(report, i),
       features: Array.from(copyOf(Uint32Array, features, frame.u32(length))),
       owner: owner === none ? null : owner,
+      at: hasPlace ? Array.from(copyOf(Float64Array, place, 2)) : null,
     };
   });
   const write = (format) => decode(takeBytes(

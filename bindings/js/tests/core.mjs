@@ -544,6 +544,24 @@ export const cases = {
       failure(plumb, 'BAD_ARGUMENT', () => layer.repaired(wrong));
   },
 
+  'layers: crossings and coordinate reference systems'({Layer}) {
+    const crs = {type: 'name', properties: {name: 'EPSG:2056'}};
+    const coordinates = [[[0, 0], [2, 2], [2, 0], [0, 2], [0, 0]]];
+    const layer = Layer.read({
+      type: 'FeatureCollection',
+      crs,
+      features: [{type: 'Feature', properties: null, geometry: {type: 'Polygon', coordinates}}],
+    });
+    const {layer: repaired, report} = layer.repaired();
+    checkEqual(
+        report.regions.map(({kind, features, owner, at}) => [kind, features, owner, at]),
+        [['crossing', [0], null, [1, 1]]]);
+    check(report.hasDefects && !repaired.check().hasDefects);
+    for (const made of [layer, repaired, repaired.dissolved([0]), repaired.overlaid(layer).layer])
+      checkEqual([made.crs, made.toGeoJson().crs], [crs.properties.name, crs]);
+    checkEqual(Layer.read('POLYGON((0 0,1 0,0 1,0 0))').crs, '');
+  },
+
   'meshes: check and repair'({checkMesh, repairMesh, readMesh, writeMesh, delaunay}) {
     const open = {vertices: tetrahedron.vertices, triangles: tetrahedron.triangles.subarray(3)};
     const report = checkMesh(open);

@@ -193,7 +193,9 @@ using RegionOut = nb::typed<nb::dict, nb::str, nb::object>;
 
 nb::typed<nb::list, RegionOut> regions_of(const LayerReport& report) {
   nb::typed<nb::list, RegionOut> regions;
-  for (const LayerRegion& region : report.regions) {
+  for (std::size_t i = 0; i < report.regions.size(); ++i) {
+    const LayerRegion& region = report.regions[i];
+    const std::optional<Point2> at = place_of(report, i);
     RegionOut out;
     nb::list features;
     for (const std::uint32_t f : report.features_of(region)) features.append(f);
@@ -204,6 +206,7 @@ nb::typed<nb::list, RegionOut> regions_of(const LayerReport& report) {
     out["features"] = features;
     out["owner"] =
         region.owner == LayerRegion::kNobody ? nb::none() : nb::object(nb::int_(region.owner));
+    out["at"] = at ? nb::object(nb::make_tuple(at->x, at->y)) : nb::none();
     regions.append(out);
   }
   return regions;
@@ -302,11 +305,12 @@ void bind_layer(nb::module_& m) {
                                  "the repair.");
   report.def_prop_ro(
       "regions", &regions_of,
-      "The overlaps, gaps and holes. Each of them is a dict with kind ('overlap', "
-      "'gap' or 'hole'), area (an exact fraction), open, width, features (indices), and "
-      "owner (an index, or None).");
+      "The overlaps, gaps, holes and crossings. Each of them is a dict with kind ('overlap', "
+      "'gap', 'hole' or 'crossing'), area (an exact fraction), open, width, features (indices), "
+      "owner (an index, or None), and at (x and y of a place to look at, or None). A crossing is a "
+      "point at which the border of a feature crosses itself, or edges on which it lies twice.");
   report.def_prop_ro("has_defects", &LayerReport::has_defects,
-                     "Whether the layer had overlaps or gaps.");
+                     "Whether the layer had overlaps, gaps or crossings.");
   report.def_ro("gaps_below", &LayerReport::gaps_below, "The bound for the widths of gaps.");
   report.def_ro("emptied", &LayerReport::emptied,
                 "The features that lost their whole area by the repair.");
@@ -322,6 +326,10 @@ void bind_layer(nb::module_& m) {
     return "<plumb.Layer: " + std::to_string(layer.feature_count()) + " features, " +
            std::to_string(layer.polygon_count()) + " polygons>";
   });
+  c.def_ro("crs", &Layer::crs,
+           "The name of the coordinate reference system that the file states, or an empty text. "
+           "Operations pass it on, and GeoJSON is written with it. Coordinates are never "
+           "converted.");
   c.def("ids", &ids_of, "Return the id of each feature, or None.");
   c.def("properties", &properties_of, "Return the properties of each feature, or None.");
   def_run(c, "to_geojson", &geojson_of,
@@ -331,9 +339,9 @@ void bind_layer(nb::module_& m) {
           "remains.",
           "path"_a);
   def_run(c, "check", &checked_layer,
-          "Return the overlaps, gaps and holes of the layer as a LayerReport. Its regions have "
-          "no owners. If `enclosed_only` is true, gaps that open to the outside or into a hole "
-          "are not found.",
+          "Return the overlaps, gaps, holes and crossings of the layer as a LayerReport. Its "
+          "regions have no owners. If `enclosed_only` is true, gaps that open to the outside or "
+          "into a hole are not found.",
           "gaps_below"_a = nb::none(), "enclosed_only"_a = false);
   c.def(
       "find",

@@ -172,3 +172,21 @@ def test_parts_of_sets_keep_their_features():
     assert [f.get("id") for f in found] == ["a", "b", None]
     assert [f["properties"] for f in found] == [{"x": 0}, {"x": 4}, None]
     assert found[0]["geometry"]["coordinates"] == [[[2, 2], [4, 2], [4, 4], [2, 4], [2, 2]]]
+
+
+def test_crossings_and_coordinate_reference_systems(tmp_path: Path) -> None:
+    text = json.loads(collection([(0, 0), (2, 2), (2, 0), (0, 2)]))
+    text["crs"] = {"type": "name", "properties": {"name": "EPSG:2056"}}
+    layer = plumb.Layer.parse(json.dumps(text))
+    (region,) = layer.check().regions
+    assert region["kind"] == "crossing" and region["features"] == [0]
+    assert region["at"] == (1, 1) and region["owner"] is None
+    repaired, report = layer.repaired()
+    assert report.has_defects and not repaired.check().has_defects
+    overlaid, _ = plumb.Layer.parse(OVERLAPPING).overlaid(repaired)
+    for made in (layer, repaired, layer.simplified(kept=1), layer.dissolved([0]), overlaid):
+        assert made.crs == "EPSG:2056"
+        assert json.loads(made.to_geojson())["crs"] == text["crs"]
+    layer.write(tmp_path / "layer.geojson")
+    assert plumb.Layer.read(tmp_path / "layer.geojson").crs == "EPSG:2056"
+    assert plumb.Layer.parse(OVERLAPPING).crs == ""

@@ -224,6 +224,7 @@ void LayerReader::read_crs(Id crs) {
   if (properties && json_.is_object(*properties)) name = json_.find(*properties, "name");
   if (name && json_.is_text(*name)) {
     file_.crs = json_.text(*name);
+    file_.layer.crs = file_.crs;
   } else {
     draft_.has_unnamed_crs = true;
   }
@@ -233,7 +234,7 @@ void LayerReader::read_feature(Id feature) {
   if (type_of(feature) != "Feature") fail(ErrorCode::Syntax, "expected a Feature", feature);
   name_unknown_members(feature, kFeatureMembers);
   const std::optional<Id> geometry = json_.find(feature, "geometry");
-  if (geometry && json_.is_object(*geometry)) add_geometry(*geometry);
+  if (geometry) add_geometry(*geometry);
   file_.layer.end_feature(member_source(feature, "id"), member_source(feature, "properties"));
 }
 
@@ -244,7 +245,10 @@ void LayerReader::add_geometry(Id geometry) {
   while (!open.empty()) {
     const Id at = open.back();
     open.pop_back();
-    if (!json_.is_object(at)) continue;  // null
+    if (!json_.is_object(at)) {
+      if (json_.source(at) != "null") fail(ErrorCode::Syntax, "expected a geometry or null", at);
+      continue;
+    }
     const std::optional<Id> type_id = json_.find(at, "type");
     if (is_topology_ && (!type_id || !json_.is_text(*type_id))) continue;  // {"type": null}
     const std::string type = type_of(at);
@@ -763,25 +767,22 @@ nlohmann::ordered_json feature_json(const Layer& layer, std::uint32_t feature) {
   return json;
 }
 
-nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report,
-                                   const LayerRegion& region) {
+nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report, std::size_t i) {
+  const LayerRegion& region = report.regions[i];
   nlohmann::ordered_json features = nlohmann::ordered_json::array();
   for (const std::uint32_t f : report.features_of(region)) {
     features.push_back(feature_json(layer, f));
   }
-  nlohmann::ordered_json json = {
-      {"kind", name_of(region.kind)},    {"area", nearest_double(region.area)},
-      {"open", region.is_open},          {"width", region.width},
-      {"features", std::move(features)}, {"to", nullptr}};
+  nlohmann::ordered_json json = {{"kind", name_of(region.kind)},
+                                 {"area", nearest_double(region.area)},
+                                 {"open", region.is_open},
+                                 {"width", region.width},
+                                 {"features", std::move(features)},
+                                 {"to", nullptr},
+                                 {"at", nullptr}};
+  if (const std::optional<Point2> at = place_of(report, i)) json["at"] = {at->x, at->y};
   if (region.owner != LayerRegion::kNobody) json["to"] = feature_json(layer, region.owner);
   return json;
-}
-
-/// Returns a corner of a region, as a place to look at.
-std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
-  const std::uint32_t polygon = report.shapes.feature_begin[region];
-  if (polygon == report.shapes.feature_begin[region + 1]) return {};
-  return report.shapes.points.approx(report.shapes.ring(report.shapes.polygon_begin[polygon])[0]);
 }
 
 /// Returns a number and the word for that many.
@@ -791,7 +792,8 @@ std::string number_of(std::size_t count, const std::string& one) {
 
 void write_region(TextOutput& out, const Layer& layer, const LayerReport& report, std::size_t i) {
   const LayerRegion& region = report.regions[i];
-  const bool is_overlap = region.kind == LayerRegionKind::Overlap;
+  const bool is_crossing = region.kind == LayerRegionKind::Crossing;
+  const bool is_overlap = is_crossing || region.kind == LayerRegionKind::Overlap;
   const bool has_one_feature = report.features_of(region).size() == 1;
   out << (region.is_open ? "open " : "") << name_of(region.kind)
       << (is_overlap        ? " of "
@@ -803,7 +805,10 @@ void write_region(TextOutput& out, const Layer& layer, const LayerReport& report
     is_first = false;
     out << feature_title(layer, f);
   }
-  out << ": area " << nearest_double(region.area) << ", width " << region.width;
+  if (is_overlap && has_one_feature) out << " with itself";
+  if (!is_crossing) {
+    out << ": area " << nearest_double(region.area) << ", width " << region.width;
+  }
   if (const std::optional<Point2> at = place_of(report, i)) {
     out << ", at " << at->x << ' ' << at->y;
   }
@@ -813,6 +818,14 @@ void write_region(TextOutput& out, const Layer& layer, const LayerReport& report
 }
 
 }  // namespace
+
+/// Returns a corner of a region or the point of a crossing, as a place to look at.
+std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
+  if (report.regions[region].at) return report.regions[region].at;
+  const std::uint32_t polygon = report.shapes.feature_begin[region];
+  if (polygon == report.shapes.feature_begin[region + 1]) return {};
+  return report.shapes.points.approx(report.shapes.ring(report.shapes.polygon_begin[polygon])[0]);
+}
 
 std::string feature_title(const Layer& layer, std::uint32_t feature) {
   std::string title = "feature " + std::to_string(feature + 1);
@@ -844,7 +857,7 @@ void begin_features(TextOutput& out, const std::string& crs) {
 }  // namespace
 
 void write_layer_geojson(std::ostream& stream, const Layer& layer, Context& context) {
-  write_layer_geojson(stream, layer, {}, context);
+  write_layer_geojson(stream, layer, layer.crs, context);
 }
 
 void write_layer_geojson(std::ostream& stream, const Layer& layer, const std::string& crs,
@@ -879,7 +892,7 @@ Shapefile layer_shapefile(const Layer& layer, const std::string& crs, Context& c
 
 void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,
                                 Context& context) {
-  write_layer_report_geojson(stream, layer, report, {}, context);
+  write_layer_report_geojson(stream, layer, report, layer.crs, context);
 }
 
 void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,
@@ -888,8 +901,12 @@ void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const 
   begin_features(out, crs);
   for (std::size_t i = 0; i < report.regions.size(); ++i) {
     out << (i == 0 ? "" : ",\n") << R"({"type":"Feature","properties":)"
-        << region_json(layer, report, report.regions[i]).dump() << R"(,"geometry":)";
-    write_geometry(out, report.shapes, i);
+        << region_json(layer, report, i).dump() << R"(,"geometry":)";
+    if (const std::optional<Point2> at = report.regions[i].at) {
+      out << R"({"type":"Point","coordinates":[)" << at->x << ',' << at->y << "]}";
+    } else {
+      write_geometry(out, report.shapes, i);
+    }
     out << '}';
   }
   out << "\n]}\n";
@@ -901,8 +918,10 @@ void write_layer_report_text(std::ostream& stream, const Layer& layer, const Lay
   out << number_of(layer.feature_count(), "feature") << ", "
       << number_of(report.count(LayerRegionKind::Overlap), "overlap") << ", "
       << number_of(report.count(LayerRegionKind::Gap), "gap") << " below width "
-      << report.gaps_below << ", " << number_of(report.count(LayerRegionKind::Hole), "hole")
-      << '\n';
+      << report.gaps_below << ", " << number_of(report.count(LayerRegionKind::Hole), "hole");
+  const std::size_t crossings = report.count(LayerRegionKind::Crossing);
+  if (crossings > 0) out << ", " << number_of(crossings, "crossing");
+  out << '\n';
   for (std::size_t i = 0; i < report.regions.size(); ++i) write_region(out, layer, report, i);
   for (const std::uint32_t f : report.emptied)
     out << feature_title(layer, f) << " has no area left\n";
@@ -911,8 +930,8 @@ void write_layer_report_text(std::ostream& stream, const Layer& layer, const Lay
 
 void write_layer_report_json(std::ostream& out, const Layer& layer, const LayerReport& report) {
   nlohmann::ordered_json regions = nlohmann::ordered_json::array();
-  for (const LayerRegion& region : report.regions) {
-    regions.push_back(region_json(layer, report, region));
+  for (std::size_t i = 0; i < report.regions.size(); ++i) {
+    regions.push_back(region_json(layer, report, i));
   }
   nlohmann::ordered_json emptied = nlohmann::ordered_json::array();
   for (const std::uint32_t f : report.emptied) emptied.push_back(feature_json(layer, f));
@@ -920,6 +939,7 @@ void write_layer_report_json(std::ostream& out, const Layer& layer, const LayerR
                                        {"overlaps", report.count(LayerRegionKind::Overlap)},
                                        {"gaps", report.count(LayerRegionKind::Gap)},
                                        {"holes", report.count(LayerRegionKind::Hole)},
+                                       {"crossings", report.count(LayerRegionKind::Crossing)},
                                        {"gaps_below", report.gaps_below},
                                        {"regions", std::move(regions)},
                                        {"emptied", std::move(emptied)},

@@ -49,8 +49,8 @@ struct LayerFile {
   std::vector<std::string> notes;
   /// Whether the file has points or lines, which are left out.
   bool has_points_or_lines = false;
-  /// The coordinate reference system that the file names with "crs", or an empty text. Computations
-  /// ignore it.
+  /// The coordinate reference system that the file names with "crs", or an empty text. It is also
+  /// `layer.crs`.
   std::string crs;
 };
 
@@ -104,14 +104,13 @@ LayerFile read_layer_file(const std::string& path, LayerReadOptions options = {}
                           Context& context = unlimited_context());
 
 /// Writes a layer as a GeoJSON FeatureCollection (RFC 7946), with one feature on each line.
-/// Coordinates are the nearest doubles. Features without polygons have the geometry null.
-/// Exceptions of `out` reach the caller.
+/// Coordinates are the nearest doubles. Features without polygons have the geometry null. If the
+/// layer has the name of a coordinate reference system, the file has a member "crs" with this name,
+/// as GeoJSON had it before RFC 7946 and as GDAL reads it. Exceptions of `out` reach the caller.
 void write_layer_geojson(std::ostream& out, const Layer& layer,
                          Context& context = unlimited_context());
 
-/// Writes a layer like the function above, and adds the name of its coordinate reference system as
-/// the member "crs". GDAL reads this member, although RFC 7946 has removed it from GeoJSON. `crs`
-/// is LayerFile::crs. If it is empty, the member is left out.
+/// Writes a layer like the function above, but with `crs` instead of Layer::crs.
 void write_layer_geojson(std::ostream& out, const Layer& layer, const std::string& crs,
                          Context& context = unlimited_context());
 
@@ -167,14 +166,18 @@ std::optional<std::string> feature_name(const Layer& layer, std::uint32_t featur
 /// text.
 std::string feature_title(const Layer& layer, std::uint32_t feature);
 
-/// Writes the regions of a report, which are overlaps, gaps and holes, as a GeoJSON
+/// Returns a place to look at: the point of a crossing, or a corner of another region. Returns
+/// nothing if rounding leaves nothing of the region.
+std::optional<Point2> place_of(const LayerReport& report, std::size_t region);
+
+/// Writes the regions of a report, which are overlaps, gaps, holes and crossings, as a GeoJSON
 /// FeatureCollection. Each region is written with its polygons, its area, its width, its features
-/// (LayerReport::features) and its owner. `layer` is the layer that was checked or repaired.
+/// (LayerReport::features) and its owner. A crossing is a point. `layer` is the layer that was
+/// checked or repaired.
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 Context& context = unlimited_context());
 
-/// Writes a report like the function above, and adds the member "crs", as write_layer_geojson()
-/// does.
+/// Writes a report like the function above, but with `crs` instead of Layer::crs.
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 const std::string& crs, Context& context = unlimited_context());
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <vector>
@@ -29,6 +30,7 @@ constexpr double kLeastLayerAspect = 0.4;
 constexpr double kMostLayerAspect = 1.2;
 constexpr double kSeen = 6;             // A region with a smaller box gets a circle.
 constexpr double kCloseUpMargin = 0.6;  // Part of the box of a region that is shown around it.
+constexpr double kCrossingPart = 0.05;  // Part of the map that is shown around a crossing.
 constexpr std::size_t kMostLayerPoints = 500000;
 constexpr std::size_t kMostCloseUpPoints = 20000;
 constexpr Rectangle kCloseUpFrame{0, 0, 600, 380};
@@ -40,6 +42,8 @@ constexpr const char* kLayerStyle = R"(.feature{stroke:#5b6672;stroke-width:8;fi
 .ring{fill:none;stroke-width:2.5}
 .ring.overlap{stroke:#a32020}
 .ring.gap{stroke:#6a2fa0}
+.crossing{fill:#b45309;stroke:#b45309}
+.ring.crossing{fill:none;stroke:#b45309}
 )";
 
 // Texts of the page, which has the size of the screen, and are therefore not part of the picture.
@@ -62,6 +66,7 @@ constexpr LayerLegendItem kLayerLegend[] = {
     {"overlap", "#a32020", "several features cover it"},
     {"gap", "#6a2fa0", "a narrow region without a feature"},
     {"hole", "#d8e9f7", "a wide one, such as a lake; no defect"},
+    {"crossing", "#b45309", "the border of a feature crosses itself"},
 };
 
 std::vector<Point2> ring_of(const Layer& layer, std::size_t r) {
@@ -145,6 +150,17 @@ std::size_t draw(const View& view, const BoxedLayer& features, const BoxedLayer&
   return left_out;
 }
 
+/// Whether a region has a place in doubles.
+bool is_drawn(const LayerReport& report, std::size_t i) {
+  return report.regions[i].at || has_polygons(report.shapes, i);
+}
+
+/// Returns the box of a region. Requires is_drawn().
+Rectangle box_of_region(const BoxedLayer& shapes, const LayerReport& report, std::size_t i) {
+  const std::optional<Point2> at = report.regions[i].at;
+  return at ? Rectangle{at->x, at->y, at->x, at->y} : box_of_feature(shapes, i);
+}
+
 /// Draws a circle around each defect that is too small to be seen, as a link to its close-up.
 void draw_circles(const View& view, const BoxedLayer& shapes, const LayerReport& report,
                   bool has_links, std::ostream& out) {
@@ -152,8 +168,8 @@ void draw_circles(const View& view, const BoxedLayer& shapes, const LayerReport&
   std::size_t drawn = 0;
   for (std::size_t i = 0; i < report.regions.size() && drawn < kMostCircles; ++i) {
     const LayerRegion& region = report.regions[i];
-    if (region.kind == LayerRegionKind::Hole || !has_polygons(shapes.layer, i)) continue;
-    const Rectangle box = box_of_feature(shapes, i);
+    if (region.kind == LayerRegionKind::Hole || !is_drawn(report, i)) continue;
+    const Rectangle box = box_of_region(shapes, report, i);
     if (std::max(box.width(), box.height()) * view.scale() >= kSeen && !has_links) continue;
     const Point2 at = view.place(box.centre());
     if (has_links) out << "<a href=\"#r" << i + 1 << "\">";
@@ -167,7 +183,8 @@ void draw_circles(const View& view, const BoxedLayer& shapes, const LayerReport&
 std::string sentence(const Layer& layer, const LayerReport& report, std::size_t i) {
   constexpr std::size_t kMostNames = 4;
   const LayerRegion& region = report.regions[i];
-  const bool is_overlap = region.kind == LayerRegionKind::Overlap;
+  const bool is_crossing = region.kind == LayerRegionKind::Crossing;
+  const bool is_overlap = is_crossing || region.kind == LayerRegionKind::Overlap;
   std::string text = name_of(region.kind);
   const bool has_one_feature = report.features_of(region).size() == 1;
   text += is_overlap ? " of " : has_one_feature ? " in " : " between ";
@@ -178,6 +195,10 @@ std::string sentence(const Layer& layer, const LayerReport& report, std::size_t 
       break;
     }
     text += (named++ == 0 ? "" : ", ") + feature_title(layer, f);
+  }
+  if (is_overlap && has_one_feature) text += " with itself";
+  if (is_crossing) {
+    return text + ", at " + format_double(region.at->x) + ' ' + format_double(region.at->y);
   }
   text += ": area " + format_double(nearest_double(region.area));
   return text + ", width " + format_double(region.width);
@@ -213,7 +234,8 @@ std::string facts(const Layer& layer, const LayerReport& report) {
   return counted(layer.feature_count(), "feature") + ", " +
          counted(report.count(LayerRegionKind::Overlap), "overlap") + ", " +
          counted(report.count(LayerRegionKind::Gap), "gap") + ", " +
-         counted(report.count(LayerRegionKind::Hole), "hole");
+         counted(report.count(LayerRegionKind::Hole), "hole") + ", " +
+         counted(report.count(LayerRegionKind::Crossing), "crossing");
 }
 
 /// Draws the map. Returns how many features were left out.
@@ -307,16 +329,24 @@ void write_layer_html(std::ostream& out, const Layer& layer, const LayerReport& 
   write_page_map(out, features, shapes, report, options);
   const std::vector<std::size_t> order = listed(report);
   const std::size_t shown = std::min(order.size(), options.max_close_ups);
+  const Rectangle window = window_of(features);
+  const double width = std::max(window.width(), window.height());
   for (std::size_t k = 0; k < shown; ++k) {
     const std::size_t i = order[k];
     out << "<details id=\"r" << i + 1 << "\"><summary>" << xml_escaped(sentence(layer, report, i))
         << "</summary>\n";
-    if (has_polygons(report.shapes, i)) {
-      const Rectangle box = box_of_feature(shapes, i);
-      const double size = std::max(box.width(), box.height());
+    if (is_drawn(report, i)) {
+      const Rectangle box = box_of_region(shapes, report, i);
+      const double size =
+          report.regions[i].at ? kCrossingPart * width : std::max(box.width(), box.height());
       const View view(kCloseUpFrame, box.grown(kCloseUpMargin * size));
       out << "<svg viewBox=\"0 0 600 380\" width=\"600\" height=\"380\">\n";
       draw(view, features, shapes, report, kMostCloseUpPoints, out);
+      if (report.regions[i].at) {
+        const Point2 at = view.place(*report.regions[i].at);
+        out << "<circle class=\"ring crossing\" cx=\"" << svg_number(at.x) << "\" cy=\""
+            << svg_number(at.y) << "\" r=\"8\"/>\n";
+      }
       out << "</svg>\n";
     } else {
       out << "<p>Nothing of this region is left in doubles.</p>\n";

@@ -22,6 +22,7 @@
 #include "plumb/plane/layer/covered_cells.h"
 #include "plumb/plane/layer/labelled_layer.h"
 #include "plumb/plane/layer/open_gaps.h"
+#include "plumb/plane/layer/self_crossings.h"
 #include "plumb/plane/plane_measure.h"
 #include "plumb/predicates/arithmetic/rational_sum.h"
 #include "plumb/predicates/error.h"
@@ -114,6 +115,10 @@ class LayerRepair {
  private:
   FaceId left(std::size_t e) const { return complex_.dcel.face(first_half(EdgeId(e))); }
   FaceId right(std::size_t e) const { return complex_.dcel.face(twin(first_half(EdgeId(e)))); }
+  /// Whether several polygons of one feature cover a face, and no other feature does.
+  bool is_own_overlap(FaceId f) const {
+    return cells_.is_doubled(f) && cells_.features(f).size() == 1;
+  }
   bool is_uncovered(const LayerRegion& region) const {
     return region.kind != LayerRegionKind::Overlap;
   }
@@ -139,6 +144,7 @@ class LayerRepair {
   Numbers unbeaten(Numbers candidates, std::vector<std::uint32_t>& kept) const;
   std::uint32_t select(Numbers candidates, std::span<const BorderPiece> borders) const;
   double worth(std::uint32_t feature, std::span<const BorderPiece> borders) const;
+  void find_crossings();
   void find_emptied(const Layer& result);
 
   const Layer& layer_;
@@ -167,6 +173,21 @@ void LayerRepair::find() {
   measure_features();
   own_overlaps();
   own_gaps();
+  find_crossings();
+}
+
+/// Appends the places at which polygons cross themselves.
+void LayerRepair::find_crossings() {
+  for (const SelfCrossing& crossing : self_crossings(cells_, layer_, context_)) {
+    const auto after = std::upper_bound(layer_.feature_begin.begin(), layer_.feature_begin.end(),
+                                        crossing.polygon);
+    const auto begin = static_cast<std::uint32_t>(report_.features.size());
+    report_.features.push_back(
+        static_cast<std::uint32_t>(after - layer_.feature_begin.begin() - 1));
+    const RationalPoint2 p = exact(complex_.points, complex_.vertex_point[crossing.vertex]);
+    report_.regions.push_back({LayerRegionKind::Crossing, 0, 0, begin, begin + 1, kNobody, false,
+                               Point2{nearest_double(p.x), nearest_double(p.y)}});
+  }
 }
 
 void LayerRepair::make_shapes() {
@@ -174,11 +195,12 @@ void LayerRepair::make_shapes() {
   report_.shapes = layer_of_labels(shapes.labelled, report_.regions.size(), nullptr, context_);
 }
 
-/// Numbers the regions of faces that not exactly one feature covers. Face 0 belongs to none.
+/// Numbers the regions of faces that not exactly one polygon covers. Face 0 belongs to none.
 void LayerRepair::find_regions() {
   UnionFind classes(complex_.face_count());
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     if (!cells_.is_same_cover(left(e), right(e)) || cells_.is_open_bridge(EdgeId(e))) continue;
+    if (is_own_overlap(left(e)) != is_own_overlap(right(e))) continue;
     classes.unite(left(e).value(), right(e).value());
   }
   std::vector<std::uint8_t> is_open_gap;
@@ -189,7 +211,7 @@ void LayerRepair::find_regions() {
     const Numbers features = cells_.features(FaceId(f));
     if (features.size() == 1) owner_[f] = features.front();
     const std::uint32_t root = classes.root(f);
-    if (features.size() == 1 || root == 0) continue;
+    if ((features.size() == 1 && !is_own_overlap(FaceId(f))) || root == 0) continue;
     if (root == f) {
       region_[f] = static_cast<std::uint32_t>(report_.regions.size());
       const auto begin = static_cast<std::uint32_t>(report_.features.size());

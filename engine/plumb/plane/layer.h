@@ -12,7 +12,8 @@
 //                       that its rings enclose by the even-odd rule.
 //  2. LayerRegions      joins neighbouring faces with the same list to regions. A region that
 //                       several features cover is an overlap. A bounded region that no feature
-//                       covers is a gap or a hole.
+//                       covers is a gap or a hole. A point at which a ring crosses itself, as in a
+//                       bow tie, is a crossing.
 //  3. RegionOwners      gives each overlap and each gap to one feature
 //     A narrow channel or notch between features is also a gap. Such a gap is open to the outside
 //     or into a hole. Bridges across such gaps (layer/open_gaps.h) are arranged together with the
@@ -60,6 +61,9 @@ struct Layer {
   /// Offsets in `json`: the id of feature f begins at json_begin[2 f], and its properties begin at
   /// json_begin[2 f + 1]. The last entry is the size of `json`.
   std::vector<std::uint64_t> json_begin = {0};
+  /// The name of the coordinate reference system, or an empty text. Computations ignore it. A
+  /// result has the name of its operand; if there are several, that of the first one with a name.
+  std::string crs;
 
   std::size_t feature_count() const { return feature_begin.size() - 1; }  ///< Number of features.
   std::size_t polygon_count() const { return polygon_begin.size() - 1; }  ///< Number of polygons.
@@ -150,15 +154,22 @@ enum class LayerRegionKind : std::uint8_t {
   Overlap,  ///< Several features cover the region.
   Gap,      ///< No feature covers the region, and it is narrow (LayerRepairOptions::gaps_below).
   Hole,     ///< No feature covers the region, and it is wide. A hole is not a defect.
+  /// The rings of a polygon cross themselves or each other at a point, or lie on each other along
+  /// edges. The region is a point or these edges, so its area and its width are 0.
+  Crossing,
 };
 
-/// Returns "overlap", "gap" or "hole": the name of a kind in files, pictures and bindings.
+/// Returns "overlap", "gap", "hole" or "crossing": the name of a kind in files, pictures and
+/// bindings.
 constexpr const char* name_of(LayerRegionKind kind) {
   if (kind == LayerRegionKind::Overlap) return "overlap";
+  if (kind == LayerRegionKind::Crossing) return "crossing";
   return kind == LayerRegionKind::Gap ? "gap" : "hole";
 }
 
-/// A region of a report: a gap, a hole, or a connected region in which the same features overlap.
+/// A region of a report: a gap, a hole, a connected region in which the same features overlap, or a
+/// crossing. If several polygons of one feature overlap and no other feature covers the region, the
+/// region is an overlap of one feature.
 struct LayerRegion {
   /// The value of `owner` for a region that belongs to no feature.
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
@@ -168,20 +179,24 @@ struct LayerRegion {
   double width;                  ///< Twice the area, divided by the perimeter.
   std::uint32_t features_begin;  ///< First entry in LayerReport::features.
   std::uint32_t features_end;    ///< The entry after the last entry in LayerReport::features.
-  std::uint32_t owner;           ///< The feature that gets the region; kNobody for a hole.
+  /// The feature that gets the region; kNobody for a hole or a crossing.
+  std::uint32_t owner;
   bool is_open = false;  ///< Whether the region is a gap that opens to the outside or into a hole.
+  /// The point of a crossing, or a point of its edges, as the nearest doubles.
+  std::optional<Point2> at = {};
 };
 
 /// The regions that check_layer() or repair_layer() found, and the changes that repair_layer()
 /// made.
 struct LayerReport {
-  std::vector<LayerRegion> regions;  ///< Overlaps, gaps and holes.
+  std::vector<LayerRegion> regions;  ///< Overlaps, gaps and holes, then crossings.
   /// The features of all regions, end to end. features_of() returns the features of one region. The
   /// features of an overlap are the features that cover it. The features of a gap or a hole are the
   /// features along its boundary. The features of a region are in ascending order.
   std::vector<std::uint32_t> features;
   /// The polygons of the regions, rounded to doubles. Feature k of `shapes` is regions[k], and has
-  /// no id and no properties. It has no polygons if rounding leaves nothing of the region.
+  /// no id and no properties. It has no polygons if the region is a crossing, or if rounding leaves
+  /// nothing of the region.
   Layer shapes;
   double gaps_below = 0;               ///< The bound that was used for the widths of gaps.
   std::vector<std::uint32_t> emptied;  ///< The features that lost their whole area by the repair.
@@ -197,7 +212,7 @@ struct LayerReport {
   }
   /// Returns the number of regions of a kind. O(regions).
   std::size_t count(LayerRegionKind kind) const;
-  /// Whether the layer has overlaps or gaps.
+  /// Whether the layer has overlaps, gaps or crossings.
   bool has_defects() const;
 };
 
@@ -209,9 +224,9 @@ struct RepairedLayer {
   LayerReport report;  ///< The regions that were found, and the changes that were made.
 };
 
-/// Returns the overlaps, gaps and holes of a layer. The layer is not changed, so no region has an
-/// owner, and `options.rule` has no effect. Only the corners of LayerReport::shapes are rounded.
-/// Throws as repair_layer() does.
+/// Returns the overlaps, gaps, holes and crossings of a layer. The layer is not changed, so no
+/// region has an owner, and `options.rule` has no effect. Only the corners of LayerReport::shapes
+/// are rounded. Throws as repair_layer() does.
 LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = {},
                         Context& context = unlimited_context());
 

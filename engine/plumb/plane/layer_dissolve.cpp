@@ -31,6 +31,7 @@ DissolvedLayer dissolve_layer(const Layer& layer, std::span<const std::uint32_t>
   }
   const RoundedLabels rounded = rounded_labels(cells.complex(), label, context);
   Layer result = layer_of_labels(rounded.labelled, group_count, nullptr, context);
+  result.crs = layer.crs;
   return {std::move(result), count_overlaps(cells, {0, features}, group), rounded.rounding};
 }
 

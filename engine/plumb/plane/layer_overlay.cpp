@@ -140,6 +140,7 @@ LayerOverlay overlay_layers(const Layer& first, const Layer& second,
   overlay.pairs = std::move(faces.pairs);
   remove_vanished(overlay, rounded.labelled.label);
   overlay.layer = layer_of_labels(rounded.labelled, overlay.pairs.size(), nullptr, context);
+  overlay.layer.crs = first.crs.empty() ? second.crs : first.crs;
   return overlay;
 }
 

@@ -85,6 +85,7 @@ bool has_thin_parts(const Nef2& set) {
 
 void append_layer(Layer& layer, const Layer& more) {
   const std::uint32_t offset = append_points(layer, more);
+  if (layer.crs.empty()) layer.crs = more.crs;
   for (std::size_t f = 0; f < more.feature_count(); ++f) {
     append_polygons(layer, more, f, f + 1, offset);
     layer.end_feature(more.id(f), more.properties(f));
@@ -102,6 +103,7 @@ SetFeatures set_features(const Nef2& set, const Layer& sources, Context& context
   const std::vector<std::uint32_t> label = labels_of(cells, rest);
   const RoundedLabels rounded = rounded_labels(cells.complex(), label, context);
   SetFeatures result;
+  result.layer.crs = sources.crs;
   result.rounding = rounded.rounding;
   result.is_unbounded = !set.is_bounded();
   result.has_thin_parts = has_thin_parts(set);

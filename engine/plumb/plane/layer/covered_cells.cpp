@@ -6,6 +6,7 @@
 #include "plumb/plane/layer/covered_cells.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "plumb/base/internal/union_find.h"
@@ -80,6 +81,7 @@ void CoveredCells::add_curves(const Layer& layer) {
   for (std::uint32_t p = 0; p < layer.polygon_count(); ++p) {
     for (std::size_t r = layer.polygon_begin[p]; r < layer.polygon_begin[p + 1]; ++r) {
       const FeatureList ring = layer.ring(r);
+      ring_begin_.push_back(static_cast<std::uint32_t>(curves_.size()));
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const std::uint32_t next = ring[i + 1 < ring.size() ? i + 1 : 0];
         if (ring[i] == next) continue;
@@ -88,6 +90,12 @@ void CoveredCells::add_curves(const Layer& layer) {
       }
     }
   }
+  ring_begin_.push_back(static_cast<std::uint32_t>(curves_.size()));
+}
+
+CoveredCells::CurveRange CoveredCells::ring_of(SegmentId s) const {
+  const auto end = std::upper_bound(ring_begin_.begin(), ring_begin_.end(), s.value());
+  return {*std::prev(end), *end};
 }
 
 /// Visits all faces, from face 0 across edges.
@@ -149,7 +157,7 @@ void CoveredCells::enter(FaceId from, FaceId to, EdgeId across) {
   last_[to] = lists_.size();
 }
 
-/// Replaces polygons by their features, each once.
+/// Replaces polygons by their features, each once, and marks faces where one occurs twice.
 void CoveredCells::name_features(const Layer& layer) {
   std::vector<std::uint32_t> feature(layer.polygon_count());
   for (std::uint32_t f = 0; f < layer.feature_count(); ++f) {
@@ -160,7 +168,12 @@ void CoveredCells::name_features(const Layer& layer) {
   for (std::size_t f = 0; f < first_.size(); ++f) {
     const auto begin = lists_.begin() + static_cast<std::ptrdiff_t>(first_[f]);
     const auto end = lists_.begin() + static_cast<std::ptrdiff_t>(last_[f]);
-    last_[f] = first_[f] + static_cast<std::size_t>(std::unique(begin, end) - begin);
+    const auto kept = std::unique(begin, end);
+    if (kept != end) {
+      is_doubled_.resize(first_.size(), 0);
+      is_doubled_[f] = 1;
+    }
+    last_[f] = first_[f] + static_cast<std::size_t>(kept - begin);
   }
 }
 

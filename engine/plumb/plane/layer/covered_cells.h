@@ -50,10 +50,31 @@ class CoveredCells {
   FeatureList features(FaceId f) const {
     return {lists_.data() + first_[f], lists_.data() + last_[f]};
   }
+  /// Whether several polygons of one feature cover a face.
+  bool is_doubled(FaceId f) const { return !is_doubled_.empty() && is_doubled_[f.value()] != 0; }
+
+  /// Sets `origins` to the curves that lie on an edge, in ascending order.
+  void get_origins(EdgeId e, std::vector<SegmentId>& origins) const {
+    origins.clear();
+    arrangement_.origin_sets.append(arrangement_.origins[e.value()], origins);
+  }
+  /// Whether a curve belongs to a ring and not to a bridge.
+  bool is_of_polygon(SegmentId s) const { return polygon_[s.value()] != kNoPolygon; }
+  /// Returns the polygon of a curve. Requires is_of_polygon(s).
+  std::uint32_t polygon(SegmentId s) const { return polygon_[s.value()]; }
+  /// Returns the corners that a curve joins, as indices into the points of the layer. Requires
+  /// is_of_polygon(s).
+  SweepSegment curve(SegmentId s) const { return curves_[s.value()]; }
+  /// The curves begin, ..., end - 1.
+  struct CurveRange {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  /// Returns the curves of the ring of a curve, in the order of the ring. O(log(rings)).
+  CurveRange ring_of(SegmentId s) const;
 
  private:
   void add_curves(const Layer& layer);
-  bool is_of_polygon(SegmentId s) const { return polygon_[s.value()] != kNoPolygon; }
   void visit_faces();
   void enter(FaceId from, FaceId to, EdgeId across);
   void name_features(const Layer& layer);
@@ -65,10 +86,12 @@ class CoveredCells {
   const PointTable2& corner_points_;
   bool has_bridges_;
   std::vector<SweepSegment> curves_;
-  std::vector<std::uint32_t> polygon_;  // For each curve, its polygon; kNoPolygon for bridges.
+  std::vector<std::uint32_t> polygon_;     // For each curve, its polygon; kNoPolygon for bridges.
+  std::vector<std::uint32_t> ring_begin_;  // For each ring, its first curve; then their number.
   Arrangement arrangement_;
   std::vector<std::uint32_t> lists_;  // Polygons, later features, of all faces.
   IdVector<FaceId, std::size_t> first_, last_;
+  std::vector<std::uint8_t> is_doubled_;  // For each face; empty if there is no such face.
   std::vector<SegmentId> origins_;
 };
 

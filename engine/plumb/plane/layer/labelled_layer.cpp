@@ -120,6 +120,7 @@ Layer layer_of_labels(const LabelledComplex& labelled, std::size_t label_count, 
     return a.first != b.first ? a.first < b.first : a.second.value() < b.second.value();
   });
   Layer layer;
+  if (named != nullptr) layer.crs = named->crs;
   layer.points.reserve(complex.vertex_count());
   for (const std::uint32_t p : complex.vertex_point) {
     layer.points.push_back(complex.points.inputs.approx(p));
