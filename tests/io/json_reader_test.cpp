@@ -114,6 +114,84 @@ TEST(JsonValues, SayWhatTheTreeSays) {
   EXPECT_GT(refused, 500);
 }
 
+/// Whether JsonValues reads a text.
+bool is_read(const std::string& text) {
+  Context context;
+  try {
+    const JsonValues values(text, "a.json", fail_at, context);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+TEST(JsonValues, ReadsATextIfAndOnlyIfTheLibraryDoes) {
+  static const std::string kBytes =
+      "0123456789+-.eE\"\\/u{}[],: \t\r\ntrufalsn\x01\x7f\xc3\xa9\xed";
+  std::size_t read = 0;
+  constexpr std::uint64_t kTexts = 4000;
+  for (std::uint64_t seed = 0; seed < kTexts; ++seed) {
+    Dice dice(seed);
+    std::string text = random_json(dice, 4).dump(static_cast<int>(dice.between(-1, 1)), ' ',
+                                                 dice.between(0, 1) == 0);
+    for (auto i = dice.between(0, 3); i > 0; --i) {
+      const auto at = static_cast<std::size_t>(dice.between(0, static_cast<int>(text.size())));
+      const char byte =
+          kBytes[static_cast<std::size_t>(dice.between(0, static_cast<int>(kBytes.size()) - 1))];
+      if (dice.between(0, 1) == 0 && at < text.size()) {
+        text[at] = byte;
+      } else {
+        text.insert(at, 1, byte);
+      }
+    }
+    EXPECT_EQ(is_read(text), Json::accept(text)) << text;
+    read += is_read(text) ? 1 : 0;
+  }
+  EXPECT_GT(read, kTexts / 8);
+  EXPECT_LT(read, kTexts * 7 / 8);
+}
+
+TEST(JsonValues, ReadsEscapesAndCharactersAsTheLibraryDoes) {
+  for (const char* const text : {R"("\u00e9")",
+                                 R"("\ud83d\ude00")",
+                                 R"("\ud83d")",
+                                 R"("\ude00")",
+                                 R"("\u12")",
+                                 R"("\x")",
+                                 R"("\"\\\/\b\f\n\r\t")",
+                                 "\"\xc3\xa9\"",
+                                 "\"\xc3\"",
+                                 "\"\xed\xa0\x80\"",
+                                 "\"\xf0\x9f\x98\x80\"",
+                                 "1e99",
+                                 "1e308",
+                                 "1e309",
+                                 "1e-400",
+                                 "-0",
+                                 "01",
+                                 "1.",
+                                 ".5",
+                                 "+1",
+                                 "-",
+                                 "1e",
+                                 "\"",
+                                 "[",
+                                 "{",
+                                 "[1,]",
+                                 "{\"a\":1,}",
+                                 "{\"a\"}",
+                                 "{1:2}",
+                                 "[1 2]",
+                                 "[]]",
+                                 "",
+                                 " ",
+                                 "nul",
+                                 "nulls",
+                                 "[1}"}) {
+    EXPECT_EQ(is_read(text), Json::accept(text)) << text;
+  }
+}
+
 TEST(JsonValues, ReadsEveryKindOfNumber) {
   Context context;
   for (const std::string text :
@@ -146,18 +224,20 @@ TEST(JsonValues, TakesNoMoreThanJsonOfThatSizeNeeds) {
   }
 }
 
-/// 8 bytes for a value, 5 for a byte while it is parsed.
+/// 8 bytes for a value; if the library parses the text, 5 for a byte while it does.
 TEST(JsonValues, ChargesWhatItTakes) {
-  std::string text = "[0";
-  for (int i = 0; i < 10000; ++i) text += ",0";
-  text += "]";
-  Limits limits;
-  limits.max_memory_bytes = 8 * 10002 + 5 * text.size();
-  Context enough(limits);
-  EXPECT_EQ(JsonValues(text, "file", fail_at, enough).items(0).size(), 10001U);
-  --limits.max_memory_bytes;
-  Context little(limits);
-  EXPECT_THROW(JsonValues(text, "file", fail_at, little), Error);
+  for (const std::string first : {"0", R"("\ud83d\ude00")"}) {
+    std::string text = "[" + first;
+    for (int i = 0; i < 10000; ++i) text += ",0";
+    text += "]";
+    Limits limits;
+    limits.max_memory_bytes = 8 * 10002 + (first == "0" ? 0 : 5 * text.size());
+    Context enough(limits);
+    EXPECT_EQ(JsonValues(text, "file", fail_at, enough).items(0).size(), 10001U);
+    --limits.max_memory_bytes;
+    Context little(limits);
+    EXPECT_THROW(JsonValues(text, "file", fail_at, little), Error);
+  }
 }
 
 TEST(LenientJson, replaces_what_is_not_json) {

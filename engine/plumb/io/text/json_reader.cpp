@@ -5,15 +5,24 @@
 // position. JsonValues keeps 8 bytes for each value: its first byte, and the number of the value
 // after it, which makes skipping a subtree O(1) and lists linked. Memory is known before parsing: a
 // scan counts separators outside of quotes, which bounds the number of values, and the list is
-// reserved once; if the parser reports more, the text is not JSON, and parsing will fail. Tested by
-// tests/io/json_reader_test.cpp.
+// reserved once; if the parser reports more, the text is not JSON, and parsing will fail.
+//
+// A parser that reports events takes most of the time of reading a layer. So PlainJson lists the
+// values of most texts by itself. It gives up where a text is not JSON, and where it does not
+// decide whether it is JSON. Then the parser reads the text, so errors are always those of the
+// parser.
+//
+// Tested by tests/io/json_reader_test.cpp.
 #include "plumb/io/text/json_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "plumb/io/text/utf8.h"
+#include "plumb/io/text/watched_scan.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -95,23 +104,50 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kMembersPerCheckpoint = 65536;
-constexpr std::size_t kBytesPerCheckpoint = 1U << 20U;
 /// The parser keeps two copies of its last text, in buffers that double one at a time.
 constexpr std::uint64_t kParsingBytes = 5;
+
+/// Returns a table of the characters that a text lists: loops look up one byte per step.
+constexpr std::array<bool, 256> characters_of(std::string_view characters) {
+  std::array<bool, 256> table{};
+  for (const char c : characters) table[static_cast<unsigned char>(c)] = true;
+  return table;
+}
+
+constexpr auto kMarksAndQuotes = characters_of("[{,:\"");
+constexpr auto kEnds = characters_of(",]} \t\r\n");  // Of numbers and words.
+
+bool is_in(const std::array<bool, 256>& table, char c) {
+  return table[static_cast<unsigned char>(c)];
+}
+
+/// Returns where a quoted text that begins at `p` ends: behind its second quote.
+const char* end_of_quoted(const char* p, const char* end, Context& context) {
+  for (++p; p != end; ++p) {
+    p = find_watched(p, end, context, [](char c) { return c == '"' || c == '\\'; });
+    if (p == end) break;
+    if (*p == '"') return p + 1;
+    if (++p == end) break;
+  }
+  return end;
+}
 
 /// Returns a bound on the number of values: they begin at the start of the text, or after brackets,
 /// commas and colons outside of quotes.
 std::uint64_t count_values(std::string_view text, Context& context) {
+  const char* const end = text.data() + text.size();
   std::uint64_t values = 1;
-  bool is_quoted = false, is_escaped = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (i % kBytesPerCheckpoint == 0) context.checkpoint("read", i, text.size());
-    const char c = text[i];
-    const bool ends_quotes = c == '"' && !is_escaped;
-    const bool is_mark = !is_quoted && (c == '[' || c == '{' || c == ',' || c == ':');
-    is_escaped = is_quoted && c == '\\' && !is_escaped;
-    is_quoted = is_quoted != ends_quotes;
-    values += is_mark ? 1 : 0;
+  for (const char* p = text.data(); p != end;) {
+    p = find_watched(p, end, context, [](char c) { return is_in(kMarksAndQuotes, c); });
+    if (p == end) break;
+    if (*p == '"') {
+      p = end_of_quoted(p, end, context);
+      continue;
+    }
+    if (++values % kMembersPerCheckpoint == 0) {
+      context.checkpoint("read", static_cast<std::size_t>(p - text.data()), text.size());
+    }
+    ++p;
   }
   return values;
 }
@@ -203,6 +239,188 @@ class JsonListener : public nlohmann::json_sax<Json> {
   bool is_passed_over_ = false;
 };
 
+/// Lists the values of a text without the parser.
+class PlainJson {
+ public:
+  /// Keeps the list, which has room for all values of the text.
+  PlainJson(std::vector<JsonValues::Span>& spans, std::string_view text, Context& context)
+      : spans_(spans),
+        context_(context),
+        begin_(text.data()),
+        p_(text.data()),
+        end_(text.data() + text.size()) {}
+
+  /// Lists all values. Returns false if the text is not known to be JSON.
+  bool list() {
+    if (!take_value()) return false;
+    for (;;) {
+      // A value has ended.
+      skip_blanks();
+      if (open_ == kNone) return p_ == end_;
+      if (p_ == end_) return false;
+      const bool is_object = begin_[spans_[open_].begin] == '{';
+      const char mark = *p_++;
+      if (mark == ',') {
+        if ((is_object && !take_name()) || !take_value()) return false;
+      } else if (mark == (is_object ? '}' : ']')) {
+        close();
+      } else {
+        return false;
+      }
+    }
+  }
+
+ private:
+  static constexpr JsonValues::Id kNone = 0xffff'ffff;
+  static constexpr std::ptrdiff_t kMostOfNumber = 200;
+
+  bool at(char c) const { return p_ != end_ && *p_ == c; }
+  bool at_digit() const { return p_ != end_ && '0' <= *p_ && *p_ <= '9'; }
+  void skip_blanks() {
+    const auto is_blank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
+    if (p_ == end_ || !is_blank(*p_)) return;
+    p_ = find_watched(p_, end_, context_, [&](char c) { return !is_blank(c); });
+  }
+  void add(JsonValues::Id next) {
+    spans_.push_back({static_cast<std::uint32_t>(p_ - begin_), next});
+    if (spans_.size() % kTokensPerCheckpoint == 0) {
+      context_.checkpoint("read", static_cast<std::size_t>(p_ - begin_),
+                          static_cast<std::size_t>(end_ - begin_));
+    }
+  }
+  bool begins_value() {
+    skip_blanks();
+    return p_ != end_ && spans_.size() < spans_.capacity();
+  }
+  void close() {
+    open_ = std::exchange(spans_[open_].next, static_cast<JsonValues::Id>(spans_.size()));
+  }
+  bool take_value();
+  bool take_name();
+  bool take_text();
+  bool take_escape();
+  bool take_word(std::string_view word);
+  bool take_number();
+  bool take_digits();
+
+  std::vector<JsonValues::Span>& spans_;
+  Context& context_;
+  const char* begin_;
+  const char* p_;
+  const char* end_;
+  JsonValues::Id open_ = kNone;
+};
+
+/// Takes a value, or the brackets and names before the first value in it that is no bracket.
+bool PlainJson::take_value() {
+  while (begins_value()) {
+    const char first = *p_;
+    const auto number = static_cast<JsonValues::Id>(spans_.size());
+    if (first != '{' && first != '[') {
+      add(number + 1);
+      if (first == '"') return take_text();
+      if (first == 't') return take_word("true");
+      if (first == 'f') return take_word("false");
+      return first == 'n' ? take_word("null") : take_number();
+    }
+    add(std::exchange(open_, number));
+    ++p_;
+    skip_blanks();
+    if (at(first == '{' ? '}' : ']')) {
+      ++p_;
+      close();
+      return true;
+    }
+    if (first == '{' && !take_name()) return false;
+  }
+  return false;
+}
+
+/// Takes the name of a member with its colon.
+bool PlainJson::take_name() {
+  if (!begins_value() || *p_ != '"') return false;
+  add(static_cast<JsonValues::Id>(spans_.size() + 1));
+  if (!take_text()) return false;
+  skip_blanks();
+  if (!at(':')) return false;
+  ++p_;
+  return true;
+}
+
+bool PlainJson::take_text() {
+  ++p_;
+  for (;;) {
+    p_ = find_watched(p_, end_, context_, [](char c) {
+      const auto byte = static_cast<unsigned char>(c);
+      return c == '"' || c == '\\' || byte < 0x20 || byte >= 0x80;
+    });
+    if (p_ == end_) return false;
+    if (*p_ == '"') {
+      ++p_;
+      return true;
+    }
+    if (*p_ == '\\') {
+      if (!take_escape()) return false;
+      continue;
+    }
+    const std::size_t bytes = static_cast<unsigned char>(*p_) < 0x20 ? 0 : utf8_bytes(p_, end_);
+    if (bytes == 0) return false;
+    p_ += bytes;
+  }
+}
+
+/// Takes an escape; pairs of surrogates are left to the parser.
+bool PlainJson::take_escape() {
+  constexpr std::string_view kKnown = "\"\\/bfnrt";
+  ++p_;
+  if (p_ == end_) return false;
+  if (kKnown.find(*p_) != kKnown.npos) {
+    ++p_;
+    return true;
+  }
+  if (*p_ != 'u' || end_ - p_ < 5) return false;
+  std::uint32_t code = 0;
+  const auto [last, error] = std::from_chars(p_ + 1, p_ + 5, code, 16);
+  if (error != std::errc() || last != p_ + 5 || (code >= 0xD800 && code < 0xE000)) return false;
+  p_ = last;
+  return true;
+}
+
+bool PlainJson::take_word(std::string_view word) {
+  if (!std::string_view(p_, static_cast<std::size_t>(end_ - p_)).starts_with(word)) return false;
+  p_ += word.size();
+  return true;
+}
+
+bool PlainJson::take_digits() {
+  if (!at_digit()) return false;
+  while (at_digit()) ++p_;
+  return true;
+}
+
+/// Takes a number. One that may lie beyond the largest double is left to the parser.
+bool PlainJson::take_number() {
+  constexpr std::ptrdiff_t kMostOfExponent = 2;
+  const char* const first = p_;
+  if (at('-')) ++p_;
+  if (at('0')) {
+    ++p_;
+  } else if (!take_digits()) {
+    return false;
+  }
+  if (at('.')) {
+    ++p_;
+    if (!take_digits()) return false;
+  }
+  if (at('e') || at('E')) {
+    ++p_;
+    if (at('-') || at('+')) ++p_;
+    const char* const exponent = p_;
+    if (!take_digits() || p_ - exponent > kMostOfExponent) return false;
+  }
+  return p_ - first <= kMostOfNumber;
+}
+
 JsonValues::JsonValues(std::string_view text, const std::string& name, const Fail& fail,
                        Context& context)
     : text_(text), context_(context), charge_(context) {
@@ -211,9 +429,11 @@ JsonValues::JsonValues(std::string_view text, const std::string& name, const Fai
   const std::uint64_t values =
       std::min<std::uint64_t>(count_values(text, context), text.size() / 2 + 1);
   charge_.add(values * sizeof(Span), "the JSON");
+  spans_.reserve(values);
+  if (PlainJson(spans_, text, context).list()) return;
+  spans_.clear();
   MemoryCharge parsing(context);
   parsing.add(kParsingBytes * text.size(), "the JSON");
-  spans_.reserve(values);
   JsonListener(spans_, text, name, fail, context).listen();
 }
 
@@ -270,7 +490,8 @@ std::string_view JsonValues::source(Id value) const {
   const std::string_view all = rest(value);
   if (is_text(value)) return quoted(value);
   if (!is_object(value) && !is_list(value)) {
-    return all.substr(0, all.find_first_of(",]} \t\r\n"));
+    const auto end = std::find_if(all.begin(), all.end(), [](char c) { return is_in(kEnds, c); });
+    return all.substr(0, static_cast<std::size_t>(end - all.begin()));
   }
   // The text is valid JSON, so only brackets outside of texts matter.
   std::size_t open = 0, i = 0;

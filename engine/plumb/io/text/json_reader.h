@@ -113,7 +113,8 @@ class JsonPlaces {
 // contents. Texts and numbers stay in the JSON and are read on demand.
 //  1. count   A pass over the bytes counts values, so that the list is charged and reserved before
 //             it is filled, for no more values than a text of its size can hold
-//  2. list    nlohmann-json splits the text into events (no recursion, no tree); each value notes
+//  2. list    a pass over texts of the usual form lists the values. For others,
+//             nlohmann-json splits the text into events (no recursion, no tree); each value notes
 //             where it begins and, when it ends, which value comes after it
 //
 // A name comes before its member as one more value. Cost: O(bytes).
@@ -204,6 +205,7 @@ class JsonValues {
     Id next;
   };
   friend class JsonListener;
+  friend class PlainJson;
 
   char first_byte(Id value) const { return text_[spans_[value].begin]; }
   std::string_view rest(Id value) const { return text_.substr(spans_[value].begin); }

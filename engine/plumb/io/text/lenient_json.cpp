@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 
+#include "plumb/io/text/utf8.h"
 #include "plumb/predicates/error.h"
 
 namespace plumb {
@@ -32,26 +33,6 @@ bool is_of_json(std::string_view word) {
   if (word == "null" || word == "true" || word == "false") return true;
   return word.find_first_not_of("+-.0123456789Ee") == word.npos &&
          word.find_first_of("0123456789") != word.npos;
-}
-
-/// Returns how many bytes the character of UTF-8 at `p` has; 0 if there is none.
-std::size_t utf8_bytes(const char* p, const char* end) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(p[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t count = first < 0xC2   ? 0
-                            : first < 0xE0 ? 2
-                            : first < 0xF0 ? 3
-                            : first < 0xF5 ? 4
-                                           : 0;
-  if (count == 0 || static_cast<std::size_t>(end - p) < count) return 0;
-  for (std::size_t i = 1; i < count; ++i) {
-    if (byte(i) < 0x80 || byte(i) > 0xBF) return 0;
-  }
-  // Overlong forms, halves of surrogate pairs, and what lies behind U+10FFFF.
-  const bool is_bad = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
-                      (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F);
-  return is_bad ? 0 : count;
 }
 
 /// Returns the code of an escape \uXXXX at `p`; no value if there is none.
