@@ -6,7 +6,7 @@ FOLDER/NAME-VERSION/package, or as FOLDER/NAME. All programs read the same GeoJS
 of the package. Entries of the first table, of plumb, GEOS coverage_clean and mapshaper -clean in this order: features that are
 not valid (GEOS), whether the result is a coverage (GEOS, and the exact judge of tests/system), area moved (the sum of the
 absolute changes of the areas of features), and the CPU time of the command, reading and writing included; for GEOS, also that of
-the call alone. "Regions" are the overlaps and gaps that plumb reports. "Beside them" is the area that plumb has moved outside of
+the call alone. "Regions" are the overlaps of different features and the gaps that plumb reports. "Beside them" is the area that plumb has moved outside of
 these regions, as GEOS computes it in doubles. The second table has the CPU times of a union; the call
 of plumb is that of bench/peers/layer_union, the least of three. --calls prints only a third table: the CPU times of the calls of
 plumb and of Clipper2, which take turns, each the least of five rounds, and the median of the ratios of the rounds.
@@ -153,7 +153,8 @@ def repair_row(title, programs, source, target, changes):
         if len(results) == 1:
             regions = [f["properties"] for f in read(changes)]
             outside = moved_outside(before, results[0].cells, changes)
-    kinds = [sum(r["kind"] == kind for r in regions) for kind in ("overlap", "gap")]
+    # Overlaps of a feature with itself are left out: they are no relation between features.
+    kinds = [sum(r["kind"] == kind and (kind == "gap" or len(r["features"]) > 1) for r in regions) for kind in ("overlap", "gap")]
 
     def of_all(name):
         return "; ".join(getattr(r, name) if r else "-" for r in results)
