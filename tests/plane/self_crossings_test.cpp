@@ -98,7 +98,8 @@ TEST(SelfCrossings, are_told_where_they_are) {
             (std::vector<Place>{{0, 1, 1}}));
   EXPECT_EQ(crossings_of({{{0, 0}, {1, 1}, {2, 2}, {2, 0}, {0, 2}}}),
             (std::vector<Place>{{0, 1, 1}}));
-  // Three edges through one point are one place. The last one ends on an edge and goes on behind it.
+  // Three edges through one point are one place. The last one ends on an edge and goes on behind
+  // it.
   EXPECT_EQ(crossings_of({{{0, 0}, {4, 4}, {4, 0}, {0, 4}, {0, 2}, {4, 2}, {6, 1}, {2, -2}}}),
             (std::vector<Place>{{0, 2, 2}, {0, 4, 2}}));
   // A hole that leaves its shell.

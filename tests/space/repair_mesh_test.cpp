@@ -363,8 +363,8 @@ Faces expect_own(const PolygonMesh& mesh, const MeshAttributes& attributes) {
 }
 
 TEST(RepairMesh, AttributesStayWithTheirFaces) {
-  // A cube without its last face, with face 1 flipped, face 2 listed twice, a face without area, and
-  // repeated corners and a spike in face 3. Every corner is a point of its own.
+  // A cube without its last face, with face 1 flipped, face 2 listed twice, a face without area,
+  // and repeated corners and a spike in face 3. Every corner is a point of its own.
   PolygonMesh mesh = kCube;
   mesh.corners.resize(mesh.face_begin[5]);
   mesh.face_begin.resize(6);

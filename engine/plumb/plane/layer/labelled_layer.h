@@ -60,8 +60,8 @@ RoundedLabels rounded_labels(const PlaneComplex& complex, const std::vector<std:
                              Context& context, std::span<const std::uint8_t> is_corner = {});
 
 /// Returns the layer whose feature k consists of the faces with label k. Requires that all vertices
-/// are doubles. The ids, the properties and the coordinate reference system are copied from `named`.
-/// If `named` is null, there are none.
+/// are doubles. The ids, the properties and the coordinate reference system are copied from
+/// `named`. If `named` is null, there are none.
 Layer layer_of_labels(const LabelledComplex& labelled, std::size_t label_count, const Layer* named,
                       Context& context);
 

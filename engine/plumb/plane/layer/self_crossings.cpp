@@ -3,9 +3,9 @@
 // the order of the edges around the vertex, the passes of rings that only touch are nested like
 // brackets. If they are not nested, rings cross there.
 //
-// If two curves of a polygon lie on an edge, the passes at its ends do not have an order. Such edges
-// are overlaps of the polygon with itself. They are joined to connected parts, and passes are not
-// looked at there.
+// If two curves of a polygon lie on an edge, the passes at its ends do not have an order. Such
+// edges are overlaps of the polygon with itself. They are joined to connected parts, and passes are
+// not looked at there.
 //
 // Only vertices with four or more edges can be crossings, so coverages cost one visit of each edge.
 //
