@@ -154,7 +154,8 @@ PLUMB_API plumb_status plumb_context_set_threads(plumb_context* context, uint32_
 PLUMB_API plumb_status plumb_context_set_progress(plumb_context* context, plumb_progress progress,
                                                   void* user_data, plumb_error** error);
 /** Requests that all present and later calls with this context stop. They return PLUMB_CANCELLED.
- * May be called on any thread and in a signal handler, while calls use the context. */
+ * May be called on any thread and in a signal handler, even while calls use the
+ * context. */
 PLUMB_API void plumb_context_cancel(plumb_context* context);
 /** Whether plumb_context_cancel() was called since the context was made or reset. */
 PLUMB_API bool plumb_context_is_cancelled(const plumb_context* context);

@@ -83,9 +83,8 @@ bool lists_triangles(MeshFormat format);
 ///   - OBJ in all other cases
 MeshFormat guess_mesh_format(std::string_view bytes);
 
-/// Returns the mesh that `bytes` describe in the given format. Throws the errors of the reader of
-/// this format, as its header states them (off.h, obj.h, stl.h, ply.h, gltf.h,
-/// threemf.h).
+/// Returns the mesh that `bytes` describe in the given format. Throws the errors that the
+/// header of the reader of this format lists (off.h, obj.h, stl.h, ply.h, gltf.h, threemf.h).
 MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions& options = {},
                    Context& context = unlimited_context());
 
@@ -149,15 +148,15 @@ std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format)
 ///   - the errors of write_mesh()
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      std::optional<MeshFormat> format = {});
-/// Writes a TriangleMesh to a file. The format, the replacement of the file, and the errors are the
-/// same as for the function above.
+/// Writes a TriangleMesh to a file. The function chooses the format, replaces the file and throws
+/// errors in the same way as the function above.
 void write_mesh_file(const std::string& path, const TriangleMesh& mesh,
                      std::optional<MeshFormat> format = {});
 
 /// Writes a PolygonMesh with attributes to a file, as write_mesh() does. If the format is Obj and
 /// there are materials, the material library is written to a second file. Its path is `path` with
-/// the extension replaced by .mtl. The format, the replacement of the files, and the errors are the
-/// same as for the functions above.
+/// the extension replaced by .mtl. The function chooses the format, replaces the files and throws
+/// errors in the same way as the functions above.
 void write_mesh_file(const std::string& path, const PolygonMesh& mesh,
                      const MeshAttributes& attributes, std::optional<MeshFormat> format = {});
 

@@ -47,8 +47,9 @@ struct ReadOptions {
   std::optional<double> curve_tolerance = {};
   /// For meshes, this option states whether MeshFile::attributes is filled. If it is false, the
   /// reader skips colours, materials, groups and all other data of faces and corners. For sets of
-  /// the plane in GeoJSON, it states whether the caller keeps the ids and properties of features.
-  /// If it is true, no note reports that they are left out.
+  /// the plane in GeoJSON, it states whether the caller itself keeps the ids and properties of
+  /// features. If it is false, a note reports that the ids and properties are left out. If it is
+  /// true, there is no such note.
   bool attributes = false;
 };
 
