@@ -154,8 +154,8 @@ PLUMB_API plumb_status plumb_context_set_threads(plumb_context* context, uint32_
 PLUMB_API plumb_status plumb_context_set_progress(plumb_context* context, plumb_progress progress,
                                                   void* user_data, plumb_error** error);
 /** Requests that all present and later calls with this context stop. They return PLUMB_CANCELLED.
- * May be called on any thread and in a signal handler, even while calls use the
- * context. */
+ * May be called on any thread and in a signal handler, even while calls use
+ * the context. */
 PLUMB_API void plumb_context_cancel(plumb_context* context);
 /** Whether plumb_context_cancel() was called since the context was made or reset. */
 PLUMB_API bool plumb_context_is_cancelled(const plumb_context* context);
@@ -2035,8 +2035,8 @@ typedef struct plumb_layer_report plumb_layer_report;
 PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                           plumb_layer** out, plumb_layer_report** report,
                                           const plumb_context* context, plumb_error** error);
-/** Makes the report of the overlaps, gaps, holes and crossings of a layer. The regions of the report
- * have no owners. */
+/** Makes the report of the overlaps, gaps, holes and crossings of a layer. The regions of the
+ * report have no owners. */
 PLUMB_API plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
                                          plumb_layer_report** out, const plumb_context* context,
                                          plumb_error** error);

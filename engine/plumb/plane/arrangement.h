@@ -138,10 +138,9 @@ struct Arrangement {
 };
 
 /// Returns the arrangement of curves and points. `isolated` contains indices of points that become
-/// vertices even if no curve meets them. Curves of length zero become vertices, too. The members `a`
-/// and `b` of a SweepCurve are two input points that define its line, and `from` and `to` are its
-/// ends. Requires that each bounded end lies on this line.
-/// Throws:
+/// vertices even if no curve meets them. Curves of length zero become vertices, too. The members
+/// `a` and `b` of a SweepCurve are two input points that define its line, and `from` and `to` are
+/// its ends. Requires that each bounded end lies on this line. Throws:
 ///   - Error{BadIndex} if an index is not the index of a point, or if a or b of a curve is not the
 ///     index of an input point
 ///   - ResourceLimit if a limit of the Context is exceeded, and Cancelled if a stop is requested
