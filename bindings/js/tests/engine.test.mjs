@@ -310,8 +310,9 @@ test(
     'the worker reports progress, and a signal stops it', {skip, timeout: 120000},
     () => withWorker(async (remote) => {
       const a = await remote.Solid.ball(1, 6), b = await a.translated([0.5, 0.25, 0.125]);
-      const phases = [];
-      await a.union(b, {onProgress: (phase) => phases.push(phase)});
+      const phases = [], large = await remote.Solid.ball(1, 7);
+      const moved = await large.translated([0.5, 0.25, 0.125]);
+      await large.union(moved, {onProgress: (phase) => phases.push(phase)});
       assert.ok(phases.length > 0);
       const controller = new AbortController(), reason = new RangeError('enough');
       const call = a.minkowskiSum(b, {signal: controller.signal});

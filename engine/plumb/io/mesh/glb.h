@@ -18,6 +18,7 @@
 #include "plumb/space/mesh_arrays.h"
 #include "plumb/space/mesh_attributes.h"
 
+#pragma GCC visibility push(default)
 namespace plumb {
 
 /// Throws Error{BadArgument} if the mesh has no faces or a face is no triangle,
@@ -37,3 +38,4 @@ std::vector<const MeshChannel*> glb_channels(const MeshAttributes& attributes);
 void require_faces(const PolygonMesh& mesh);
 
 }  // namespace plumb
+#pragma GCC visibility pop
