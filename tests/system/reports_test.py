@@ -155,7 +155,7 @@ ROWS = [
     Row("39-svg-switch-of-illustrator", "plane info illustrator.svg", 0, "area 6\n", "left out"),
     # A set that is empty although the file has contents: told, also with -q.
     *[Row("40-empty-for-a-reason", "plane info " + name + " -q", 0, "warning: the file has no point, line or polygon")
-      for name in ("place.geojson", "solid.dxf")],
+      for name in ("place.geojson", "region.dxf")],
     Row("40-empty-for-a-reason", "plane info twice.wkt -q", 0, "warning: the rings of the file enclose nothing"),
     Row("40-empty-for-a-reason", "plane info empty.wkt -q", 0, "area 0\n", "warning"),
     # A binary file that nothing tells to be STL is not read as STL.
@@ -164,6 +164,8 @@ ROWS = [
     # A border that crosses itself is no gap.
     Row("42-map-border-crosses-itself", "map check bowtie.map", 1, "mend the crossing of edges 1-2 and 3-4 first",
         "in the coverage"),
+    # A filled polygon of DXF is an area.
+    Row("43-solid-of-dxf", "plane info solid.dxf -q", 0, "area 6\n", "warning"),
 ]
 
 

@@ -130,19 +130,19 @@ ProgressStage repairing_layer() {
 ProgressStage auditing_map() { return {"audit", {{"", 1.9}}}; }
 ProgressStage drawing_map() { return {"draw", {{"", 2}}}; }
 
-// Measured on stars of 500,000 corners.
-ProgressStage reading_plane() { return {"read", {{"load", .1}, {"read", 1}, {"sweep", 4.5}}}; }
-ProgressStage combining_plane() { return {"combine", {{"sweep", 15}}}; }
-ProgressStage measuring_plane() { return {"measure", {{"area", 50}}}; }
-ProgressStage locating_plane() { return {"locate", {{"", 13}}}; }
-ProgressStage auditing_plane() { return {"audit", {{"read", 1}, {"sweep", 4.5}, {"audit", 10}}}; }
-ProgressStage drawing_plane() { return {"draw", {{"", 130}}}; }
+// Measured on stars of 1,500,000 corners.
+ProgressStage reading_plane() { return {"read", {{"load", .2}, {"read", 1}, {"sweep", 2.3}}}; }
+ProgressStage combining_plane() { return {"combine", {{"sweep", 1.7}}}; }
+ProgressStage measuring_plane() { return {"measure", {{"area", 2.7}}}; }
+ProgressStage locating_plane() { return {"locate", {{"", 5.7}}}; }
+ProgressStage auditing_plane() { return {"audit", {{"read", 1}, {"sweep", 2.3}, {"audit", 2.4}}}; }
+ProgressStage drawing_plane() { return {"draw", {{"", 60}}}; }
 ProgressStages writing_plane_text() {
-  return {{"result", {{"", 4}, {"round", 7}, {"sweep", 8}, {"parts", 10}, {"shapes", 13}}},
-          {"write", {{"", 2}}}};
+  return {{"result", {{"", .4}, {"round", .7}, {"sweep", .8}, {"parts", .4}, {"shapes", 1.8}}},
+          {"write", {{"", .2}}}};
 }
-ProgressStages writing_nef2() { return {{"write", {{"", 12}}}}; }
-ProgressStages writing_plane_picture() { return {{"write", {{"", 130}}}}; }
+ProgressStages writing_nef2() { return {{"write", {{"", 1.6}}}}; }
+ProgressStages writing_plane_picture() { return {{"write", {{"", 60}}}}; }
 
 // Measured on spheres of 480,000 triangles.
 ProgressStage reading_solid() {

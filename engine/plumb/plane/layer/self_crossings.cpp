@@ -21,6 +21,8 @@
 namespace plumb {
 namespace {
 
+constexpr std::size_t kCurvesOfCheckpoint = 4096;
+
 /// A curve of a polygon at an edge that leaves a vertex.
 struct Spoke {
   std::uint32_t polygon;
@@ -48,6 +50,13 @@ class CrossingFinder {
   }
 
  private:
+  /// Counts curves at edges, and looks at the limits once in a while.
+  void watch(std::size_t curves) {
+    curves_ += curves;
+    if (curves_ < kCurvesOfCheckpoint) return;
+    context_.checkpoint("crossings of the layer", 0, 0);
+    curves_ = 0;
+  }
   void find_overlaps();
   void visit(VertexId v);
   bool has_crossing(VertexId v, std::span<const Spoke> spokes);
@@ -58,6 +67,7 @@ class CrossingFinder {
   const PlaneComplex& complex_;
   const Layer& layer_;
   Context& context_;
+  std::size_t curves_ = 0;  // Since the last checkpoint.
   std::vector<SelfCrossing> found_;
   std::vector<SegmentId> origins_;
   std::vector<Spoke> spokes_;
@@ -75,6 +85,7 @@ void CrossingFinder::find_overlaps() {
   std::vector<std::uint32_t> polygons;
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     cells_.get_origins(EdgeId(e), origins_);
+    watch(origins_.size());
     if (origins_.size() < 2) continue;
     polygons.clear();
     for (const SegmentId s : origins_) {
@@ -118,6 +129,7 @@ void CrossingFinder::visit(VertexId v) {
   std::uint32_t place = 0;
   for (const HalfedgeId h : complex_.dcel.around(v)) {
     cells_.get_origins(edge_of(h), origins_);
+    watch(origins_.size());
     for (const SegmentId s : origins_) {
       if (cells_.is_of_polygon(s)) spokes_.push_back({cells_.polygon(s), place, s});
     }
@@ -130,6 +142,7 @@ void CrossingFinder::visit(VertexId v) {
     std::size_t end = begin;
     while (end < spokes_.size() && spokes_[end].polygon == spokes_[begin].polygon) ++end;
     const std::span<const Spoke> own(spokes_.data() + begin, end - begin);
+    watch(own.size());
     if (own.size() >= 4 && has_crossing(v, own)) found_.push_back({own.front().polygon, v});
     begin = end;
   }
