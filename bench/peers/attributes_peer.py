@@ -70,19 +70,19 @@ class Plumb:
     """The functions of the C interface that unite two meshes."""
 
     def __init__(self, path):
-        self.library = ctypes.CDLL(path)
-        self.library.plumb_error_text.restype = ctypes.c_char_p
+        self.functions = ctypes.CDLL(path)
+        self.functions.plumb_error_text.restype = ctypes.c_char_p
         for name, numbers in (("points", ctypes.c_double), ("corners", ctypes.c_uint32)):
-            getattr(self.library, "plumb_mesh_" + name).restype = ctypes.POINTER(numbers)
-        self.library.plumb_mesh_channel_values.restype = ctypes.POINTER(ctypes.c_double)
+            getattr(self.functions, "plumb_mesh_" + name).restype = ctypes.POINTER(numbers)
+        self.functions.plumb_mesh_channel_values.restype = ctypes.POINTER(ctypes.c_double)
         for name in ("point", "face", "corner"):
-            getattr(self.library, "plumb_mesh_%s_count" % name).restype = ctypes.c_size_t
+            getattr(self.functions, "plumb_mesh_%s_count" % name).restype = ctypes.c_size_t
 
     def call(self, name, *arguments):
         """Calls a function whose last parameter is the error."""
         error = ctypes.c_void_p()
-        if getattr(self.library, name)(*arguments, ctypes.byref(error)) != 0:
-            raise RuntimeError(self.library.plumb_error_text(error).decode())
+        if getattr(self.functions, name)(*arguments, ctypes.byref(error)) != 0:
+            raise RuntimeError(self.functions.plumb_error_text(error).decode())
 
     def made(self, name, *arguments, after=()):
         """Returns what a function makes; its parameter stands before those in `after`."""
@@ -101,7 +101,7 @@ class Plumb:
         self.call("plumb_mesh_set_channel", mesh, b"texcoord_0", ctypes.c_uint32(2), 1,
                   uv.ctypes.data_as(ctypes.c_void_p), size(len(uv)))
         solid = self.made("plumb_solid_from_mesh", mesh, None, after=(None,))
-        self.library.plumb_mesh_free(mesh)
+        self.functions.plumb_mesh_free(mesh)
         return solid
 
     def run(self, operation, a, b, has_uv):
@@ -119,18 +119,18 @@ class Plumb:
         seconds = time.process_time() - start
         result = self.arrays(mesh) if has_uv else None
         for solid in (first, second, both):
-            self.library.plumb_solid_free(solid)
-        self.library.plumb_mesh_free(mesh)
+            self.functions.plumb_solid_free(solid)
+        self.functions.plumb_mesh_free(mesh)
         return result, seconds
 
     def arrays(self, mesh):
         """Returns points, triangles and texture coordinates, all per corner."""
-        corners = self.library.plumb_mesh_corner_count(mesh)
-        points = self.library.plumb_mesh_point_count(mesh)
+        corners = self.functions.plumb_mesh_corner_count(mesh)
+        points = self.functions.plumb_mesh_point_count(mesh)
         copied = np.ctypeslib.as_array
-        at = copied(self.library.plumb_mesh_points(mesh), (points, 3))
-        faces = copied(self.library.plumb_mesh_corners(mesh), (corners,))
-        uv = copied(self.library.plumb_mesh_channel_values(mesh, ctypes.c_size_t(0)), (corners, 2))
+        at = copied(self.functions.plumb_mesh_points(mesh), (points, 3))
+        faces = copied(self.functions.plumb_mesh_corners(mesh), (corners,))
+        uv = copied(self.functions.plumb_mesh_channel_values(mesh, ctypes.c_size_t(0)), (corners, 2))
         return at[faces], np.arange(corners).reshape(-1, 3), uv.copy()
 
 

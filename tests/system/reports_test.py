@@ -166,6 +166,8 @@ ROWS = [
         "in the coverage"),
     # A filled polygon of DXF is an area.
     Row("43-solid-of-dxf", "plane info solid.dxf -q", 0, "area 6\n", "warning"),
+    # A model without volume: told, also with -q.
+    Row("44-empty-model", "solid csg flat.csg -q -o OUT.off", 0, "warning: the model is empty"),
 ]
 
 

@@ -133,11 +133,15 @@ class CsgOperation : public SetOperation<Kind> {
       for (const std::string& line : CsgTreeView(model.tree, result).lines()) session.note(line);
     }
     require_dimension(result);
-    if constexpr (kIsSolid) {
-      return std::move(result.solid);
-    } else {
-      return std::move(result.shape);
-    }
+    Set set = [&result]() -> Set {
+      if constexpr (kIsSolid) {
+        return std::move(result.solid);
+      } else {
+        return std::move(result.shape);
+      }
+    }();
+    if (set.is_empty()) session.warn(model_, "the model is empty");
+    return set;
   }
 
   CsgRead read(Session& session) const {
