@@ -132,6 +132,8 @@ TEST(GeoJsonReader, names_what_it_drops_once) {
        {"passed over: 'properties', 'id'"}},
       {R"({"type":"MultiPoint","coordinates":[[1,2,3],[1,2,4]],"crs":{"type":"name"}})",
        {"passed over: 'crs', numbers of positions after x and y"}},
+      {R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[0,9]],[[1,1],[2,1],[1,2],[1,1]]]})",
+       {"closed by an edge: rings that end elsewhere than they start (1)"}},
       {R"({"type":"Point","coordinates":[1,2,null]})",
        {"passed over: numbers of positions after x and y"}},
   };

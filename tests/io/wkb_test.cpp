@@ -162,6 +162,15 @@ TEST(WkbReader, reads_what_databases_write) {
   EXPECT_TRUE(read(point).notes.empty());
 }
 
+TEST(WkbReader, closes_rings_with_a_note) {
+  const PlaneFile file = read(
+      "010300000001000000030000000000000000000000000000000000000000000000000010400000000000000000"
+      "00000000000010400000000000000840");
+  EXPECT_EQ(as_wkt(file.shapes), "POLYGON ((0 0, 4 0, 4 3, 0 0))\n");
+  EXPECT_EQ(file.notes, std::vector<std::string>{
+                            "closed by an edge: rings that end elsewhere than they start (1)"});
+}
+
 std::string bytes(std::initializer_list<int> values) {
   std::string all;
   for (const int value : values) all += static_cast<char>(value);
@@ -195,7 +204,8 @@ TEST(WkbReader, refuses_malformed_bytes_with_their_place) {
        "at byte 9: a geometry of code 3 among others"},
       {bytes({1, 1, 0, 0, 0}) + one + infinite, "at byte 5: a coordinate that is not finite"},
       {bytes({1, 2, 0, 0, 0, 1, 0, 0, 0}) + zeros(16), "at byte 25: a line of one position"},
-      {bytes({1, 3, 0, 0, 0, 1, 0, 0, 0, 4, 0, 0, 0}) + zeros(56) + one, "at byte 77: the ring"},
+      {bytes({1, 3, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0}) + zeros(24) + one,
+       "at byte 45: a ring of 2 positions"},
       {bytes({1, 1, 0, 0, 0}) + zeros(16) + bytes({7}), "at byte 21: the bytes end"},
       {bytes({1, 1, 0, 0, 0}) + zeros(16) + bytes({7, 0, 0, 0, 0}), "at byte 21: expected a byte"},
       {deep, "at byte 585: geometries nested more than 64 deep"},

@@ -5,6 +5,7 @@
 #include <cfenv>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "expect_refusals.h"
@@ -99,6 +100,29 @@ TEST(WktReader, accepts_what_the_format_allows) {
     for (const std::string& text : texts) {
       EXPECT_EQ(written(read(text)), expected) << text;
     }
+  }
+}
+
+// The closing position may be missing. A ring whose ends differ by 1e-300 gets an edge of that length.
+TEST(WktReader, closes_rings_with_a_note) {
+  const auto note = [](int rings) {
+    return std::vector<std::string>{
+        "closed by an edge: rings that end elsewhere than they start (" + std::to_string(rings) +
+        ")"};
+  };
+  const std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> cases{
+      {"POLYGON ((0 0, 9 0, 0 9), (1 1, 2 1, 1 2))",
+       "POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1))\n", note(2)},
+      {"POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2))",
+       "POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1))\n", note(1)},
+      {"POLYGON ((0 0, 1 0, 1 1, 0 1e-300))", "POLYGON ((0 0, 1 0, 1 1, 0 1e-300, 0 0))\n",
+       note(1)},
+      {"TRIANGLE ((0 0, 1 0, 0 1))", "POLYGON ((0 0, 1 0, 0 1, 0 0))\n", note(1)},
+      {"POLYGON ((0 0, 1 0, 0 1, 0 0))", "POLYGON ((0 0, 1 0, 0 1, 0 0))\n", {}},
+  };
+  for (const auto& [text, expected, notes] : cases) {
+    EXPECT_EQ(written(read(text)), expected) << text;
+    EXPECT_EQ(notes_of(text), notes) << text;
   }
 }
 

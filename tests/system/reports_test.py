@@ -166,6 +166,10 @@ ROWS = [
         "in the coverage"),
     # A filled polygon of DXF is an area.
     Row("43-solid-of-dxf", "plane info solid.dxf -q", 0, "area 6\n", "warning"),
+    # Rings whose last position is not the first one again: an edge closes them, which is told.
+    *[Row("45-ring-without-its-last-position", "plane info " + name, 0, ("area 6\n", "closed by an edge"))
+      for name in ("open.wkt", "open.geojson")],
+    Row("45-ring-without-its-last-position", "map check open.geojson", 0, ("1 feature, 0 overlaps", "closed by an edge")),
     # A model without volume: told, also with -q.
     Row("44-empty-model", "solid csg flat.csg -q -o OUT.off", 0, "warning: the model is empty"),
 ]

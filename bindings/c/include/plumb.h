@@ -83,7 +83,7 @@ enum plumb_status_code {
   PLUMB_UNKNOWN_FORMAT = 108,      /**< A format is unknown, or does not suit the purpose. */
   PLUMB_USAGE = 109,               /**< Options contradict each other. */
   PLUMB_CLOSED_PIPE = 110,         /**< The reader of the output closed the pipe; see docs/c.md. */
-  PLUMB_BAD_SHAPE = 111,           /**< A mesh is open, a ring is not closed, or the like. */
+  PLUMB_BAD_SHAPE = 111,           /**< A mesh is open, a ring has too few corners, or the like. */
   PLUMB_RESOURCE_LIMIT = 200,      /**< A limit of the context is exceeded. */
   PLUMB_CANCELLED = 201,           /**< plumb_context_cancel() was called. */
   PLUMB_NOT_FINITE = 300,          /**< A double is infinite or not a number. */

@@ -25,6 +25,7 @@
 
 #include "plumb/base/internal/round_to_nearest.h"
 #include "plumb/io/plane/gdal_layer.h"
+#include "plumb/io/plane/shape_text.h"
 #include "plumb/io/plane/wkb.h"
 #include "plumb/io/plane/wkt.h"
 #include "plumb/io/plane_io.h"
@@ -54,7 +55,7 @@ struct LayerDraft {
   LayerFile file;
   std::size_t dropped = 0;        // Points and lines.
   std::size_t collapsed = 0;      // Rings with fewer than three positions.
-  std::size_t unclosed = 0;       // Rings of arcs that end elsewhere than they start.
+  std::size_t unclosed = 0;       // Rings that end elsewhere than they start.
   JsonReplaced replaced;          // What is not JSON.
   bool has_heights = false;       // Whether positions have numbers after x and y.
   std::set<std::string> members;  // Names of members of features and collections that are unknown.
@@ -125,7 +126,7 @@ class LayerReader {
   void add_geometry(Id geometry);
   void add_polygon(Id rings);
   void add_positions(Id ring);
-  void end_ring(Id at);
+  void end_ring();
   std::uint32_t add_point(Point2 p);
 
   void read_topology();
@@ -278,7 +279,7 @@ void LayerReader::add_polygon(Id rings) {
     } else {
       add_positions(ring);
     }
-    end_ring(ring);
+    end_ring();
   }
   if (file_.layer.ring_count() > file_.layer.polygon_begin.back()) file_.layer.end_polygon();
 }
@@ -300,8 +301,9 @@ void LayerReader::add_positions(Id ring) {
   }
 }
 
-/// Ends a ring: its last corner must be where its first corner is, and is left out.
-void LayerReader::end_ring(Id at) {
+/// Ends a ring. Its last corner is left out if it lies where the first one does; otherwise an edge
+/// closes the ring.
+void LayerReader::end_ring() {
   Layer& layer = file_.layer;
   const std::size_t first = layer.ring_begin.back();
   const auto is_equal = [&layer](std::uint32_t i, std::uint32_t j) {
@@ -310,10 +312,8 @@ void LayerReader::end_ring(Id at) {
   };
   std::vector<std::uint32_t>& corners = layer.ring_corners;
   if (corners.size() > first && !is_equal(corners[first], corners.back())) {
-    // Published TopoJSON has rings whose ends are a quantum apart, so these are closed by an edge.
-    if (!is_topology_) {
-      fail(ErrorCode::BadShape, "a ring must end with the position it starts with", at);
-    }
+    // Some programs leave the last position out, and published TopoJSON has rings whose ends are a
+    // quantum apart.
     ++draft_.unclosed;
     corners.push_back(corners[first]);
   }
@@ -492,8 +492,7 @@ LayerFile noted(LayerDraft draft) {
                     std::to_string(draft.collapsed) + ')');
   }
   if (draft.unclosed > 0) {
-    notes.push_back("closed by an edge: rings that end elsewhere than they start (" +
-                    std::to_string(draft.unclosed) + ')');
+    notes.push_back(std::string(kClosedByEdge) + " (" + std::to_string(draft.unclosed) + ')');
   }
   if (draft.has_heights) notes.push_back("passed over: numbers of positions after x and y");
   if (!draft.replaced.is_none()) notes.push_back(draft.replaced.note());

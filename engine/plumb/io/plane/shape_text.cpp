@@ -6,15 +6,17 @@
 namespace plumb {
 
 std::string ShapeCollector::add_ring(std::uint32_t first, std::uint32_t last) {
-  constexpr std::uint32_t kFewest = 4;
-  if (last - first < kFewest) {
+  constexpr std::uint32_t kFewestCorners = 3;
+  const bool is_closed =
+      last - first > 1 && compare_xy(shapes_.points, first, last - 1) == Sign::Zero;
+  const std::uint32_t end = is_closed ? last - 1 : last;
+  if (end - first < kFewestCorners) {
     return "a ring of " + std::to_string(last - first) +
-           " positions; at least 4 are needed, the last equal to the first";
+           (last - first == 1 ? " position" : " positions") +
+           "; at least 4 are needed, the last equal to the first";
   }
-  if (compare_xy(shapes_.points, first, last - 1) != Sign::Zero) {
-    return "the ring does not end with the position that it starts with";
-  }
-  for (std::uint32_t i = first; i + 1 < last; ++i) shapes_.ring_corners.push_back(i);
+  if (!is_closed) ++unclosed_;
+  for (std::uint32_t i = first; i < end; ++i) shapes_.ring_corners.push_back(i);
   shapes_.end_ring();
   return {};
 }
@@ -44,6 +46,9 @@ PlaneFile ShapeCollector::take() {
     note.append(note.empty() ? "passed over: " : ", ").append(what);
   }
   if (!note.empty()) notes_.insert(notes_.begin(), std::move(note));
+  if (unclosed_ > 0) {
+    notes_.push_back(std::string(kClosedByEdge) + " (" + std::to_string(unclosed_) + ')');
+  }
   return {std::move(shapes_), std::move(continued_), std::move(notes_)};
 }
 

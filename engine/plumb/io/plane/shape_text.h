@@ -26,6 +26,8 @@ inline constexpr int kMostNested = 64;
 inline constexpr std::string_view kReferenceSystems = "coordinate reference systems";
 inline constexpr std::string_view kHeights = "heights (Z)";
 inline constexpr std::string_view kMeasures = "measures (M)";
+inline constexpr std::string_view kClosedByEdge =
+    "closed by an edge: rings that end elsewhere than they start";
 inline constexpr std::string_view kNoCurves =
     "curves are not read, because edges are straight; replace them by short edges first "
     "(ST_CurveToLine, or ogr2ogr -nlt CONVERT_TO_LINEAR)";
@@ -60,7 +62,8 @@ class ShapeCollector {
 
   // Each of these functions takes the positions [first, last). If the positions are wrong, the
   // function returns the reason and adds nothing. Otherwise it returns an empty string.
-  /// Adds a closed ring to the polygon that end_polygon() ends.
+  /// Adds a ring to the polygon that end_polygon() ends. If the ring does not end where it starts,
+  /// an edge closes it, and a note counts such rings.
   std::string add_ring(std::uint32_t first, std::uint32_t last);
   std::string add_line(std::uint32_t first, std::uint32_t last);
   void add_points(std::uint32_t first, std::uint32_t last);
@@ -110,6 +113,7 @@ class ShapeCollector {
   std::uint64_t charged_positions_ = 0;
   PlaneShapes shapes_;
   std::vector<std::uint32_t> continued_;
+  std::size_t unclosed_ = 0;  ///< Rings that an edge had to close.
   std::vector<std::string> passed_over_;
   std::vector<std::string> notes_;
 };

@@ -3,7 +3,7 @@
 // A recursive-descent reader over tokens, with one token of lookahead across line breaks.
 // Collections are the only recursion and are limited in depth. The number of positions is bounded
 // by the commas and parentheses of the text, so the table is reserved and charged once before
-// reading. Flaws of a list (a ring that is not closed, a line of one position) are reported at its
+// reading. Flaws of a list (a ring of two positions, a line of one position) are reported at its
 // closing parenthesis. Dialects differ in the text around geometries, and in the numbers behind x
 // and y. All of this is read and dropped, and a note names it. Curves are refused: edges of sets
 // are straight, and a reader cannot know how fine a chain of edges must be. Format: OGC 06-103r4,

@@ -9,7 +9,7 @@
 // note names them. The numbers that are dropped may be nan, inf or NULL.
 //
 // Errors are thrown with the place (file, line, column): NotText, Syntax (curves, too),
-// NumberOutOfRange, BadShape (rings that are not closed, surfaces with different heights),
+// NumberOutOfRange, BadShape (rings of too few positions, surfaces with different heights),
 // CountMismatch (no geometry at all), ResourceLimit; Cancelled. Cost: O(bytes).
 #pragma once
 
