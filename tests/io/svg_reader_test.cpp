@@ -401,11 +401,32 @@ TEST(svg_reader, hidden_shapes_are_left_out) {
   EXPECT_EQ(drawn("<g visibility='hidden'><g>" + shape + visible + "</g></g>").shape_count(), 1U);
 }
 
-TEST(svg_reader, style_sheets_are_not_applied) {
-  const SvgDrawing drawing = drawn("<style>.a{fill:red}</style><style>.b{display:none}</style>");
-  EXPECT_EQ(drawing.notes,
+// Style sheets decide before attributes and after the attribute style, wherever they stand.
+TEST(svg_reader, style_sheets_apply_to_the_whole_drawing) {
+  const auto shapes = [](const std::string& attributes, const std::string& sheet) {
+    const std::string rect = "<rect width='1' height='1' " + attributes + "/>";
+    const std::size_t before =
+        drawn("<defs><style>" + sheet + "</style></defs>" + rect).shape_count();
+    EXPECT_EQ(drawn(rect + "<svg:style type='text/css'><![CDATA[" + sheet + "]]></svg:style>")
+                  .shape_count(),
+              before);
+    return before;
+  };
+  EXPECT_EQ(shapes("class='a b'", ".b{display:none}"), 0U);
+  EXPECT_EQ(shapes("class='a b'", ".c{display:none}"), 1U);
+  EXPECT_EQ(shapes("id='x'", "#x{visibility:hidden}"), 0U);
+  EXPECT_EQ(shapes("display='none'", "rect{display:inline}"), 1U);
+  EXPECT_EQ(shapes("style='display:inline'", "rect{display:none}"), 1U);
+  EXPECT_EQ(shapes("style='display:inline'", "rect{display:none !important}"), 0U);
+  EXPECT_EQ(shapes("style='display:inline!important'", "rect{display:none!important}"), 1U);
+  const SvgDrawing drawing = drawn(
+      "<style>.e{fill-rule:evenodd}</style><g class='e'><rect width='1' height='1'/></g>"
+      "<rect width='1' height='1'/><style media='print'>rect{display:none}</style>");
+  EXPECT_EQ(drawing.is_even_odd, (std::vector<std::uint8_t>{1, 0}));
+  EXPECT_TRUE(drawing.notes.empty());
+  EXPECT_EQ(drawn("<style>.a{fill:red}</style><style>g > .b{display:none}</style>").notes,
             (std::vector<std::string>{
-                "the style sheet sets 'display', which is read from attributes only"}));
+                "a rule of the style sheet is not applied: 'g > .b' sets display"}));
 }
 
 /// Old versions of Illustrator declare entities for name spaces.

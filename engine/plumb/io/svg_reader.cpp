@@ -4,11 +4,10 @@
 // of all open elements. Groups are entered, shapes are given to SvgOutline, which flattens them in
 // the coordinates of the drawing, and elements that would be drawn but are not supported (text,
 // images) are left out with a note. For a use, a second scanner reads the element that the use
-// names, as
-// if it stood there, and the first scanner waits; the work is bounded by the bytes that all uses
-// read. Elements that are not drawn (display, visibility) are left out; style sheets are not
-// applied, and a note says so if one could hide elements or set their fill rules. The root fixes
-// the frame: the middle of the drawing becomes the origin, the y axis is turned upwards, and the
+// names, as if it stood there, and the first scanner waits; the work is bounded by the bytes that
+// all uses read. Elements that are not drawn (display, visibility) are left out. Style sheets apply
+// to the whole drawing, so they are read before the first element (svg_style.h). The root fixes the
+// frame: the middle of the drawing becomes the origin, the y axis is turned upwards, and the
 // default tolerance is a thousandth of the larger side. Format: W3C, Scalable Vector Graphics (SVG)
 // 1.1; docs/formats.md, section Drawings. Tested by tests/io/svg_reader_test.cpp.
 #include "plumb/io/svg_reader.h"
@@ -25,6 +24,7 @@
 
 #include "plumb/base/internal/degrees.h"
 #include "plumb/io/svg/svg_outline.h"
+#include "plumb/io/svg/svg_style.h"
 #include "plumb/io/svg/svg_syntax.h"
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/predicates/arithmetic/elementary.h"
@@ -58,7 +58,7 @@ class SvgReader {
         document_(text, options.name, context),
         scanners_{document_},
         numbers_(context, false, text.size()),
-        text_bytes_(text.size()),
+        text_(text),
         tolerance_(tolerance),
         outline_(text, tolerance, context),
         context_(context) {}
@@ -115,7 +115,7 @@ class SvgReader {
   bool is_hidden(bool inherited) const;
   bool refers(std::string_view name) const;
   void note_effects();
-  void read_style_sheet();
+  void read_style_sheets();
   std::optional<double> millimetres(std::string_view name);
   void set_frame(double x, double y, double width, double height);
 
@@ -124,7 +124,7 @@ class SvgReader {
   std::vector<XmlScanner>
       scanners_;  // Of the drawing, then of each element that is used, innermost last.
   NumberReader numbers_;
-  std::size_t text_bytes_;
+  std::string_view text_;
   std::optional<double> tolerance_;
   SvgOutline outline_;
   Context& context_;
@@ -141,7 +141,7 @@ class SvgReader {
   std::vector<Use> uses_;         // Those that are being read, innermost last.
   std::uint64_t used_bytes_ = 0;  // Of all elements that uses have placed.
   std::set<std::string_view> left_out_;
-  std::set<std::string_view> style_properties_;  // Those that a style sheet sets.
+  SvgStyleSheet style_sheet_;
 };
 
 const std::array<SvgReader::Kind, 7> SvgReader::kKinds{{
@@ -169,9 +169,9 @@ SvgDrawing SvgReader::read() {
         for (const std::string_view name : left_out_) {
           outline_.note("left out: " + std::string(name));
         }
-        for (const std::string_view name : style_properties_) {
-          outline_.note("the style sheet sets '" + std::string(name) +
-                        "', which is read from attributes only");
+        for (const auto& [property, selector] : style_sheet_.not_applied()) {
+          outline_.note("a rule of the style sheet is not applied: " + quoted(selector) + " sets " +
+                        std::string(property));
         }
         return outline_.take();
       }
@@ -226,6 +226,7 @@ void SvgReader::start_root() {
     scanner().fail(ErrorCode::BadShape, "a drawing of negative size", scanner().tag());
   }
   sizes_.push_back({width, height});
+  read_style_sheets();
   set_frame(x, y, width, height);
   even_odd_.push_back(is_even_odd(false) ? 1 : 0);
   hidden_.push_back(is_hidden(false) ? 1 : 0);
@@ -264,29 +265,26 @@ std::optional<double> SvgReader::millimetres(std::string_view name) {
   return {};
 }
 
-/// Returns a presentation property of the element that started last, or an empty text. A
-/// declaration in the attribute style decides before the attribute of this name.
+/// Returns a presentation property of the element that started last, or an empty text. The
+/// attribute style decides before style sheets, which may have important rules, and these decide
+/// before the attribute of this name.
 std::string_view SvgReader::property(std::string_view name) const {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const auto trimmed = [&](std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-    return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+  const auto attribute = [&](std::string_view which) {
+    return scanner().attribute(which).value_or(std::string_view{});
   };
-  std::string_view value = scanner().attribute(name).value_or("");
-  std::string_view style = scanner().attribute("style").value_or("");
+  const std::string_view style = attribute("style");
   if (const std::size_t entity = find_entity(style); entity != style.npos) {
     scanner().fail(ErrorCode::Syntax, "a reference to an entity: entities are not expanded",
                    style.data() + entity);
   }
-  while (!style.empty()) {
-    const std::string_view declaration = style.substr(0, style.find(';'));
-    style.remove_prefix(std::min(declaration.size() + 1, style.size()));
-    const std::size_t colon = declaration.find(':');
-    if (trimmed(declaration.substr(0, colon)) != name || colon == declaration.npos) continue;
-    value = declaration.substr(colon + 1);
-    value = value.substr(0, value.find("!important"));
+  SvgDeclaration decisive = svg_declaration(style, name);
+  if (!style_sheet_.is_empty()) {
+    const SvgDeclaration other = style_sheet_.value(
+        name, {plain_name(scanner().element()), attribute("id"), attribute("class")});
+    const bool is_stronger = other.is_important && !decisive.is_important;
+    if (!other.value.empty() && (decisive.value.empty() || is_stronger)) decisive = other;
   }
-  return trimmed(value);
+  return decisive.value.empty() ? trimmed_value(attribute(name)) : decisive.value;
 }
 
 /// Returns whether the fill rule of the element that started last is evenodd.
@@ -302,16 +300,24 @@ bool SvgReader::is_hidden(bool inherited) const {
   return visibility == "visible" ? false : inherited;
 }
 
-/// Skips a style sheet, and notes what it may change.
-void SvgReader::read_style_sheet() {
-  const char* const begin = scanner().tag();
-  skip_element();
-  const std::string_view sheet(begin, static_cast<std::size_t>(scanner().tag() - begin));
-  for (const std::string_view name : {"display", "visibility", "fill-rule"}) {
-    const std::size_t at = sheet.find(name);
-    if (at == sheet.npos) continue;
-    style_properties_.insert(name);
+/// Reads all style sheets of the drawing but those for print and other media.
+void SvgReader::read_style_sheets() {
+  if (text_.find("<style") == text_.npos && text_.find("<svg:style") == text_.npos) return;
+  XmlScanner all = document_;
+  for (auto event = all.next(); event != XmlScanner::Event::Done; event = all.next()) {
+    if (event != XmlScanner::Event::Start || plain_name(all.element()) != "style") continue;
+    const std::string_view media = all.attribute("media").value_or("all");
+    const bool is_for_screens =
+        media.find("all") != media.npos || media.find("screen") != media.npos;
+    const char* const begin = all.tag();
+    while (all.next() == XmlScanner::Event::Start) {
+    }
+    std::string_view sheet(begin, static_cast<std::size_t>(all.tag() - begin));
+    sheet.remove_prefix(std::min(sheet.find('>'), sheet.size() - 1) + 1);
+    if (!is_for_screens) continue;
+    with_place(all.cursor_at(all.tag()), [&] { style_sheet_.add(sheet, context_); });
   }
+  all.release_attributes();
 }
 
 void SvgReader::skip_element() {
@@ -372,7 +378,7 @@ void SvgReader::end_use() {
   used_bytes_ += static_cast<std::uint64_t>(scanner().tag() - uses_.back().tag);
   scanners_.pop_back();
   uses_.pop_back();
-  if (used_bytes_ > kMostUsedBytes + kMostUsedTimes * text_bytes_) {
+  if (used_bytes_ > kMostUsedBytes + kMostUsedTimes * text_.size()) {
     scanner().fail(ErrorCode::ResourceLimit, "uses that place too many elements", scanner().tag());
   }
 }
@@ -439,7 +445,6 @@ bool SvgReader::is_chosen() {
 /// Enters a group, reads a shape, or skips an element with all it contains.
 void SvgReader::start_element() {
   const std::string_view name = plain_name(scanner().element());
-  if (name == "style") return read_style_sheet();
   const auto kind = std::ranges::find(kKinds, name, &Kind::name);
   const bool is_group = name == "g" || name == "a" || name == "svg" || name == "use" ||
                         name == "switch" || (name == "symbol" && is_used_root());
