@@ -16,7 +16,7 @@ namespace plumb {
 namespace {
 
 #if defined(__GLIBC__)
-/// Whether the process may use so little address space that a reserve would be missed.
+/// Whether the address space of the process is so limited that the process would miss a reserve.
 bool is_address_space_scarce() {
   constexpr rlim_t kPlenty = rlim_t{1} << 30;
   rlimit limit{};
@@ -28,8 +28,8 @@ bool is_address_space_scarce() {
 
 void keep_freed_memory() {
 #if defined(__GLIBC__)
-  constexpr int kMostOfThreshold =
-      32 << 20;  // The most that glibc takes. Larger blocks are always mapped by themselves.
+  // The greatest value that glibc accepts. Larger blocks are always mapped by themselves.
+  constexpr int kMostOfThreshold = 32 << 20;
   mallopt(M_MMAP_THRESHOLD, kMostOfThreshold);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
 #endif
@@ -50,7 +50,7 @@ void use_huge_pages() {
   const std::uintptr_t begin = (end_of_heap() + kHugePage - 1) / kHugePage * kHugePage;
   mallopt(M_TOP_PAD, kHeap);
   {
-    // This is more than is left, so the heap grows by it and the pad.
+    // The block is larger than what is left, so the heap grows by the block and the pad.
     const std::unique_ptr<volatile char[]> block(new char[std::size_t{1} << 20]);
     block[0] = 0;
   }

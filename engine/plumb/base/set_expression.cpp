@@ -24,7 +24,7 @@ SetOperator binary_operator(char c) {
     case '@':
       return SetOperator::MinkowskiSum;
     default:
-      return SetOperator::Operand;  // The character is no operator.
+      return SetOperator::Operand;  // The character is not an operator.
   }
 }
 

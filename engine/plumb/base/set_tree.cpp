@@ -4,7 +4,7 @@
 // (of literals) if it is an intersection, a difference, or the complement of a union; it is a
 // disjunction if it is a union, or the complement of an intersection or of a difference. A chain is
 // a maximal part of the expression in which conjunctions are literals of conjunctions; by De
-// Morgan's laws, all disjunctions are complements of conjunctions. So one form is enough:
+// Morgan's laws, all disjunctions are complements of conjunctions. Therefore one form is enough:
 //     value of a chain = intersection of its positive literals - union of its negative ones
 // with one exception: a disjunction without negative literals is a union. The literals of a chain
 // are chains of the other kind, symmetric differences and operands. A term with several users ends
@@ -53,7 +53,8 @@ class Rewriter {
 
   SetTree run(std::uint32_t value) {
     count_users(value);
-    // A term is first opened, which puts the terms that it needs above it, and then closed.
+    // A term is visited twice. The first visit puts the terms that it needs above it on the stack,
+    // and the second visit closes it.
     std::vector<std::uint32_t> stack{value};
     std::vector<bool> is_open(terms_.size());
     while (!stack.empty()) {
@@ -205,8 +206,8 @@ class Rewriter {
     return add(SetOperator::Difference, chain.negative);
   }
 
-  /// Returns the node of a complement. Two complements cancel, and the first one may lose its only
-  /// user.
+  /// Returns the node of a complement. Two complements cancel. The first complement may then have
+  /// no users left.
   std::uint32_t complement(std::uint32_t of) {
     const SetTree::Node& node = tree_.nodes[of];
     if (node.op == SetOperator::Complement) return tree_.children[node.first_child];
@@ -225,9 +226,9 @@ class Rewriter {
   }
 
   const std::vector<Binary>& terms_;
-  std::vector<std::uint32_t> users_;  // How many terms have the term as an operand.
+  std::vector<std::uint32_t> users_;  // The number of terms that have this term as an operand.
   std::vector<std::uint32_t> node_;   // The node of a term, once it is closed.
-  std::vector<bool> seen_;            // All false outside drop_repeated().
+  std::vector<bool> seen_;            // All values are false outside of drop_repeated().
   SetTree tree_;
 };
 
@@ -258,7 +259,8 @@ SetTreeBuilder::Term SetTreeBuilder::complement(Term of) {
 }
 
 SetTreeBuilder::Term SetTreeBuilder::combine(SetOperator op, Term a, Term b) {
-  if (op != SetOperator::Difference && a > b) std::swap(a, b);  // The others are commutative.
+  // The other operations are commutative.
+  if (op != SetOperator::Difference && a > b) std::swap(a, b);
   return add(op, a, b);
 }
 

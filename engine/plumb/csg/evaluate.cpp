@@ -117,12 +117,12 @@ class Evaluator {
  private:
   using Value = std::variant<std::monostate, Nef2, Nef3>;
 
-  /// With what a node is computed: by itself, as a part of a Boolean, or as operands of a hull.
+  /// How a node is computed: by itself, as a part of a Boolean, or as operands of a hull.
   enum class Region : std::uint8_t { Own, Boolean, Hull };
 
-  /// A remark on nodes.
+  /// A remark on some of the nodes.
   struct Remark {
-    std::uint32_t first;  // The node with the least number.
+    std::uint32_t first;  // The one of these nodes that has the least number.
     std::string text;
     std::uint64_t count;
   };
@@ -132,7 +132,7 @@ class Evaluator {
 
   // -------------------------------------------------------------- structure
 
-  /// Returns what the children of a node must be to take part in it.
+  /// Returns the dimension that a child must have to be an input of a node.
   CsgDimension input_dimension(std::uint32_t i) const {
     const CsgKind kind = node(i).kind;
     if (kind == CsgKind::Projection) return CsgDimension::Space;
@@ -173,7 +173,7 @@ class Evaluator {
     }
   }
 
-  /// Returns the colour of a node that makes the faces of a set of space; otherwise nothing.
+  /// Returns the colour of a node if the node makes the faces of a set of space; otherwise nothing.
   std::optional<CsgColor> color_at(std::uint32_t i) const {
     if (paint_.of_node.empty() || dimension_[i] != CsgDimension::Space) return {};
     const std::uint32_t from = paint_.of_node[i];
@@ -193,7 +193,7 @@ class Evaluator {
     return kind == CsgKind::Difference || kind == CsgKind::Intersection || acts_as_union(i);
   }
 
-  /// Whether a child that is nothing makes a node nothing.
+  /// Whether a node is empty if one of its children is empty.
   bool is_emptied(std::uint32_t i) const {
     const CsgKind kind = node(i).kind;
     bool is_empty = false, is_first = true;
@@ -211,7 +211,8 @@ class Evaluator {
     std::unordered_multimap<std::uint64_t, std::uint32_t> known;
     std::vector<std::uint32_t> inputs;
     inputs_.reserve(count_);
-    // Inputs are appended in the order of falling numbers, so the ranges are found from both ends.
+    // Inputs are appended in the order of decreasing numbers, so each range is found from both
+    // ends.
     for (std::uint32_t i = count_; i-- > 0;) {
       check(i);
       input_begin_[i] = static_cast<std::uint32_t>(inputs_.size());
@@ -253,11 +254,11 @@ class Evaluator {
     return std::span(inputs_).subspan(input_begin_[i], end - input_begin_[i]);
   }
 
-  /// Returns the numbers that belong to the value of a node.
+  /// Returns the numbers that, together with the kind, determine what a node computes.
   std::span<const double> numbers_of(std::uint32_t i) const {
     return is_union(node(i).kind) ? std::span<const double>() : tree_.numbers_of(node(i));
   }
-  /// Returns the kind, where all unions have the same.
+  /// Returns the kind of a node. All nodes that compute unions get the same kind.
   CsgKind kind_of(std::uint32_t i) const {
     return is_union(node(i).kind) ? CsgKind::Union : node(i).kind;
   }
@@ -287,7 +288,7 @@ class Evaluator {
            std::equal(e.begin(), e.end(), f.begin(), f.end()) && color_at(i) == color_at(j);
   }
 
-  /// Returns the first node below a chain of maps that have one input each.
+  /// Returns the first node below a chain of affine maps, each of which has one input.
   std::uint32_t below_maps(std::uint32_t i) const {
     while (is_map(i) && inputs_of(i).size() == 1) i = inputs_of(i)[0];
     return i;
@@ -296,15 +297,15 @@ class Evaluator {
     return node(i).kind == CsgKind::Multmatrix && !acts_as_union(i);
   }
 
-  /// Whether a hull needs nothing of an input of a node but its points.
+  /// Whether a hull uses only the points of one of its inputs.
   bool needs_points(std::uint32_t user) const {
     if (user == kNoNode) return false;
     const bool passes_points_on = acts_as_union(user) || is_map(user);
     return node(user).kind == CsgKind::Hull || (passes_points_on && is_only_in_hulls_[user]);
   }
 
-  /// Counts, for each representative, how many nodes need its value, and finds those whose points
-  /// alone are needed. The users of a node come before it.
+  /// For each representative, counts the nodes that need its value, and determines whether all of
+  /// them need only its points. The users of a node are visited before the node.
   void find_users() {
     const auto use = [this](std::uint32_t i, std::uint32_t user) {
       only_user_[i] = users_[i]++ == 0 ? user : kNoNode;
@@ -317,7 +318,7 @@ class Evaluator {
       if (is_map(i) && inputs_of(i).size() == 1) {
         const std::uint32_t base = below_maps(i);
         for (std::uint32_t k = inputs_of(i)[0]; k != base; k = inputs_of(k)[0]) {
-          report(k).work = CsgWork::Rewritten;  // Unless something else needs its value.
+          report(k).work = CsgWork::Rewritten;  // This changes if another node needs the value.
         }
         use(base, i);
       } else {
@@ -326,8 +327,8 @@ class Evaluator {
     }
   }
 
-  /// Finds the nodes that are computed together with their only user. Users come before what they
-  /// use.
+  /// Finds the nodes that are computed together with their only user. Users are visited before
+  /// their inputs.
   void find_regions() {
     for (std::uint32_t i = 0; i < count_; ++i) {
       const std::uint32_t user = only_user_[i];
@@ -376,7 +377,7 @@ class Evaluator {
     return shape == nullptr ? 0 : shape->counts().edges;
   }
 
-  /// Calls compute(). Errors get the place of the node.
+  /// Calls compute(). Adds the place of the node to every error.
   template <class Compute>
   Value placed(std::uint32_t i, Compute compute) const {
     try {
@@ -475,7 +476,7 @@ class Evaluator {
     return mapped(taken<Set>(base), map, remark, context_);
   }
 
-  /// Returns the value of a representative, and frees it if nothing else needs it.
+  /// Returns the value of a representative, and frees it if no other node needs it.
   template <class Set>
   Set taken(std::uint32_t i) {
     if (--users_[i] > 0) return std::get<Set>(values_[i]);
@@ -504,7 +505,7 @@ class Evaluator {
     return minkowski_sum(std::span<const Set>(sets), context_);
   }
 
-  /// Returns the hull of the inputs. The hull of a union, or of a hull, is that of the parts.
+  /// Returns the hull of the inputs. If an input is a union or a hull, its parts can replace it.
   template <class Set>
   Set hull(std::uint32_t i) {
     std::vector<Set> sets;
@@ -514,7 +515,7 @@ class Evaluator {
       }
     }
     const Set all = convex_hull(std::span<const Set>(sets), context_);
-    // The hull of flat polyhedra can be flat; every other input has an interior.
+    // Only the hull of flat polyhedra can be flat, because every other input has an interior.
     return all.regularization(context_);
   }
 
@@ -568,7 +569,8 @@ class Evaluator {
       if (is_first) {
         value = term;
       } else if (!term || !value) {
-        // An empty part changes a union into the other part, and an intersection into nothing.
+        // A union with an empty part is the other part, and an intersection with an empty part is
+        // empty.
         if (op == SetOperator::Intersection) value.reset();
         if (op == SetOperator::Union && term) value = term;
       } else {
@@ -615,10 +617,11 @@ class Evaluator {
   }
 
   /// Returns the set with its sources in the order of the tree. Where faces coincide, the first
-  /// source wins, and rewriting must not decide which one this is.
+  /// source has precedence. The rewriting of Booleans must not change which source is the first.
   Nef3 with_sorted_sources(Nef3 solid) const {
     if (solid.sources().size() < 2) return solid;
-    std::vector<std::uint32_t> first(count_, kNoNode);  // The first node that is equal to a node.
+    // The first of all nodes that are equal to a node.
+    std::vector<std::uint32_t> first(count_, kNoNode);
     for (std::uint32_t i = count_; i-- > 0;) first[same_[i]] = i;
     const auto place_of = [&](const PlacedSource& placed) {
       const auto known = rank_.find(placed.source.get());
@@ -669,13 +672,16 @@ class Evaluator {
   std::uint32_t count_;
   std::vector<CsgDimension> dimension_;
   CsgPaint paint_;
-  std::vector<std::uint32_t> same_;         // The representative of each node.
-  std::vector<std::uint32_t> inputs_;       // Representatives, last node first.
-  std::vector<std::uint32_t> input_begin_;  // Index into inputs_, for each node.
-  std::vector<std::uint32_t> input_end_;    // The same, last node first.
-  std::vector<std::uint32_t> users_;        // How many nodes still need the value.
-  std::vector<std::uint32_t> only_user_;    // kNoNode if there is none, or several.
-  std::vector<bool> is_only_in_hulls_;      // Whether all users take the points alone.
+  std::vector<std::uint32_t> same_;    // The representative of each node.
+  std::vector<std::uint32_t> inputs_;  // Representatives, last node first.
+  // The index into inputs_ at which the inputs of each node begin.
+  std::vector<std::uint32_t> input_begin_;
+  // The index at which they end, with the last node first.
+  std::vector<std::uint32_t> input_end_;
+  std::vector<std::uint32_t> users_;  // How many nodes still need the value.
+  // The only user, or kNoNode if there are no users or several.
+  std::vector<std::uint32_t> only_user_;
+  std::vector<bool> is_only_in_hulls_;  // Whether all users need only the points.
   std::vector<Region> region_;
   std::vector<Remark> remarks_;
   std::uint64_t needed_ = 0;  // Representatives whose values are needed.
@@ -687,7 +693,7 @@ class Evaluator {
     Nef3 solid;
     std::string remark;
   };
-  std::optional<PlainPrimitive> primitive_;  // The last one that was computed.
+  std::optional<PlainPrimitive> primitive_;  // The primitive that was computed last.
   CsgResult result_;
 };
 

@@ -24,7 +24,8 @@ namespace {
 
 constexpr std::size_t kMaxHalfedges = (std::size_t{1} << 31U) - 2;
 
-/// Returns the half-edge of each corner position; the even one of an edge is at the lower position.
+/// Returns the half-edge of each corner position. Of the two half-edges of an edge, the even one is
+/// at the lower position.
 std::vector<HalfedgeId> number_halfedges(std::span<const std::uint32_t> twin_of) {
   std::vector<HalfedgeId> halfedge_of(twin_of.size());
   std::size_t edges = 0;
@@ -142,8 +143,8 @@ void Dcel::place_isolated(std::span<const IsolatedVertex> isolated) {
   }
 }
 
-/// Fills in the half-edges of one listed cycle. It writes entries of this cycle only, besides the
-/// first half-edges of its vertices.
+/// Fills in the half-edges of one listed cycle. Apart from the first half-edges of its vertices, it
+/// writes only entries of this cycle.
 void Dcel::fill_cycle(LoopId l, std::span<const std::uint32_t> vertices,
                       const HalfedgeId* halfedges) {
   HalfedgeId prev = halfedges[vertices.size() - 1];
@@ -167,8 +168,8 @@ void Dcel::check_targets() const {
   }
 }
 
-/// Whether there is a pinch. Without one, the ring of each vertex's first half-edge has all that
-/// leave the vertex.
+/// Whether there is a pinch. Without pinches, the ring of each vertex's first half-edge contains
+/// all half-edges that leave the vertex.
 bool Dcel::find_pinches() const {
   std::size_t reached = 0;
   for (const auto first : vertices_) {
@@ -219,8 +220,9 @@ DcelCompaction Dcel::compact() {
   return to;
 }
 
-// The Euler operators. Each links the half-edges first and then settles loops and vertices. In them
-// h and t = twin(h) are the new or removed edge: h leaves corner a, t leaves corner b.
+// The Euler operators. Each operator links the half-edges first and then updates loops and
+// vertices. The half-edges h and t = twin(h) form the new or removed edge. Half-edge h leaves
+// corner a, and t leaves corner b.
 
 // --- faces, loops, isolated vertices -----------------------------------------------------------
 
@@ -285,13 +287,15 @@ void Dcel::leave_face(LoopId l) {
   loops_[loop.next].prev = loop.prev;
 }
 
-/// Only loops are moved, each in constant time; half-edges know their faces through their loops.
+/// Only loops are moved, each in constant time, because half-edges refer to their faces through
+/// their loops.
 FaceId Dcel::split_face(std::span<const LoopId> loops) {
   PLUMB_CHECK(!loops.empty() && contains(loops.front()));
   const FaceId old = face(loops.front());
   const FaceId f = add_face();
   for (const LoopId l : loops) {
-    PLUMB_CHECK(contains(l) && face(l) == old);  // A loop given twice has left the face already.
+    // A loop that is given twice has left the face already.
+    PLUMB_CHECK(contains(l) && face(l) == old);
     leave_face(l);
     enter_face(l, f);
   }
@@ -341,13 +345,14 @@ void Dcel::attach_self_loop(HalfedgeId h, Corner at) {
   link(h, h);
 }
 
-/// Labels the half-edges from `from` up to, without, `stop`.
+/// Labels the half-edges from `from` to the one before `stop`.
 void Dcel::relabel(HalfedgeId from, HalfedgeId stop, LoopId l) {
   for (HalfedgeId h = from; h != stop; h = next(h)) halfedges_[h].loop = l;
 }
 
-/// An edge between two corners of one loop splits that loop: the part from h on becomes a new one.
-/// An edge between two loops joins them: the loop of b becomes part of that of a.
+/// An edge between two corners of one loop splits that loop, and the part that begins with h
+/// becomes a new loop. An edge between two loops joins them: the loop of b becomes a part of the
+/// loop of a.
 HalfedgeId Dcel::add_edge(Corner a, Corner b) {
   PLUMB_CHECK(!has_pinches_ && is_corner(a) && is_corner(b));
   const LoopId la = loop_at(a), lb = loop_at(b);
@@ -374,8 +379,8 @@ HalfedgeId Dcel::add_edge(Corner a, Corner b) {
   return h;
 }
 
-/// Returns a half-edge that leaves origin(h) and is not of h's edge; one that is not valid if there
-/// is none.
+/// Returns a half-edge that leaves origin(h) and does not belong to the edge of h; an invalid id if
+/// there is none.
 HalfedgeId Dcel::other_leaving(HalfedgeId h) const {
   HalfedgeId other = turn_right(h);
   if (other == twin(h)) other = turn_right(other);  // Both halves of a self-loop leave the vertex.
@@ -388,8 +393,8 @@ void Dcel::detach(HalfedgeId h) {
   link(before, after);
 }
 
-/// Gives v its half-edge after an edge at v was removed, or the isolated loop l if there is none
-/// left.
+/// After an edge at v was removed, gives v another half-edge, or the isolated loop l if v has no
+/// edge left.
 void Dcel::settle(VertexId v, HalfedgeId leaving, LoopId l) {
   if (leaving.is_valid()) {
     vertices_[v] = leaving;
@@ -399,8 +404,9 @@ void Dcel::settle(VertexId v, HalfedgeId leaving, LoopId l) {
   }
 }
 
-/// The inverse of add_edge(): an edge between two loops of one face joins them to that of the twin;
-/// an edge with one loop on both sides splits it, and the part from next(h) on becomes a new one.
+/// The inverse of add_edge(). If the edge lies between two loops of one face, the loops are joined
+/// into the loop of the twin. If both sides of the edge are on one loop, the loop is split, and the
+/// part that begins with next(h) becomes a new loop.
 void Dcel::remove_edge(HalfedgeId h) {
   PLUMB_CHECK(!has_pinches_ && contains(h) && face(h) == face(twin(h)));
   const HalfedgeId t = twin(h);
@@ -411,7 +417,7 @@ void Dcel::remove_edge(HalfedgeId h) {
   if (loop(h) != la) {
     relabel(next(h), h, la);
     drop_loop(loop(h));
-    // If neither is left, settle() makes the loop that of an isolated vertex.
+    // If neither half-edge is left, settle() makes the loop of an isolated vertex.
     loops_[la].first = on_h != h ? on_h : on_t;
   } else {
     lb = new_loop(on_h, face(la));
@@ -428,8 +434,9 @@ void Dcel::remove_edge(HalfedgeId h) {
 
 // --- vertices inside edges -----------------------------------------------------------------------
 
-/// h ends at the new vertex w, and n leads on to the former target v. If h was the last edge at v,
-/// n is followed by its own twin. Loops stay, so nothing is relabelled.
+/// Half-edge h now ends at the new vertex w, and n leads on to the former target v. If h was the
+/// last edge at v, n is followed by its own twin. Loops do not change, so no half-edge is
+/// relabelled.
 HalfedgeId Dcel::split_edge(HalfedgeId h) {
   PLUMB_CHECK(!has_pinches_ && contains(h));
   const HalfedgeId t = twin(h);
@@ -452,8 +459,8 @@ HalfedgeId Dcel::split_edge(HalfedgeId h) {
   return n;
 }
 
-/// The inverse of split_edge(): h takes the place of both edges, and what pointed to the removed
-/// half-edges points to those of h.
+/// The inverse of split_edge(). Half-edge h replaces both edges, and references to the removed
+/// half-edges are replaced by references to the half-edges of h.
 void Dcel::join_edge(HalfedgeId n) {
   PLUMB_CHECK(!has_pinches_ && contains(n));
   const HalfedgeId h = prev(n), t = twin(h), m = twin(n);

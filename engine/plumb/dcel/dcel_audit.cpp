@@ -20,7 +20,7 @@
 
 namespace plumb {
 
-/// One audit: each check assumes that the ones before it hold, so that it can follow links safely.
+/// One audit. Each check relies on the checks before it, so that it can follow links safely.
 class DcelAudit {
  public:
   explicit DcelAudit(const Dcel& dcel) : d_(dcel) {}

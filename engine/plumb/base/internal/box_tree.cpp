@@ -28,9 +28,9 @@ struct BoxLevels {
   std::vector<std::size_t> begin;  ///< Where each level begins in `nodes`.
 };
 
-/// Returns the nodes over boxes: `leaf` consecutive boxes make a leaf, two consecutive nodes the
-/// node above them. Boxes are added to `empty`, and a level is filled up with `nowhere`. Requires
-/// whole leaves. O(n).
+/// Returns the nodes over boxes. `leaf` consecutive boxes make a leaf, and two consecutive nodes
+/// make the node above them. The boxes are appended to `empty`, and each level is filled up with
+/// `nowhere`. Requires that the boxes fill all leaves. O(n).
 template <class Box>
 BoxLevels<Box> levels_over(const std::vector<Box>& boxes, std::size_t leaf, const Box& empty,
                            const Box& nowhere) {
@@ -62,8 +62,8 @@ namespace {
 constexpr std::uint32_t kGridBits = 21;
 constexpr std::uint32_t kDigitBits = 9;  // Seven digits make a code.
 constexpr std::size_t kLongestRun = 8;   // Longer runs of one code are sorted again.
-constexpr double kSlack = 0x1p-48;       // More than the roundings of a difference and a quotient.
-constexpr double kTiny = 0x1p-1000;      // More than flushing subnormal numbers loses.
+constexpr double kSlack = 0x1p-48;       // Exceeds the roundings of a difference and a quotient.
+constexpr double kTiny = 0x1p-1000;      // Exceeds the loss if subnormal numbers are flushed.
 
 /// Returns a box that meets no box, not even an unbounded one: no comparison with a NaN is true.
 Box3 nowhere() {
@@ -95,7 +95,7 @@ class Grid {
       high_[i] = std::max(high_[i], m);
     }
   }
-  /// Whether the middles are not all one point.
+  /// Whether at least two of the middles differ.
   bool has_extent() const { return low_[0] < high_[0] || low_[1] < high_[1] || low_[2] < high_[2]; }
   std::uint64_t code(const Box3& box) const {
     return cell(box, 0) << 2 | cell(box, 1) << 1 | cell(box, 2);
@@ -108,7 +108,7 @@ class Grid {
   }
   std::uint64_t cell(const Box3& box, std::size_t i) const {
     const double place = (middle(box, i) / 2 - low_[i] / 2) / (high_[i] / 2 - low_[i] / 2);
-    if (!(place > 0)) return 0;  // Without extent on this axis the place is 0 / 0.
+    if (!(place > 0)) return 0;  // If the middles agree on this axis, the place is 0 / 0.
     constexpr double kCells = std::uint64_t{1} << kGridBits;
     return spread_bits(static_cast<std::uint64_t>(std::min(place * kCells, kCells - 1)));
   }
@@ -139,8 +139,8 @@ class PlaceSort {
     sort_runs(items);
   }
 
-  // Sorts long runs of one code again. A run spans 2^-21 of the grid or less, unless all places
-  // differ by roundings only, when the run has all items and is left as it is.
+  // Sorts long runs of one code again. A run spans at most 2^-21 of the grid. The exception is a
+  // run of all items, whose places differ only by roundings. Such a run is left as it is.
   void sort_runs(std::span<CodedBox> items) {
     std::size_t begin = 0;
     for (std::size_t i = 1; i <= items.size(); ++i) {
@@ -151,9 +151,9 @@ class PlaceSort {
     }
   }
 
-  // A stable radix sort from the lowest digit up. Digits that are the same in all codes are
-  // skipped. A few items are inserted one by one, which is faster than to clear the tables of
-  // digits.
+  // Sorts by a stable radix sort from the lowest digit up. Digits that are the same in all codes
+  // are skipped. If there are few items, they are inserted one by one, which is faster than
+  // clearing the tables of digits.
   void sort_by_code(std::span<CodedBox> items) {
     constexpr std::size_t kFew = 64;
     if (items.size() <= kFew) {
@@ -206,7 +206,7 @@ void BoxTree::make_nodes() {
   level_begin_ = std::move(levels.begin);
 }
 
-// Opens nodes level by level until there are so many parts.
+// Opens nodes level by level until there are as many parts as requested.
 std::vector<BoxTree::Part> BoxTree::parts(const BoxTree& a, const BoxTree& b, std::size_t about) {
   std::vector<Part> parts, next;
   const auto add = [&](Node m, Node n) {
@@ -236,13 +236,13 @@ std::vector<BoxTree::Part> BoxTree::parts(const BoxTree& a, const BoxTree& b, st
 
 namespace {
 
-/// The interval of times t that inequalities leave.
+/// The interval of the times t that satisfy all inequalities so far.
 struct Span {
   double first;
   double last;
 };
 
-/// Returns the bound, less what roundings may have added.
+/// Returns the bound minus the greatest amount that roundings may have added.
 double loosened(double bound) { return bound - (std::fabs(bound) * kSlack + kTiny); }
 
 /// Keeps the times with t * factor >= bound.

@@ -21,7 +21,7 @@ namespace {
 
 enum class OnLimit : std::uint8_t { Fail, RunAgain };
 
-/// Whether the exception that is being handled reports a limit, possibly one of memory.
+/// Whether the exception that is being handled reports an exceeded limit, such as the memory limit.
 bool is_limit() {
   try {
     throw;
@@ -54,8 +54,8 @@ class Jobs {
       others.reserve(workers);
       try {
         for (std::size_t i = 1; i < workers; ++i) others.emplace_back([this] { work(false); });
-      } catch (const std::system_error&) {  // There are no more threads: fewer do the work.
-      } catch (const std::bad_alloc&) {     // There is no memory for one more: likewise.
+      } catch (const std::system_error&) {  // The system refuses more threads.
+      } catch (const std::bad_alloc&) {     // There is no memory for more threads.
       }
       work(true);
     }
@@ -88,9 +88,9 @@ class Jobs {
   Context& context_;
   const std::function<void(std::size_t, Context&)>& job_;
   const OnLimit on_limit_;
-  std::vector<std::stop_source> stop_;     // Stops each job.
+  std::vector<std::stop_source> stop_;     // The stop sources of the jobs.
   std::vector<std::exception_ptr> error_;  // The error of each job, if it failed.
-  // The jobs that have met a limit, and that are run when no other job runs.
+  // The jobs that exceeded a limit. They are run again when no other job runs.
   std::vector<std::uint8_t> is_postponed_;
   std::atomic<std::size_t> next_ = 0;
   unsigned share_ = 1;

@@ -1,9 +1,10 @@
 // A tree of CPU time by phase and job, and the replay of this tree for a number of threads.
 //
 // Each thread has an open node. The time since the thread last read its clock belongs to this node;
-// opening and closing a node reads the clock and moves on. Nodes are opened and closed in the order
-// of a stack, by objects on the stack: an exception closes them, too. A node is complete before it
-// moves into the steps of the node around it, so no pointer to an open node becomes invalid.
+// opening and closing a node reads the clock and moves on. Objects on the stack open and close the
+// nodes, so the nodes are closed in reverse order, even if an exception is thrown. A node is
+// complete before it moves into the steps of the node around it, so no pointer to an open node
+// becomes invalid.
 //
 // The nodes of the jobs of a section are in one array that does not grow. Each job writes to its
 // own node. The time that the thread that starts the jobs spends between them belongs to the node
@@ -51,8 +52,8 @@ double total_of(const std::vector<WorkNode>& step) {
   });
 }
 
-/// Returns when the last job of a section ends: each job in turn is begun by the thread that is
-/// free first.
+/// Returns the time when the last job of a section ends. Each job in turn is started by the thread
+/// that becomes free first.
 double end_of_section(const std::vector<WorkNode>& jobs, unsigned threads) {
   const auto workers = static_cast<unsigned>(std::min<std::size_t>(threads, jobs.size()));
   std::vector<double> free_at(workers, 0);
@@ -106,7 +107,8 @@ PhaseSum& phase_within(PhaseSum& sum, std::string_view name) {
   return added;
 }
 
-/// Adds the phases within a node. Jobs are no phases: what is in them counts for the phase around.
+/// Adds the phases within a node. Jobs are not phases. The phases within a job belong to the phase
+/// around the job.
 void add_phases(const WorkNode& node, PhaseSum& sum) {
   for (const std::vector<WorkNode>& step : node.steps) {
     for (const WorkNode& part : step) {

@@ -33,7 +33,7 @@ namespace {
 
 using Numbers = std::span<const double>;
 
-/// OpenSCAD's least length.
+/// The least length that OpenSCAD accepts.
 constexpr double kLeastLength = 0x1p-20;
 constexpr double kMostSlices = 1 << 20;
 /// OpenSCAD prolongs mitres as far as they go, up to this limit.
@@ -188,7 +188,8 @@ double path_length(double radius, const LinearNumbers& n) {
   return std::hypot(spiral_length(a, end) - spiral_length(a, end - turn), n.height);
 }
 
-/// Returns the number of slices for a twist, where the two scales are equal or taken for equal.
+/// Returns the number of slices for a twist whose two scales are equal, or so close that OpenSCAD
+/// treats them as equal.
 double slices_of_twist(double radius, const LinearNumbers& n) {
   const double turn = std::abs(n.twist);
   const double least = std::max(std::ceil(turn / 120), 1.0);
@@ -259,7 +260,8 @@ Nef3 rotational(const Nef2& set, Numbers n, std::string& remark, Context& contex
   const double chords = chords_of(right - left, division(n, 1));
   const double steps = std::max(std::floor(chords * std::abs(angle) / 360), 1.0);
   const Nef3 turned = rotational_extrusion(set, angle, checked_steps(steps), context);
-  const double first = std::abs(angle) == 360 ? 180 : 0;  // Where the turn begins by itself.
+  // The angle at which OpenSCAD begins a turn if the file states none.
+  const double first = std::abs(angle) == 360 ? 180 : 0;
   if (n.size() < 5 || n[4] == first) return turned;
   return turned.transformed(rotation({0, 0, 1}, n[4] - first), context);
 }
