@@ -1,4 +1,4 @@
-// The program: from arguments to a command, and from errors to exit codes.
+// The program finds the command for its arguments, and the exit code for an error.
 //
 // The command is the first row of the table whose words begin the arguments. For an unknown command
 // or option, the message suggests the nearest known word. The distance of words is the optimal
@@ -38,9 +38,10 @@
 
 namespace plumb::cli {
 
-/// Returns the entry of `known` with the fewest insertions, deletions, substitutions and swaps of
-/// neighbours away from `word`; the first of equals. Returns an empty text if even that is more
-/// than a third of `word` away (for a word of one or two letters, more than one).
+/// Returns the entry of `known` that differs from `word` by the fewest insertions, deletions,
+/// substitutions and swaps of neighbours. If several entries differ equally, returns the first one.
+/// Returns an empty text if even the nearest entry differs by more than a third of the length of
+/// `word`, or by more than one if `word` has one or two letters.
 std::string nearest(std::string_view word, std::span<const std::string> known);
 
 namespace {
@@ -66,7 +67,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> known) {
-  constexpr std::size_t kLongest = 64;  // Longer words are no typing mistakes and cost time.
+  // Longer words are not typing errors, and comparing them takes time.
+  constexpr std::size_t kLongest = 64;
   if (word.size() > kLongest) return {};
   std::string best;
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
@@ -99,7 +101,7 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-/// What to type, and what it does.
+/// The words of a command, and its description.
 using Row = std::pair<std::string, std::string_view>;
 
 Row row_of(const Command& command) {
@@ -192,7 +194,7 @@ std::size_t words_matched(const Arguments& arguments, std::string_view name) {
   return count;
 }
 
-/// Returns the command of this group that `second` was probably meant to be; or an empty text.
+/// Returns the command of this group that is most similar to `second`, or an empty text.
 std::string guess_in_group(const std::string& group, const std::string& second) {
   Arguments words;
   for (const Command& command : commands()) {
@@ -204,8 +206,7 @@ std::string guess_in_group(const std::string& group, const std::string& second) 
   return guess.empty() ? guess : group + ' ' + guess;
 }
 
-/// Returns the command that `first`, alone or with `second`, was probably meant to be; or an empty
-/// text.
+/// Returns the command that is most similar to `first`, alone or with `second`, or an empty text.
 std::string guess_command(const std::string& first, const std::string& second) {
   if (is_group(first)) return guess_in_group(first, second);
   Arguments names;
@@ -243,7 +244,7 @@ std::string guess_command(const std::string& first, const std::string& second) {
              (guess.empty() ? "; plumb --help lists them" : "; did you mean '" + guess + "'?"));
 }
 
-/// Returns CLI11's message, with the option that was probably meant.
+/// Returns CLI11's message, and names the most similar option.
 std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
   std::string message = error.what();
   if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return message;
@@ -256,8 +257,8 @@ std::string parse_message(const CLI::App& app, const CLI::ParseError& error) {
   return guess.empty() ? message : message + "; did you mean '" + guess + "'?";
 }
 
-/// Returns the argument with a digit before its point: CLI11 accepts "-0.5" as a number, but takes
-/// "-.5" for options.
+/// Returns the argument with a digit before its decimal point, because CLI11 accepts "-0.5" as a
+/// number, but takes "-.5" for options.
 std::string with_digit(std::string argument) {
   const bool starts_with_point =
       argument.size() > 2 && argument.starts_with("-.") && argument[2] >= '0' && argument[2] <= '9';
@@ -269,7 +270,7 @@ ExitCode run_command(const Command& command, Arguments arguments, std::stop_toke
   CommandApp known(command);
   CLI::App& app = known.app;
   std::transform(arguments.begin(), arguments.end(), arguments.begin(), with_digit);
-  std::reverse(arguments.begin(), arguments.end());  // The order that CLI11 wants.
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 requires this order.
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {
@@ -325,8 +326,8 @@ ExitCode exit_code_of(ErrorCode code) {
   }
 }
 
-// Reports of errors: a line for people, or with --json an object. They allocate no memory, as there
-// may be none.
+// Reports of errors: a line for people or, with --json, an object. They allocate no memory, because
+// there may be none left.
 
 constexpr std::string_view kOutOfMemory =
     "out of memory (raise --limit-memory, or use a smaller input)";
@@ -370,7 +371,7 @@ std::string_view word_of(ErrorCode code) {
   return "internal";
 }
 
-/// Returns what the user may do about a limit that the message of an error names.
+/// Returns the advice for the user about a limit that the message of an error names.
 std::string_view advice_on(ErrorCode code, std::string_view message) {
   const auto names = [&](std::string_view words) { return message.find(words) != message.npos; };
   if (code == ErrorCode::NumberOutOfRange) {
@@ -383,7 +384,7 @@ std::string_view advice_on(ErrorCode code, std::string_view message) {
   return is_granted ? " (raise --limit-memory)" : " (raise --limit-memory and ulimit -v)";
 }
 
-/// Text that files have a part in, of bounded length.
+/// A text of bounded length, which may contain text from files.
 class BoundedText {
  public:
   explicit BoundedText(std::string_view text) : size_(std::min(text.size(), text_.size())) {
@@ -462,7 +463,8 @@ ExitCode report_refused_memory() {
   return ExitCode::Limit;
 }
 
-/// Errors with a place begin with "FILE:LINE:COLUMN: ..."; others get the program's name.
+/// If an error has a place, its line begins with "FILE:LINE:COLUMN: ...". Otherwise, its line
+/// begins with the name of the program.
 ExitCode report(const Error& error) {
   const ExitCode code = exit_code_of(error.code());
   if (code == ExitCode::ClosedPipe) return code;
@@ -503,8 +505,8 @@ ExitCode report_current_exception() {
   }
 }
 
-/// Called if an exception cannot leave a function, for example a destructor of the JSON library: a
-/// limit that is met there is reported as any other.
+/// This function is called if an exception cannot leave a function, for example a destructor of the
+/// JSON library. A limit that is exceeded there is reported like any other limit.
 [[noreturn]] void on_terminate() {
   if (std::current_exception() == nullptr) std::abort();
   leave(report_current_exception());

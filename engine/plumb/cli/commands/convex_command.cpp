@@ -98,8 +98,9 @@ class ConvexCheck : public CommandBody {
     return found.is_convex ? ExitCode::Yes : ExitCode::No;
   }
 
-  /// Returns the evidence for a mesh by its own faces if it is the surface of one solid; else that
-  /// for the set it describes, except for the faces, which are always the mesh's.
+  /// If a mesh is the surface of one solid, returns the evidence found at its own faces. Otherwise,
+  /// returns the evidence for the set that the mesh describes. In both cases, the failing faces are
+  /// faces of the mesh.
   ConvexityEvidence evidence(const std::string& bytes, Session& session) const {
     Context& context = session.context();
     require_solid(file_, bytes);
@@ -127,7 +128,8 @@ class ConvexCheck : public CommandBody {
     return of_set;
   }
 
-  /// The set is made anew, because a mesh may have been tested by its own faces.
+  /// The set is made again for the certificate, because the check may have tested the faces of a
+  /// mesh without making a set.
   void certify(bool is_convex, const std::string& bytes, Session& session) {
     if (!certificate_.is_given()) return;
     if (is_convex) {

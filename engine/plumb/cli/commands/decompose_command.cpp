@@ -44,13 +44,13 @@ namespace plumb::cli {
 
 class PieceFiles {
  public:
-  /// Creates the folder; without a name nothing is written. Throws Error{Usage} and
+  /// Creates the folder. If the folder has no name, no pieces are written. Throws Error{Usage} and
   /// Error{CannotWrite}.
   explicit PieceFiles(std::string directory);
 
   bool is_wanted() const { return !directory_.empty(); }
-  /// Writes the next piece, which is closed at once, because a set may have more pieces than files
-  /// may be open. `losses` says what the file leaves out.
+  /// Writes the next piece and closes its file at once, because a set may have more pieces than a
+  /// process may have open files. `losses` states what the file cannot represent.
   void add(std::string_view extension, const std::vector<std::string>& losses,
            const std::function<void(std::ostream&)>& write);
   /// Opens a picture of the pieces, which becomes visible with them. Throws Error{Usage} if it has
@@ -58,11 +58,11 @@ class PieceFiles {
   void open_picture(const std::string& path, const std::vector<std::string_view>& extensions);
   /// Writes the picture. Requires open_picture().
   void finish_picture(std::string_view bytes);
-  /// Notes how many of the files leave something out, what that with the most leaves out, and which
-  /// format would not.
+  /// Notes how many of the files lose information, what the file that loses most cannot represent,
+  /// and which format can.
   void note_losses(std::string_view better, Session& session) const;
-  /// Makes the files visible. Those of an earlier run that made more pieces, with one of the
-  /// extensions, are removed; never the input.
+  /// Makes the files visible. If an earlier run wrote more pieces, the surplus files with one of
+  /// the extensions are removed. The input is never removed.
   void commit(const std::vector<std::string_view>& extensions, const std::string& input);
 
  private:
@@ -123,7 +123,7 @@ void PieceFiles::open_picture(const std::string& path,
   namespace fs = std::filesystem;
   if (path == "-") throw Error(ErrorCode::Usage, "--svg needs a file");
   if (is_wanted()) {
-    std::error_code ignored;  // What is no path cannot be opened either.
+    std::error_code ignored;  // A path that is not valid cannot be opened either.
     const fs::path picture = fs::weakly_canonical(path_of(path), ignored);
     const bool is_beside = fs::equivalent(picture.parent_path(), path_of(directory_), ignored);
     if (is_beside && piece_number(picture.filename().string(), extensions) > 0) {
@@ -162,12 +162,13 @@ void PieceFiles::commit(const std::vector<std::string_view>& extensions, const s
   }
 }
 
-// The command itself.
+// Implements the command.
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kPiecesApart = 0.5;  // Part of their distances.
+// The distance of moved pieces, as a part of the distances between the pieces.
+constexpr double kPiecesApart = 0.5;
 
 struct PlaneChoice {
   std::string_view name;
@@ -293,7 +294,8 @@ class Decomposition : public CommandBody {
     if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);
     return answer;
   }
-  /// Returns the format asked for; else OFF, or .nef for what no mesh can hold.
+  /// Returns the requested format. If none was requested, returns OFF, or .nef if a mesh cannot
+  /// represent the pieces.
   static const SolidFormat& solid_format(const Nef3& piece, const std::string& asked) {
     if (!asked.empty()) return format_named(solid_formats(), asked);
     const bool is_mesh = piece.is_bounded() && piece.counts().marked_volumes > 0;
@@ -324,8 +326,8 @@ class Decomposition : public CommandBody {
     if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
     return answer;
   }
-  /// Writes the files of pieces. What is written as doubles is rounded together, so that pieces
-  /// that share a border still share it.
+  /// Writes the files of the pieces. The coordinates of all pieces are rounded together, so that
+  /// pieces with a common border still have it after rounding.
   static void write_pieces(const std::vector<Nef2>& pieces, PieceFiles& files, Session& session) {
     Context& context = session.context();
     const std::string& asked = session.options().format;
@@ -353,7 +355,8 @@ class Decomposition : public CommandBody {
         "moved by more than " +
         format_double(rounded.rounding.largest_move) + " (.nef2 is exact)");
   }
-  /// Returns the format asked for; else WKT, or .nef2 for what is unbounded.
+  /// Returns the requested format. If none was requested, returns WKT, or .nef2 if a piece is
+  /// unbounded.
   static const PlaneChoice& plane_format(const Nef2& piece, const std::string& asked) {
     if (!asked.empty()) return format_named(kPlaneFormats, asked);
     return format_named(kPlaneFormats, piece.is_bounded() ? "wkt" : "nef2");

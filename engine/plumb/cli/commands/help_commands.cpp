@@ -18,7 +18,7 @@
 namespace plumb::cli {
 namespace {
 
-/// Returns text for roff in which no character is a request.
+/// Returns the text for roff such that no character of it is a request.
 std::string roff(std::string_view text) {
   std::string escaped;
   if (text.starts_with('.') || text.starts_with('\'')) escaped = "\\&";

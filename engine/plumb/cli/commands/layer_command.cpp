@@ -21,7 +21,7 @@
 namespace plumb::cli {
 namespace {
 
-/// Returns the rule of a name. Requires one of the five names, or none.
+/// Returns the rule with the given name. Requires one of the five names, or an empty one.
 OwnerRule owner_rule(std::string_view name) {
   if (name == "largest") return OwnerRule::Largest;
   if (name == "smallest") return OwnerRule::Smallest;
@@ -74,7 +74,7 @@ class MapRepair : public CommandBody {
   }
 
  private:
-  /// Sets what the options say about features, which are known by their ids and names.
+  /// Stores the options that refer to features by their ids and names.
   void set_owners() {
     if (rule_ == "lowest-id") options_.rank = id_ranks(layer_);
     for (const auto& [winner, loser] : preferences_) {
@@ -83,7 +83,7 @@ class MapRepair : public CommandBody {
     }
   }
 
-  /// Opens outputs before the work, so that a path that cannot be written costs nothing.
+  /// Opens the outputs before the work, so that a path that cannot be written costs no time.
   void open_outputs(Session& session) {
     const CommonOptions& common = session.options();
     const bool is_written = !common.out.empty() || !common.format.empty();

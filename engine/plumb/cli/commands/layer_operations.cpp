@@ -33,7 +33,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Opens the layer and the summary. Text summaries are sentences, one a line.
+/// Opens the layer and the summary. The summary as text has one sentence in each line.
 void open_layer_and_summary(Session& session, const std::function<const Layer&()>& layer,
                             const std::function<OrderedJson()>& json,
                             const std::function<std::string()>& text, const std::string& crs) {
@@ -49,7 +49,7 @@ std::string numbered(std::size_t n, const std::string& one) {
   return std::to_string(n) + ' ' + one + (n == 1 ? "" : "s");
 }
 
-/// Notes overlaps that a command has resolved by the order of features.
+/// Notes the overlaps that a command has resolved by the order of the features.
 void note_overlaps(Session& session, const std::string& file, std::size_t overlaps) {
   if (overlaps == 0) return;
   session.note(input_name(file) + ": " + numbered(overlaps, "overlap") +
@@ -182,7 +182,7 @@ class MapSimplify : public CommandBody {
 
 // ---------------------------------------------------------------- overlay
 
-/// Returns the choice of a word. Requires one of the four words, or none.
+/// Returns the choice with the given name. Requires one of the four names, or an empty one.
 OverlayPairs pairs_named(std::string_view name) {
   if (name == "first") return OverlayPairs::First;
   if (name == "both") return OverlayPairs::Both;
@@ -240,7 +240,8 @@ bool is_layer_file(const std::string& path) {
   }
   require_layer_format(path);
   if (is_read_by_gdal(path)) return true;
-  // Only the beginning is read, so a pipe that has a name would lose it.
+  // Only the beginning of the file is read. A named pipe is not read, because it would lose these
+  // bytes.
   std::error_code error;
   if (extension == ".map" || !std::filesystem::is_regular_file(path_of(path), error)) return false;
   std::string begin(256, '\0');

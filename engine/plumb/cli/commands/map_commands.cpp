@@ -39,7 +39,7 @@
 namespace plumb::cli {
 namespace {
 
-/// What is written: the report of a map, or the report of a layer.
+/// The kind of report that is written: the report of a map, or the report of a layer.
 struct Checked {
   std::string title;
   MapReport map;
@@ -100,7 +100,7 @@ constexpr std::array kFormats{
     Format{"html", ".html", write_html},
 };
 
-/// Returns the rule of a name. Requires one of the three names.
+/// Returns the rule with the given name. Requires one of the three names.
 OuterRule outer_rule(std::string_view name) {
   if (name == "infer") return OuterRule::Infer;
   return name == "ignore" ? OuterRule::Ignore : OuterRule::Listed;
@@ -215,7 +215,7 @@ ExitCode MapCheck::check_map_file(Session& session, std::string_view text) {
   return checked_.map.verdict == MapVerdict::Valid ? ExitCode::Yes : ExitCode::No;
 }
 
-/// Opens outputs before the work, so that a path that cannot be written costs nothing.
+/// Opens the outputs before the work, so that a path that cannot be written costs no time.
 void MapCheck::open_outputs(Session& session) {
   const auto add = [&](const std::string& path, const Format& format) {
     add_output(session, path, format);
@@ -253,7 +253,7 @@ std::string short_name(const std::string& file) {
   return file_name_of(path_of(input_name(file)).filename());
 }
 
-/// Returns the names of regions, which are called by the listed cycle around them.
+/// Returns the names of the regions. A region has the name of the listed cycle around it.
 std::vector<std::string> region_names(const MapReport& report) {
   std::vector<std::string> names;
   for (const MapRegion& region : report.regions) {
@@ -262,7 +262,7 @@ std::vector<std::string> region_names(const MapReport& report) {
   return names;
 }
 
-/// Everything that is written.
+/// All data that the command writes.
 struct Overlaid {
   OverlayReport report;
   std::string first_name, second_name;
@@ -316,12 +316,13 @@ class MapOverlayCommand : public CommandBody {
   bool is_strict_ = false;
   LayerOverlayWords layer_words_;
   RoundingOptions rounding_;
-  std::string rounded_output_;  // The output with coordinates; empty if there is none.
+  // The name of the output with coordinates, or empty if there is no such output.
+  std::string rounded_output_;
   std::optional<MapReport> first_, second_;
   MapOverlay overlay_;
   OverlayAreas areas_;
   std::optional<RoundedSubdivision> rounded_;
-  std::string loss_;  // What rounding changed.
+  std::string loss_;  // The effect of rounding.
 };
 
 void MapOverlayCommand::declare(CLI::App& app) {
@@ -399,7 +400,7 @@ MapReport MapOverlayCommand::read_valid(Session& session, const std::string& fil
               {input_name(file)});
 }
 
-/// Opens outputs before the work, so that a path that cannot be written costs nothing.
+/// Opens the outputs before the work, so that a path that cannot be written costs no time.
 void MapOverlayCommand::open_outputs(Session& session) {
   add_outputs(session.options(), kOverlayFormats, true,
               [&](const std::string& path, const OverlayFormat& format) {
@@ -410,7 +411,7 @@ void MapOverlayCommand::open_outputs(Session& session) {
   if (rounding_.is_given() && rounded_output_.empty()) {
     throw Error(ErrorCode::Usage, "--raw and --grid are for GeoJSON");
   }
-  rounding_.read(session);  // Tells a wrong step before the work.
+  rounding_.read(session);  // Refuses an invalid grid step before the work.
 }
 
 Overlaid MapOverlayCommand::overlaid() const {

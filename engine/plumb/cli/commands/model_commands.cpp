@@ -73,7 +73,7 @@ std::array<double, N> doubles_argument(const std::string& text, const std::strin
 
 // ---------------------------------------------------------------- solids from numbers
 
-/// No operand is read.
+/// The command reads no operands.
 struct NoInput {
   void declare(CLI::App&) {}
   SolidRead load(const std::string&, const CommonOptions&, Context&) const { return {}; }
@@ -134,7 +134,7 @@ class MakeSolid : public SetOperation<MadeSolid> {
 
 // ---------------------------------------------------------------- solids from solids
 
-/// The convex hull of solids.
+/// Computes the convex hull of solids.
 class HullOfSolids : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -151,7 +151,7 @@ class HullOfSolids : public SolidOperation {
   std::vector<std::string> files_;
 };
 
-/// A solid grown or shrunk by a distance.
+/// Grows or shrinks a solid by a distance.
 class OffsetSolid : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -175,7 +175,7 @@ class OffsetSolid : public SolidOperation {
   SolidOffsetOptions options_;
 };
 
-/// A solid moved by maps, which are applied in the order of the options in the help.
+/// Applies affine maps to a solid, in the order in which the help lists the options.
 class TransformSolid : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -224,7 +224,7 @@ class TransformSolid : public SolidOperation {
 
 // ---------------------------------------------------------------- solids from plane sets
 
-/// How outlines are read: as sets of the plane, whose features are not kept.
+/// Outlines are read as sets of the plane, without their features.
 struct OutlineInput : PlaneInput {
   void declare_keep(CLI::App&) = delete;
 };
@@ -302,7 +302,7 @@ Nef3 read_one_solid(const SolidInput& input, const std::string& file, Session& s
   return std::move(read_sets(input, {file}, session).front());
 }
 
-/// Slices at several heights, as GeoJSON: one feature for each, with its height as id.
+/// Computes slices at several heights, as GeoJSON. Each slice is a feature whose id is the height.
 class SliceStack {
  public:
   SliceStack(std::vector<Rational> heights, std::vector<Nef2> slices)
@@ -422,7 +422,7 @@ class SliceSolid : public SetOperation<FlatPart> {
     return slice(set, height, session.context());
   }
 
-  /// The features of a file have different ids, which are the heights.
+  /// The ids of the features are the heights, which are all different.
   static void require_different(std::vector<Rational> heights) {
     std::sort(heights.begin(), heights.end());
     const auto twice = std::adjacent_find(heights.begin(), heights.end());

@@ -1,10 +1,9 @@
 // The commands that divide the plane: `plumb plane triangulate`, `plumb plane voronoi` and `plumb
 // plane arrange`.
 //
-// Triangles are made of the set after its coordinates were rounded to doubles, so that they are
-// exactly what is written. Cells and faces are made exactly and then rounded together as a layer
-// (repair_layer), so that they share their borders.
-// Tested by tests/cli/plane_command_test.cpp.
+// The set is triangulated after its coordinates are rounded to doubles, so the written triangles
+// are exact. Cells and faces are made exactly and then rounded together as a layer (repair_layer),
+// so that they share their borders. Tested by tests/cli/plane_command_test.cpp.
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -35,7 +34,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A format of triangles. Without a mesh format it is GeoJSON.
+/// A format of triangles. `mesh` is empty for GeoJSON.
 struct TriangleFormat {
   std::string_view name;
   std::string_view extension;
@@ -56,8 +55,8 @@ constexpr std::array kTriangleFormats{
 constexpr std::array kCellFormats{TriangleFormat{"geojson", ".geojson", std::nullopt},
                                   TriangleFormat{"geojson", ".json", std::nullopt}};
 
-/// A command that reads sets of the plane and writes a layer or triangles: to -o, or to standard
-/// output if neither -o nor --json is given.
+/// A command that reads sets of the plane and writes a layer or triangles. It writes to the file of
+/// -o. If neither -o nor --json is given, it writes to standard output.
 class PartitionCommand : public CommandBody {
  public:
   ExitCode run(Session& session) override {
@@ -236,7 +235,7 @@ class PlaneVoronoi : public PartitionCommand {
     if (margin == 0) margin = 1;
     return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
   }
-  /// Gives each feature its site.
+  /// Assigns its site to each feature.
   static void set_properties(Layer& cells, const PointTable2& sites) {
     cells.json.clear();
     cells.json_begin = {0};
@@ -305,7 +304,8 @@ class PlaneArrange : public PartitionCommand {
     }
     return members;
   }
-  /// Returns a point of each bounded face, in the order of the faces: the middle of a triangle.
+  /// Returns a point inside each bounded face, in the order of the faces. The point is the centroid
+  /// of a triangle.
   static std::vector<RationalPoint2> points_inside(const Nef2& faces, Context& context) {
     const PlaneComplex& complex = faces.complex();
     std::vector<std::optional<RationalPoint2>> found(complex.face_count());

@@ -39,7 +39,7 @@
 namespace plumb::cli {
 namespace {
 
-/// Throws if coordinates are to be rounded in a format that has no doubles.
+/// Throws if the options round coordinates, but the format does not store doubles.
 void require_no_rounding(const SetOutput& output) {
   const PlaneWriteOptions& options = output.rounding();
   if (options.grid || options.rounding == OutputRounding::Nearest) {
@@ -130,7 +130,7 @@ void PlaneFeatures::add(PlaneOperand& operand) {
   operand.features = {};
 }
 
-/// The GeoJSON text of the features of a set.
+/// Returns the features of a set as GeoJSON text.
 ReadyFile Plane::ready(const Nef2& set, const PlaneFeatures& features, const SetOutput& output,
                        Session& session) {
   Context& context = session.context();
@@ -166,7 +166,7 @@ namespace {
 
 std::string name_of_file(const std::string& path) { return file_name_of(path_of(path).filename()); }
 
-/// The Minkowski sum of two or more sets.
+/// Computes the Minkowski sum of two or more sets.
 class PlaneSum : public PlaneOperation {
  private:
   bool may_keep() const override { return false; }
@@ -193,7 +193,7 @@ class PlaneSum : public PlaneOperation {
   std::vector<std::string> others_;
 };
 
-/// A set grown or shrunk by a distance.
+/// Grows or shrinks a set by a distance.
 class PlaneOffset : public PlaneOperation {
  private:
   bool may_keep() const override { return false; }
@@ -238,7 +238,7 @@ class PlaneOffset : public PlaneOperation {
   std::uint32_t segments_ = 0;
 };
 
-/// A set with fewer corners.
+/// Reduces the number of corners of a set.
 class PlaneSimplify : public PlaneOperation {
  private:
   bool may_keep() const override { return false; }

@@ -33,7 +33,7 @@
 namespace plumb::cli {
 namespace {
 
-/// Mends one mesh.
+/// Repairs one mesh.
 class SolidRepair : public CommandBody {
  public:
   void declare(CLI::App& app) override {
@@ -110,7 +110,8 @@ class SolidRepair : public CommandBody {
     session.context().release_memory(bytes.size());
   }
 
-  /// Returns what the options ask for, or else what is always safe.
+  /// Returns the repairs that the options request. If the options request none, returns the repairs
+  /// that are always safe.
   RepairOptions asked() const {
     const RepairOptions options = flags_.options();
     if (options.asks()) return options;
@@ -121,8 +122,8 @@ class SolidRepair : public CommandBody {
             .fill_holes_below = 0};
   }
 
-  /// Does what can fail before anything is written: cuts faces for formats of triangles, and makes
-  /// the set for .nef.
+  /// Takes all steps that can fail before any output is written: triangulates faces for formats of
+  /// triangles, and makes the set for .nef.
   void prepare(Session& session) {
     if (format_ == nullptr) return;
     dropped_ = lost_attributes(attributes_, format_->mesh.value_or(MeshFormat::Stl));
@@ -190,17 +191,17 @@ class SolidRepair : public CommandBody {
 
   std::string file_;
   RepairFlags flags_;
-  SolidInput input_;                     // Has --keep.
-  const SolidFormat* format_ = nullptr;  // Null if only the report is asked for.
-  bool is_on_stdout_ = false;            // Whether the mesh is.
+  SolidInput input_;                     // It declares the option --keep.
+  const SolidFormat* format_ = nullptr;  // Null if only the report is requested.
+  bool is_on_stdout_ = false;            // Whether the mesh is written to standard output.
   std::string out_name_;
   PolygonMesh mesh_;
   MeshAttributes attributes_;
   std::string library_;  // The material library beside an OBJ file, or empty.
   std::string dropped_;  // A sentence on attributes that the file does not hold, or empty.
   RepairReport report_;
-  std::optional<RepairOptions> remedy_;  // What closes the mesh if it is still open.
-  std::optional<SolidText> set_;         // For .nef.
+  std::optional<RepairOptions> remedy_;  // The repairs that close the mesh, if it is still open.
+  std::optional<SolidText> set_;         // The text of the set, if the format is .nef.
 };
 
 }  // namespace

@@ -79,7 +79,7 @@ namespace {
 
 // ---------------------------------------------------------------- sums of points
 
-/// The Minkowski sum of two or more sets.
+/// Computes the Minkowski sum of two or more sets.
 class MinkowskiSum : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -129,7 +129,7 @@ struct SolidOperations {
   Nef3 minkowski_sum(const std::vector<Nef3>& sets) { return plumb::minkowski_sum(sets, context); }
 };
 
-/// The set that an expression over named files describes.
+/// Computes the set that an expression over named files describes.
 class Evaluation : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -197,7 +197,7 @@ class Evaluation : public SolidOperation {
 
 // ---------------------------------------------------------------- planes
 
-/// The part of a set on a plane, or on one side of it.
+/// Computes the part of a set on a plane, or on one side of it.
 class SectionOperation : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -245,7 +245,7 @@ class SectionOperation : public SolidOperation {
   std::string keep_ = "inside";
 };
 
-/// The intersection of half-spaces read from a file.
+/// Computes the intersection of half-spaces, which are read from a file.
 class HalfSpaces : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
@@ -266,7 +266,7 @@ class HalfSpaces : public SolidOperation {
   std::string file_;
 };
 
-/// How two sets compare: equal, one within the other, disjoint, or overlapping.
+/// Compares two sets: they are equal, one contains the other, they are disjoint, or they overlap.
 class SolidCompare : public CommandBody {
  public:
   void declare(CLI::App& app) override {

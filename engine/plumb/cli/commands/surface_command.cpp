@@ -67,7 +67,7 @@ constexpr std::array kResultFormats{
     Format{"scene", ".json", SurfaceFile::Scene},
 };
 
-/// Returns the path of the model, seen from the folder of `out`.
+/// Returns the path of the model relative to the folder of `out`.
 std::string model_beside(const std::string& model, const std::string& out) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -77,7 +77,7 @@ std::string model_beside(const std::string& model, const std::string& out) {
   return error || beside.empty() ? model : file_name_of(beside);
 }
 
-/// A command with an answer and optionally a file, of triangles for example.
+/// A command that prints an answer, and may also write a file, for example a file of triangles.
 class SurfaceCommand : public CommandBody {
  protected:
   /// Opens the file before the work.
@@ -144,7 +144,7 @@ class SurfaceCommand : public CommandBody {
 
 // ---------------------------------------------------------------- cells
 
-/// The cells of a scene, their labels, areas and neighbours.
+/// Computes the cells of a scene, with their labels, areas and neighbours.
 class CellsCommand : public SurfaceCommand {
  public:
   void declare(CLI::App& app) override { input_.declare(app); }
@@ -206,7 +206,7 @@ class CellsCommand : public SurfaceCommand {
     return json;
   }
 
-  /// Charges lists of two numbers and their text; objects count as several.
+  /// Charges memory for lists of two numbers and their text. An object counts as several lists.
   static void charge(std::size_t lists, Context& context) {
     constexpr std::uint64_t kListBytes = 160;
     context.checkpoint("JSON", 0, 1);
@@ -241,7 +241,7 @@ class CellsCommand : public SurfaceCommand {
 
 // ---------------------------------------------------------------- Booleans
 
-/// The result of an expression over shapes.
+/// Computes the result of an expression over shapes.
 class BooleanCommand : public SurfaceCommand {
  public:
   void declare(CLI::App& app) override {
@@ -282,7 +282,7 @@ constexpr std::array kPictureFormats{
     ImageFormat{"glb", ".glb", PictureFormat::Glb},
 };
 
-/// A picture of a divided surface.
+/// Draws a divided surface.
 class DrawCommand : public CommandBody {
  public:
   void declare(CLI::App& app) override {
@@ -346,7 +346,7 @@ class DrawCommand : public CommandBody {
 
 // ---------------------------------------------------------------- paths
 
-/// A path between two points of a scene.
+/// Finds a path between two points of a scene.
 class PathCommand : public CommandBody {
  public:
   void declare(CLI::App& app) override {

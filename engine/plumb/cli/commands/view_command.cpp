@@ -66,7 +66,7 @@ class View : public CommandBody {
   }
 
  private:
-  /// Opens outputs before the work, so that a path that cannot be written costs nothing.
+  /// Opens the outputs before the work, so that a path that cannot be written costs no time.
   const Format& open_outputs(Session& session) {
     const CommonOptions& common = session.options();
     if (common.format.empty() && (common.out.empty() || common.out == "-")) {
@@ -135,13 +135,13 @@ class View : public CommandBody {
     return picture_of(set, shown, context);
   }
 
-  /// Returns the image of a texture that lies in the folder of the file or below it. A note says
-  /// why any other texture is not drawn.
+  /// Returns the image of a texture if the texture lies in the folder of the file, or in a folder
+  /// below. A note states why any other texture is not drawn.
   static std::optional<TextureImage> loaded_texture(const std::string& file,
                                                     const std::string& name, Session& session) {
     try {
       const std::string path = named_file(file, name, NamedFiles::Below);
-      std::error_code unknown;  // Reading the file tells what is wrong with it.
+      std::error_code unknown;  // The reader reports any error of the file.
       const std::uintmax_t size = std::filesystem::file_size(path_of(path), unknown);
       if (!unknown && size > TextureImage::kMostBytes) {
         throw Error(ErrorCode::BadArgument, "it has more than 64 MiB");

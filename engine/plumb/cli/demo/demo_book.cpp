@@ -102,7 +102,7 @@ std::string milliseconds(double seconds) {
   return text;
 }
 
-/// Returns an SVG file as an address, so that pictures keep their styles and ids to themselves.
+/// Returns an SVG file as a data address, so that its styles and ids do not affect other pictures.
 std::string data_uri(std::string_view svg) {
   static constexpr std::string_view kHex = "0123456789ABCDEF";
   std::string uri = "data:image/svg+xml,";
@@ -119,7 +119,8 @@ std::string data_uri(std::string_view svg) {
   return uri;
 }
 
-/// A page of its own inside this one, made on demand: many at once would be too much for a browser.
+/// Returns a page that is embedded in this page and loaded on demand, because a browser cannot show
+/// many such pages at the same time.
 constexpr std::string_view kTurning = R"(<script>
 for (const button of document.querySelectorAll('figure button')) button.addEventListener('click', () => {
   const frame = document.createElement('iframe');
@@ -134,7 +135,8 @@ for (const button of document.querySelectorAll('figure button')) button.addEvent
 void write_picture(std::ostream& out, const DemoPicture& picture) {
   const std::string title = escaped(picture.title);
   const bool is_wide =
-      !picture.is_small;  // Its text would be too small on a phone, so it scrolls there.
+      // On a phone, the text of the picture would be too small, so the picture scrolls there.
+      !picture.is_small;
   out << (is_wide ? "<figure class=\"wide\">\n<p class=\"scrolls\">Drag the picture sideways to "
                     "see all "
                     "of it.</p>\n<div class=\"sheet\">"
@@ -230,8 +232,9 @@ DemoBook::DemoBook(fs::path directory, Session& session)
   if (error) throw Error(ErrorCode::CannotWrite, error.message(), {file_name_of(directory_)});
 }
 
-/// The file is in $PLUMB_ROOT if that is set, else in the sources that this program was built from
-/// if they exist, else where `cmake --install` and the packages put it.
+/// The file is searched in $PLUMB_ROOT if this variable is set. Otherwise it is searched in the
+/// sources from which the program was built. If these do not exist, it is searched where `cmake
+/// --install` and the packages install it.
 std::string DemoBook::bundled(const std::string& file) {
   const char* const root = std::getenv("PLUMB_ROOT");
   if (root != nullptr && *root != '\0') return file_name_of(path_of(root) / "corpus" / file);
@@ -332,8 +335,8 @@ class SolidDemo {
     return set;
   }
 
-  /// Combines both solids. Their volumes, fractions of thousands of digits, must add up; and so
-  /// must the sets.
+  /// Combines both solids. The volumes are fractions with thousands of digits, and must satisfy the
+  /// law of addition exactly. The sets must satisfy the laws of Boolean algebra.
   Nef3 combine_both(const Nef3& a, const Nef3& b) {
     const Nef3 either = timed(a + b, "united the two");
     const Nef3 both = timed(a * b, "intersected them");
@@ -412,7 +415,7 @@ void demonstrate_solids(DemoBook& book) {
 
 namespace {
 
-/// Returns the number of nodes that were computed by themselves.
+/// Returns the number of nodes whose values were computed separately.
 std::size_t computed_nodes(const CsgResult& result) {
   return static_cast<std::size_t>(
       std::count_if(result.nodes.begin(), result.nodes.end(),
@@ -583,7 +586,7 @@ class SurfaceDemo {
       const auto drawn = [&, shown = layer](PictureFormat kind) {
         return picture_of(division, &result, shown, cli::picture(kind, exhibit.title), context_);
       };
-      // The page has all layers.
+      // The page contains all layers.
       const std::string page = layer == SurfaceLayer::Labels ? drawn(PictureFormat::Html) : "";
       book_.add({exhibit.title + ": " + what, exhibit.name + '-' + what + ".svg",
                  std::string(caption), drawn(PictureFormat::Svg), true, page});
@@ -591,7 +594,8 @@ class SurfaceDemo {
     book_.step("pictured the five stages; wrote a page to turn them around");
   }
 
-  /// Shows a meridian and a longitude: neither has an inside, and a cycle of cells proves it.
+  /// Shows a meridian and a longitude. Neither of them encloses a region, and a cycle of cells
+  /// proves this.
   void find_loops() {
     const SurfaceDivision division = divided("torus-loops");
     for (std::uint32_t s = 0; s < division.shape_count(); ++s) {

@@ -25,8 +25,8 @@ Members exact_place(const RationalPoint2& p) {
   return Members::array({format_exact(p.x), format_exact(p.y)});
 }
 
-/// Whether the checker can find the defect in the file. It knows the listed cycles only, and an
-/// edge without a twin is a defect by itself only if every outer boundary must be listed.
+/// Whether the checker can find the defect in the file. The checker knows only the listed cycles.
+/// For the checker, an edge without a twin is a defect only if every outer boundary must be listed.
 bool has_certificate(const MapDefect& defect, const MapCheckOptions& options,
                      std::size_t listed_cycles) {
   switch (defect.kind) {
@@ -98,12 +98,12 @@ void certify_map(const MapReport& report, const MapCheckOptions& options, std::s
 
 namespace {
 
-/// What the checker must know of how solids were read.
+/// The facts that the checker must know about the reading of the solids.
 Members reading(const SolidInput& input, const Session& session) {
   return {{"rule", input.winding_rule()}, {"exact_decimals", session.options().exact_decimals}};
 }
 
-/// Whether the checker can read the solids as the command did.
+/// Whether the checker can read the solids in the same way as the command.
 bool can_certify(const SolidInput& input, CertificateOption& certificate) {
   if (!certificate.is_given()) return false;
   if (!input.reads_windings()) {

@@ -1,10 +1,10 @@
-// Runs openscad with its output in a pipe. No shell reads the name of the model.
+// Runs openscad with its output in a pipe. The name of the model is not passed to a shell.
 //
-// openscad is the leader of a group of processes. All processes that it starts end when the command
-// goes on, fails or is ended at a checkpoint, by an alarm or by a second signal. The id of the
-// group is valid until the process has waited for its leader, so waiting is the last step. Neither
-// the pipe nor the end of openscad is waited for without checkpoints.
-// Tested by tests/cli/csg_command_test.cpp.
+// openscad is the leader of a group of processes. The whole group is ended when the command
+// continues, fails, or is ended at a checkpoint, by an alarm or by a second signal. The id of the
+// group is valid until the process has waited for its leader, so waiting is the last step.
+// Checkpoints are reached while the process waits for the pipe and for the end of openscad. Tested
+// by tests/cli/csg_command_test.cpp.
 #include "plumb/cli/files/openscad.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ namespace {
 
 constexpr int kMillisecondsBetweenCheckpoints = 50;
 
-/// What posix_spawn() is told: standard input is empty, standard output is a pipe, the process
+/// The settings for posix_spawn(): standard input is empty, standard output is a pipe, the process
 /// leads a group, and signals have their default actions.
 class SpawnSettings {
  public:
@@ -55,7 +55,8 @@ class SpawnSettings {
     posix_spawnattr_init(&attributes_);
     posix_spawnattr_setpgroup(&attributes_, 0);
     posix_spawnattr_setsigmask(&attributes_, &blocked);
-    // Those that this process ignores; others get their default actions anyway.
+    // Signals that this process ignores are set to their default actions. All other signals get
+    // their default actions in any case.
     sigset_t ignored;
     sigemptyset(&ignored);
     sigaddset(&ignored, SIGPIPE);
@@ -79,8 +80,8 @@ class SpawnSettings {
   posix_spawnattr_t attributes_;
 };
 
-/// A process whose standard output is read. It, and all that it started, is ended at the end of its
-/// scope.
+/// A process whose standard output is read. At the end of the scope, this process and all processes
+/// that it started are ended.
 class Child {
  public:
   explicit Child(const std::array<const char*, 6>& command) {
@@ -91,7 +92,7 @@ class Child {
     std::array<char*, 6> words{};
     for (std::size_t i = 0; i < words.size(); ++i) words[i] = const_cast<char*>(command[i]);
     {
-      // A signal that ends the program finds the group.
+      // Signals are blocked, so a signal that ends the program also ends the group.
       const process::BlockedSignals blocked;
       const SpawnSettings settings(ends[1], blocked.before());
       const int failed = posix_spawnp(&id_, words[0], settings.actions(), settings.attributes(),
@@ -125,13 +126,13 @@ class Child {
   }
 
  private:
-  /// Whether the process has ended. Its id stays valid.
+  /// Whether the process has ended. Its id remains valid.
   bool has_ended() const {
     siginfo_t state{};
     const int result = waitid(P_PID, static_cast<id_t>(id_), &state, WEXITED | WNOHANG | WNOWAIT);
     return result == 0 ? state.si_pid == id_ : errno != EINTR;
   }
-  /// Waits for the process, which has ended or is killed, and returns its status.
+  /// Waits for the process, which has ended or has been killed, and returns its exit status.
   int wait_for_end() {
     int status = -1;
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
@@ -170,13 +171,14 @@ std::string flat_model_of(const std::string& path, Context& context) {
   static_cast<void>(context);
   fail_without_openscad(path);
 #else
-  // A name that begins with a dash would be an option.
+  // A name that begins with a dash would be taken for an option.
   const std::string model = path.starts_with('-') ? "./" + path : path;
   Child openscad({"openscad", "-o", "-", "--export-format=csg", model.c_str(), nullptr});
   if (!openscad.is_started()) fail_without_openscad(path);
   std::string text = read_all(openscad.output(), context);
   const int status = openscad.wait(context);
-  if (status == 127) fail_without_openscad(path);  // Where only the child finds out.
+  // On some systems, only the child process detects that there is no openscad.
+  if (status == 127) fail_without_openscad(path);
   if (status != 0) {
     throw Error(ErrorCode::Syntax, "openscad cannot read this model; its own messages say why",
                 {.file = input_name(path)});

@@ -58,8 +58,8 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-/// Whether the outermost object of a JSON text has "asset", as glTF must, and no "type", as GeoJSON
-/// must.
+/// Whether the outermost object of a JSON text has the member "asset", as glTF requires, but not
+/// the member "type", as GeoJSON requires.
 bool is_gltf_text(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n";
   take_prefix(text, "\xEF\xBB\xBF");
@@ -149,7 +149,7 @@ void RoundingOptions::declare(CLI::App& app, bool has_grid) {
       ->type_name("STEP");
 }
 
-/// A decimal step is exact: 0.1 is a tenth, because the multiples of a tenth are what is asked for.
+/// A decimal step is exact: 0.1 means one tenth, because the user wants multiples of one tenth.
 PlaneWriteOptions RoundingOptions::read(Session& session) const {
   PlaneWriteOptions options;
   if (is_raw_) options.rounding = OutputRounding::Nearest;
@@ -184,7 +184,7 @@ Nef2 read_plane(const std::string& file, const std::string& bytes, Session& sess
 
 namespace {
 
-/// Returns what is wrong with a distance; nothing if it is finite and not negative.
+/// Returns the reason why a distance is invalid; nothing if it is finite and not negative.
 std::string flaw_of_distance(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -277,7 +277,7 @@ SolidReadOptions SolidInput::read_options(const CommonOptions& common) const {
 void require_solid(const std::string& file, const std::string& bytes) {
   const FileKind kind = kind_of_file(file, bytes);
   if (kind == FileKind::Solid) return;
-  // XML and other text may be taken for a drawing or for WKT.
+  // An XML file may be taken for a drawing, and any other text for WKT.
   constexpr std::string_view kPlaneKinds = "SVG GeoJSON TopoJSON WKT WKB DXF nef2";
   if (const auto foreign = foreign_kind(bytes, kPlaneKinds, FileReaders::Solids)) {
     throw Error(ErrorCode::UnknownFormat, *foreign, {.file = input_name(file)});
@@ -290,8 +290,9 @@ void require_solid(const std::string& file, const std::string& bytes) {
 
 namespace {
 
-/// Returns the message of a refused mesh with the options that read it all the same. The search for
-/// them may exceed a limit that reading alone keeps; then they are not named.
+/// Returns the message of a refused mesh, with the options that would make the mesh readable. The
+/// search for these options may exceed a limit that was sufficient for reading. In this case, the
+/// message names no options.
 std::string with_hints(const Error& error, const std::string& file, const std::string& bytes,
                        const SolidReadOptions& options, Context& context) {
   std::string words;
@@ -360,7 +361,7 @@ Nef2 SolidInput::read_plane(const std::string& file, const std::string& bytes,
 
 namespace {
 
-/// Adds generators of the homology to shapes until every one separates.
+/// Adds generators of the homology to shapes until every shape separates the surface.
 std::vector<SurfaceRepair> repair(SurfaceScene& scene, Context& context) {
   const SurfaceHomology homology(*scene.mesh, context);
   if (!scene.shapes) {

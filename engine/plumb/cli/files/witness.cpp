@@ -31,9 +31,9 @@ namespace {
 using Vector = RationalPoint3;
 
 constexpr int kHalvings = 64;
-constexpr std::size_t kSites = 64;  // Places that are tried, of as many as a complex has.
+constexpr std::size_t kSites = 64;  // The search tries at most so many places.
 constexpr std::uint32_t kCheckedUses = 1024;
-constexpr int kSteps = 16;  // Points of a segment that are tried.
+constexpr int kSteps = 16;  // The search divides a segment into so many parts.
 
 Vector moved(const Vector& p, const Rational& s, const Vector& v) {
   return {p.x + s * v.x, p.y + s * v.y, p.z + s * v.z};
@@ -48,7 +48,7 @@ Rational largest(const Vector& v) {
   return std::max({size(v.x), size(v.y), size(v.z)});
 }
 
-/// The middle of an edge, a direction into a facet, and a direction off the facet.
+/// The middle of an edge, a direction into a facet, and a direction away from the facet.
 struct Site {
   Vector middle;
   Vector inward;
@@ -57,7 +57,7 @@ struct Site {
   Vector at(const Rational& s) const { return moved(moved(middle, s, inward), s * s, off); }
 };
 
-/// A search in one set.
+/// Searches for witnesses in one set.
 class WitnessSearch {
  public:
   WitnessSearch(const Nef3& set, Context& context)
@@ -142,7 +142,8 @@ class WitnessSearch {
     return std::nullopt;
   }
 
-  /// Returns a point with short coordinates near an inner point, if there is one; or the point.
+  /// Returns a point with short coordinates near an inner point if there is one. Otherwise, returns
+  /// the inner point.
   Vector simplest(Vector p) const {
     const std::array<double, 3> near{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
     for (int bits = 2; bits <= 52; bits += 5) {
@@ -157,7 +158,7 @@ class WitnessSearch {
     return p;
   }
 
-  /// Returns a point of the segment outside of the set.
+  /// Returns a point of the segment that lies outside of the set.
   std::optional<Vector> exit_between(const Vector& a, const Vector& b) const {
     for (int i = 1; i < kSteps; ++i) {
       Vector p = moved(a, Rational(i) / kSteps, b - a);
@@ -244,15 +245,15 @@ std::vector<Doubles> rounded(const std::vector<Vector>& points) {
   return all;
 }
 
-/// Returns the point that lies farthest in a direction.
+/// Returns the point that is farthest in a direction.
 Doubles support(const std::vector<Doubles>& points, const Doubles& direction, double sign) {
   return *std::max_element(points.begin(), points.end(), [&](const Doubles& p, const Doubles& q) {
     return sign * product(p, direction) < sign * product(q, direction);
   });
 }
 
-/// Returns an approximation of the vector between the points of the hulls of b and a that are
-/// nearest to each other.
+/// Returns an approximation of the vector between the nearest points of the convex hulls of b and
+/// a.
 Doubles nearest_difference(const std::vector<Doubles>& a, const std::vector<Doubles>& b,
                            Context& context) {
   Doubles v{b[0][0] - a[0][0], b[0][1] - a[0][1], b[0][2] - a[0][2]};

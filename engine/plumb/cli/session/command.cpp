@@ -1,9 +1,9 @@
 // The table of commands, and the options of each as CLI11 represents them.
 //
-// The table is the only list of commands: help, manual, completion, the guess after a typing
-// mistake, and tests read it. Descriptions are wrapped at 80 columns by a formatter of our own,
-// because the formatter of CLI11 makes longer lines.
-// Tested by tests/cli/help_commands_test.cpp and tests/cli/program_test.cpp.
+// The table is the only list of commands. Help, manual, completion, the suggestion after a typing
+// error, and the tests read it. Descriptions are wrapped at 80 columns by a formatter of our own,
+// because the formatter of CLI11 makes longer lines. Tested by tests/cli/help_commands_test.cpp and
+// tests/cli/program_test.cpp.
 #include "plumb/cli/session/command.h"
 
 #include <array>
@@ -51,7 +51,8 @@ class Formatter : public CLI::Formatter {
     return text;
   }
 
-  /// An empty line follows each group but the last, also one that is not listed.
+  /// CLI11 writes an empty line after each group except the last, even if it does not list the
+  /// group. Two empty lines are reduced to one.
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override {
     std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
@@ -59,7 +60,8 @@ class Formatter : public CLI::Formatter {
     return text;
   }
 
-  /// make_groups() ends all groups but the last with an empty line; here they begin with one.
+  /// In CLI11, make_groups() writes an empty line after each group except the last. Here, each
+  /// group begins with an empty line.
   std::string make_group(std::string group, bool is_positional,
                          std::vector<const CLI::Option*> options) const override {
     const bool is_last = group == kCommonGroup;
@@ -75,9 +77,9 @@ CommandApp::CommandApp(const Command& command)
     : app(std::string(command.summary), "plumb " + std::string(command.name)),
       body(command.make()) {
   app.footer("Example:\n  " + std::string(command.example));
-  app.allow_windows_style_options(false);  // /tmp/a.off is a file there, too.
+  app.allow_windows_style_options(false);  // On Windows, /tmp/a.off is the name of a file, too.
   app.formatter(std::make_shared<Formatter>());
-  app.get_help_ptr()->group("");  // Who reads this page knows it.
+  app.get_help_ptr()->group("");  // A user who reads this page knows the option.
   body->declare(app);
   common.declare(app);
   app.get_option("--json")->description("JSON: docs/schema/" + std::string(command.schema) +
@@ -86,7 +88,8 @@ CommandApp::CommandApp(const Command& command)
 
 std::string_view first_word(std::string_view name) { return name.substr(0, name.find(' ')); }
 
-/// Reads the options back from CLI11, so that help, manual and completion show what is parsed.
+/// The options are read back from CLI11, so that help, manual and completion describe the options
+/// that are parsed.
 std::vector<OptionText> options_of(const CLI::App& app) {
   std::vector<OptionText> texts;
   for (const CLI::Option* option : app.get_options()) {

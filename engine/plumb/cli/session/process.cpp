@@ -5,7 +5,7 @@
 
 #ifdef _WIN32
 #include <windows.h>
-// Needs the header above it.
+// This header requires windows.h.
 #include <io.h>
 #include <psapi.h>
 #else
@@ -31,12 +31,12 @@ namespace plumb::cli::process {
 namespace {
 
 #ifndef _WIN32
-// The group of EndsWithProcess; 0 if there is none.
+// The group of the running EndsWithProcess; 0 if there is none.
 std::atomic<pid_t> group_to_end = 0;
 static_assert(std::atomic<pid_t>::is_always_lock_free);
 #endif
 
-/// Async-signal-safe.
+/// Ends the group. The function is async-signal-safe.
 void end_group() {
 #ifndef _WIN32
   const pid_t group = group_to_end;
@@ -46,8 +46,8 @@ void end_group() {
 
 }  // namespace
 
-/// On Linux the system is called itself: sanitizers look for leaks in _exit(), with locks that the
-/// interrupted thread may hold.
+/// On Linux, the system call is made directly. In _exit(), sanitizers search for leaks and use
+/// locks that the interrupted thread may hold.
 void end_now(int code) {
   end_group();
 #ifdef __linux__
@@ -63,8 +63,8 @@ bool is_regular_file(int descriptor) {
 
 namespace {
 
-// Sanitizers map memory for themselves, and end the process when it is refused. They also have
-// locks that a handler must not wait for.
+// Sanitizers map memory for their own use, and end the process if the system refuses it. They also
+// use locks, and a handler must not wait for a lock.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 [[maybe_unused]] constexpr bool kIsSanitized = true;
 #elif defined(__has_feature)
@@ -80,8 +80,8 @@ namespace {
 
 namespace {
 
-// A signal whose handler runs gets its default action back. That is undone here, for the second
-// signal.
+// When the handler of a signal starts, the default action of the signal is restored. The handler
+// therefore installs itself again, for the second signal.
 using Handler = void (*)(int);
 Handler handlers[NSIG];
 
@@ -127,7 +127,7 @@ void limit_growth(std::uint64_t bytes, unsigned threads) {
   limits.ProcessMemoryLimit = static_cast<SIZE_T>(memory_now() + bytes + kStack * threads);
   ::SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof(limits));
   ::AssignProcessToJobObject(job, ::GetCurrentProcess());
-  ::CloseHandle(job);  // The job lives as long as its process.
+  ::CloseHandle(job);  // The job exists as long as its process.
 }
 
 std::uint64_t granted_memory() { return std::numeric_limits<std::uint64_t>::max(); }
@@ -139,7 +139,7 @@ BlockedSignals::~BlockedSignals() {}
 
 void handle(int signal, void (*handler)(int)) {
   struct sigaction action {};
-  action.sa_handler = handler;  // Without SA_RESTART.
+  action.sa_handler = handler;  // The flag SA_RESTART is not set.
   ::sigaction(signal, &action, nullptr);
 }
 
@@ -156,7 +156,8 @@ void alarm_after(double seconds) {
   const double whole = std::floor(std::min(seconds, kLongest));
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(whole);
-  // Below a million; 0 seconds and 0 microseconds would cancel the timer.
+  // The value must be below a million. A value of 0 seconds and 0 microseconds would cancel the
+  // timer.
   timer.it_value.tv_usec = static_cast<suseconds_t>(
       std::max(1.0, (std::min(seconds, kLongest) - whole) * (kMicroseconds - 1)));
   ::setitimer(ITIMER_REAL, &timer, nullptr);
@@ -180,8 +181,8 @@ std::uint64_t private_memory() {
   return kilobytes << 10U;
 }
 
-/// Returns the memory that malloc holds without using it. If this is more than `most`, the memory
-/// at the end of the heap is given back first.
+/// Returns the number of bytes that malloc holds, but that are not in use. If this is more than
+/// `most`, the memory at the end of the heap is returned to the system first.
 std::uint64_t free_memory_of_heap(std::uint64_t most) {
 #if defined(__GLIBC__)
   if (::mallinfo2().fordblks > most) ::malloc_trim(0);
@@ -192,15 +193,15 @@ std::uint64_t free_memory_of_heap(std::uint64_t most) {
 #endif
 }
 
-/// Lets all threads that start later take memory from the heap. What a thread frees in an arena of
-/// its own counts, but is of no use to other threads.
+/// Makes all threads that start later allocate memory from one heap. If a thread had an arena of
+/// its own, the memory that it frees would count, but other threads could not use it.
 void share_heap() {
 #if defined(__GLIBC__)
   ::mallopt(M_ARENA_MAX, 1);
 #endif
 }
 
-/// Returns the greatest size of the stack of a thread.
+/// Returns the greatest possible size of the stack of a thread.
 std::uint64_t bytes_of_stack() {
   constexpr rlim_t kUsual = rlim_t{8} << 20;
   rlimit limit{};
@@ -246,7 +247,7 @@ extern "C" void end_group_and_process(int signal) {
   ::raise(signal);
 }
 
-/// Replaces the default action, and no other: nohup ignores SIGHUP.
+/// Replaces only the handler `from`. For example, nohup ignores SIGHUP, and this must not change.
 void replace_handler(int signal, void (*from)(int), void (*to)(int)) {
   struct sigaction now {};
   if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == from) handle(signal, to);

@@ -30,14 +30,12 @@ void ProgressEstimate::expect(ProgressStages stages) {
 void ProgressEstimate::Report::note(std::uint64_t so_far, std::uint64_t total) {
   if (total == 0) return;
   const double now_done = std::min(1.0, static_cast<double>(so_far) / static_cast<double>(total));
-  // If less is done than half of what was, there is more to do than was known, or the phase began
-  // again.
+  // If less than half of the former part is done, more work was found, or the phase began again.
   starts_over |= done && now_done < *done / 2;
   done = now_done;
 }
 
-/// Enters a step. The one before counts as completed if it was reported or is one that reports
-/// nothing.
+/// Enters a step. The step before counts as completed if it was reported, or if it never reports.
 void ProgressEstimate::enter(std::size_t stage, std::size_t step, double now) {
   if (is_in_step_) been_ += this->step().share;
   next_ = stage + 1;
@@ -82,7 +80,7 @@ double ProgressEstimate::share_to_come() const {
 }
 
 double ProgressEstimate::Report::left(double expected, double now) const {
-  constexpr double kTrusted = .05;  // From this part on, only a phase's own pace counts.
+  constexpr double kTrusted = .05;  // From this part on, only the pace of the phase counts.
   const double taken = now - since, by_share = std::max(expected - taken, taken / 4);
   if (!is_known()) return by_share;
   const double trust = std::min(1.0, *done / kTrusted);
@@ -94,15 +92,16 @@ std::optional<double> ProgressEstimate::left(double now) const {
   const bool is_known = report_.is_known();
   double shares = been_ + (is_known ? *report_.done * step().share : 0);
   const bool counts_step = is_known || shares <= 0;
-  if (shares <= 0) shares = step().share / 2;  // A guess; there is no better one.
+  // This value is a guess, because nothing is known yet.
+  if (shares <= 0) shares = step().share / 2;
   const double pace = (counts_step ? now : report_.since) / shares;
   const double of_step = report_.left(pace * step().share, now);
   return std::max(of_step, other_ ? other_->left(0, now) : 0) + pace * share_to_come();
 }
 
 ProgressEstimate::View ProgressEstimate::at(double now) {
-  constexpr double kMemory = 2;    // Seconds.
-  constexpr double kEarlier = .2;  // Part of the time so far, if that is less.
+  constexpr double kMemory = 2;    // This is a number of seconds.
+  constexpr double kEarlier = .2;  // The limit is this part of the elapsed time, if it is shorter.
   const std::optional<double> left = this->left(now);
   if (!left) return {part_, std::nullopt};
   const double end = now + *left, memory = std::min(kMemory, kEarlier * now);
@@ -237,7 +236,7 @@ ProgressStages stages_of_demo() {
 
 namespace {
 
-// Together with everything else they fill 79 columns.
+// With the rest of the line, the bar fills 79 columns.
 constexpr std::string_view kFull = "########################";
 constexpr std::string_view kEmpty = "........................";
 
@@ -288,9 +287,10 @@ void ProgressBar::name_phase(std::string_view phase) {
 
 namespace {
 
-/// Whether the line of a bar is on the terminal, or is about to be. For signal handlers.
+/// Whether the line of a bar is on the terminal, or is about to be written. Signal handlers read
+/// this variable.
 std::atomic<bool> is_bar_drawn = false;
-/// Whether a signal handler has wiped the bar for good.
+/// Whether a signal handler has removed the bar for good.
 std::atomic<bool> is_bar_over = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -302,7 +302,8 @@ void ProgressBar::draw_until(const std::stop_token& stop) {
   while (!stopped_.wait_for(lock, stop, kBetween, [&] { return stop.stop_requested(); })) draw();
 }
 
-/// Draws the bar. Allocates nothing: a thread's own heap would count against --limit-memory.
+/// Draws the bar. Allocates no memory, because the heap of this thread would count against
+/// --limit-memory.
 void ProgressBar::draw() {
   if (is_hidden_ || phase_.empty() || is_bar_over) return;
   const double now = seconds();
@@ -316,7 +317,7 @@ void ProgressBar::draw() {
 }
 
 void ProgressBar::draw_time(double now, std::optional<double> left) {
-  constexpr double kLongEnough = 1;  // Earlier estimates jump.
+  constexpr double kLongEnough = 1;  // Earlier estimates vary too much.
   if (now < kLongEnough) return;
   std::fprintf(stderr, left ? "  %.0f s left" : "  %.0f s so far", left ? std::ceil(*left) : now);
 }

@@ -40,7 +40,7 @@ std::stop_source& stop_source() {
   return source;
 }
 
-// How long a command may take to reach its next checkpoint.
+// The time within which a command must reach its next checkpoint.
 constexpr double kGraceSeconds = 0.1;
 
 // While standard output is written and files get their names, a command is not ended by an alarm.
@@ -48,7 +48,8 @@ std::atomic<bool> is_delivering = false;
 std::atomic<bool> is_json = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// request_stop() is an atomic exchange as long as no stop callback is registered, and none is.
+/// request_stop() is a single atomic exchange if no stop callback is registered. This program
+/// registers none.
 extern "C" void on_stop_signal(int) {
   if (!stop_source().request_stop()) leave(ExitCode::Cancelled);
   process::alarm_after(kGraceSeconds);
@@ -62,7 +63,7 @@ void write_to_stderr(std::string_view text) {
   }
 }
 
-/// Reports an error and ends the process. Calls only what a signal handler may call.
+/// Reports an error and ends the process. Calls only functions that a signal handler may call.
 [[noreturn]] void leave_with(std::string_view code, std::string_view message, ExitCode exit_code) {
   write_to_stderr(wiping_text());
   write_to_stderr(is_json ? "{\"error\":{\"code\":\"" : "plumb: ");
@@ -107,8 +108,8 @@ std::size_t character_bytes(unsigned char first) {
   return first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
 }
 
-/// Returns the number of bytes of the character at the start of the text, if it may be printed; 0
-/// if not.
+/// Returns the number of bytes of the character at the start of the text if the character is
+/// printable; otherwise 0.
 std::size_t printable_bytes(std::span<const char> text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const std::size_t size = character_bytes(byte(0));
@@ -142,7 +143,7 @@ bool are_errors_json() { return is_json; }
 bool is_stop_requested() { return stop_source().stop_requested(); }
 
 std::stop_token prepare_process() {
-  stop_source();  // Made before a signal can ask for it.
+  stop_source();  // The stop source must exist before a signal handler uses it.
   process::handle(SIGINT, on_stop_signal);
   process::handle(SIGTERM, on_stop_signal);
   process::handle(SIGABRT, on_abort);
@@ -165,7 +166,8 @@ namespace {
 Limits limits_of(const CommonOptions& options) {
   Limits limits;
   if (options.limit_memory_mb > 0) limits.max_memory_bytes = options.limit_memory_mb << 20U;
-  // If the system grants less, a work that needs more is refused with figures before memory ends.
+  // If the system grants less memory, work that needs more is refused with figures before memory is
+  // exhausted.
   limits.max_memory_bytes = std::min(limits.max_memory_bytes, process::granted_memory());
   limits.max_seconds = options.limit_seconds;
   limits.max_number_digits = options.digits;
@@ -177,7 +179,7 @@ bool wants_progress(const CommonOptions& options) {
   return !options.quiet && (options.progress || ::isatty(STDERR_FILENO) == 1);
 }
 
-/// Returns an empty text if `text` is a positive number, else what is wrong. (CLI::Range accepts
+/// Returns an empty text if `text` is a positive number; otherwise the error. (CLI::Range accepts
 /// nan.)
 std::string require_positive(const std::string& text) {
   double value = 0;
@@ -196,8 +198,9 @@ void require_no_stop() {
 }  // namespace
 
 void CommonOptions::declare(CLI::App& app) {
-  // The help of a command has no lines left for them; the overview and the manual name them. They
-  // come first, because CLI11 writes an empty line behind each group but the last.
+  // The help of a command has no space for these options, so only the overview and the manual name
+  // them. They are declared first, because CLI11 writes an empty line after each group except the
+  // last.
   app.add_option("--digits", digits, "Digits of the longest number to read (default 1100)")
       ->check(CLI::Range(16U, 1'000'000U).description(""))
       ->type_name("N")
@@ -241,7 +244,7 @@ void Outputs::add(const std::string& path, Writer writer) {
   to_stdout_ = std::move(writer);
 }
 
-/// While it exists, the process is not ended by an alarm, and neither after it has succeeded.
+/// While an object of this class exists, and after it has succeeded, no alarm ends the process.
 class Delivery {
  public:
   Delivery() { is_delivering = true; }
@@ -252,8 +255,8 @@ class Delivery {
   Delivery& operator=(const Delivery&) = delete;
 };
 
-/// Delivers outputs. Writers do not check the Context, so files are not put in place if a stop came
-/// before all was written.
+/// Delivers outputs. Writers do not check the Context. Therefore files are not renamed if a stop
+/// was requested before all output was written.
 void Outputs::deliver(const std::function<void()>& before_stdout) {
   std::vector<std::unique_ptr<OutputFile>> finished;
   for (Pending& pending : files_) {
@@ -304,7 +307,7 @@ void Session::deliver() {
   const WorkPhase phase("writing");
   begin("write");
   outputs_.deliver([this] {
-    // Both may be seen on the same terminal.
+    // Standard output and standard error may be the same terminal.
     if (!process::is_regular_file(STDOUT_FILENO)) progress_.clear();
   });
 }
