@@ -10,8 +10,9 @@ namespace plumb {
 
 namespace {
 
-/// Returns v, by way of memory, so that no compiler evaluates a probe. Results are compared by
-/// their bits, as a comparison of doubles reads subnormal numbers as zeros under DAZ.
+/// Returns v after it was written to memory and read again, so that no compiler evaluates a probe.
+/// Results are compared by their bits, because under DAZ a comparison of doubles reads subnormal
+/// numbers as zeros.
 double opaque(double v) {
   volatile double memory = v;
   return memory;
@@ -21,15 +22,15 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(opaque(a)) == std::bit_cast<std::uint64_t>(opaque(b));
 }
 
-/// Whether a*b+c becomes a fused multiply-add: (1 + 2^-52)(1 - 2^-52) - 1 is then -2^-104. If the
-/// product is rounded first, it is 0 or -2^-53.
+/// Whether a*b+c is computed as a fused multiply-add. In this case, (1 + 2^-52)(1 - 2^-52) - 1 is
+/// -2^-104. If the product is rounded first, the result is 0 or -2^-53.
 bool contracts() {
   const double a = opaque(1 + DBL_EPSILON), b = opaque(1 - DBL_EPSILON), c = opaque(-1.0);
   return same_bits(a * b + c, -0x1p-104);
 }
 
-/// Whether sums are reassociated or kept in more bits. In double precision 1 + 2^60 is a multiple
-/// of 2^8 in every rounding mode, so (1 + 2^60) - 2^60 is 1 only in these cases.
+/// Whether sums are reassociated, or kept with more bits. In double precision, 1 + 2^60 is rounded
+/// to a multiple of 2^8 in every rounding mode, so (1 + 2^60) - 2^60 is 1 only in these two cases.
 bool reassociates() {
   const double big = opaque(0x1p60), small = opaque(1.0);
   return same_bits((small + big) - big, 1.0);

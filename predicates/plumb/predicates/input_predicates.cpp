@@ -23,13 +23,14 @@ namespace plumb::rung {
 
 namespace {
 
-/// A difference of two points. orient2d and cross_sign are both a determinant of two of them.
+/// A difference of two points. Both orient2d and cross_sign are a determinant of two differences.
 struct Direction2 {
   const Point2& from;
   const Point2& to;
 };
 
-/// A grid for each axis: scaling a column of the determinant keeps the sign.
+/// Each axis has its own grid, because scaling a column of the determinant does not change the
+/// sign.
 struct Grids2 {
   Grid x, y;
   int bits() const { return std::max(x.bits(), y.bits()); }
@@ -120,7 +121,8 @@ namespace plumb::rung {
 
 namespace {
 
-/// A grid for each axis: scaling a column of the determinant keeps the sign.
+/// Each axis has its own grid, because scaling a column of the determinant does not change the
+/// sign.
 struct Grids3 {
   Grid x, y, z;
   int bits() const { return std::max({x.bits(), y.bits(), z.bits()}); }
@@ -143,9 +145,9 @@ OrientColumns<L> columns(const Grids3& g, const Point3& a, const Point3& b, cons
           differences<L, 3>(g.z, {a.z, b.z, c.z}, d.z)};
 }
 
-/// Returns the power of two that makes integers of the coordinates on a grid, by an exact product
-/// of doubles; 0 if there is none. Subnormal coordinates are far from such a grid, so FTZ and DAZ
-/// do not matter.
+/// Returns the power of two that, in exact products of doubles, makes the coordinates integers on a
+/// grid; 0 if there is none. Subnormal coordinates never lie on such a grid, so FTZ and DAZ do not
+/// matter.
 double scale_of(const Grid& g) {
   if (g.bits() > kOneLimbBits || std::abs(g.low()) > 1000) return 0;
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 - g.low()) << 52);
@@ -219,7 +221,7 @@ namespace plumb::rung {
 
 namespace {
 
-/// Returns one grid for both axes, as the lift adds squares of both.
+/// Returns one grid for both axes, because the lift adds the squares of both coordinates.
 Grid common_grid(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
   return {a.x, b.x, c.x, d.x, a.y, b.y, c.y, d.y};
 }
@@ -293,7 +295,7 @@ struct InsphereColumns {
   std::array<Fixed<L>, 4> x, y, z;
 };
 
-/// Returns one grid for all axes, as the lift adds squares of all.
+/// Returns one grid for all axes, because the lift adds the squares of all coordinates.
 Grid common_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                  const Point3& e) {
   return {a.x, b.x, c.x, d.x, e.x, a.y, b.y, c.y, d.y, e.y, a.z, b.z, c.z, d.z, e.z};

@@ -40,7 +40,7 @@ using exact3::operands;
 
 namespace {
 
-/// Returns the sign of a value that is known up to `error`. Unsure for NaNs.
+/// Returns the sign of a value with a known bound of its error. Returns Unsure for NaNs.
 FilteredSign beyond(double value, double error) {
   if (value > error) return FilteredSign::Positive;
   return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;
@@ -61,7 +61,7 @@ double sum_of_normal_errors(const PlaneRow& p, const PlaneRow& q, const PlaneRow
          static_cast<double>(r.normal_error);
 }
 
-// The determinants as forms that exact3::exact_sign() asks with planes of any number type.
+// The determinants as functions that exact3::exact_sign() calls with planes of any number type.
 struct MinorForm {
   std::size_t axis;
   Sign operator()(const auto& p) const { return exact3::minor_sign(p[0], p[1], axis); }
@@ -88,7 +88,7 @@ FilteredSign det3_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r
   return beyond(det3(p, q, r), 6 * sum_of_normal_errors(p, q, r));
 }
 
-/// The expansion by the column of offsets.
+/// Expands by the column of offsets.
 FilteredSign det4_filter(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r,
                          const PlaneRow& s) {
   const double value =
@@ -114,7 +114,8 @@ FilteredSign near_det4_filter(const PlaneTable& planes, PlaneId p, PlaneId q, Pl
                      near_row(planes, s));
 }
 
-// g++ takes the visibility of a template from its definition, not from the header.
+// For g++, the definition of a template determines its visibility, not the declaration in the
+// header.
 #pragma GCC visibility push(default)
 template <class W>
 FilteredSign minor_fixed(const PlaneTable& planes, PlaneId p, PlaneId q, std::size_t axis) {
@@ -158,7 +159,7 @@ Sign det4_big(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r, PlaneId
 
 namespace {
 
-/// Asks the stages of a predicate in turn, from the filter's answer on.
+/// Calls the stages of a predicate in turn. The first argument is the answer of the filter.
 template <std::size_t K, class Form>
 Sign climb(Predicate predicate, FilteredSign filter, const PlaneTable& planes,
            const std::array<PlaneId, K>& ids, const Form& form) {
@@ -210,7 +211,7 @@ Sign order_along_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId r,
 
 /// All four normals are orthogonal to the line, so n_m1 x n_m2 is a multiple of n_p x n_q. Any
 /// component where the latter is not zero gives the sign of the factor. The component that is
-/// largest in doubles is asked first, because its filter is most likely to decide.
+/// largest in doubles is tried first, because its filter is most likely to decide.
 Sign turn_about_line(const PlaneTable& planes, PlaneId p, PlaneId q, PlaneId m1, PlaneId m2) {
   if (m1 == m2) return Sign::Zero;
   std::array<std::size_t, 3> axes = {0, 1, 2};
@@ -231,9 +232,9 @@ using exact3::BigPlane;
 
 namespace {
 
-/// Zero if the three rows are linearly dependent, Positive otherwise. Their four 3 x 3 minors are
-/// the homogeneous coordinates of the common point; all of them vanish if and only if there is more
-/// than one common point, that is a common line.
+/// The sign is Zero if the three rows are linearly dependent, and Positive otherwise. The four 3 x
+/// 3 minors of the rows are the homogeneous coordinates of the common point. They all vanish if and
+/// only if there is more than one common point, that is, a common line.
 struct PencilForm {
   template <class Plane>
   Sign operator()(const std::array<Plane, 3>& p) const {
@@ -272,8 +273,8 @@ Fingerprint primitive_fingerprint(const PlaneTable& planes, PlaneId p, PlaneId q
 
 }  // namespace
 
-/// If det3 is not zero, the three planes have one common point only, so `plane` does not contain
-/// the line. The converse needs all minors, exactly.
+/// If det3 is not zero, the three planes have exactly one common point, so `plane` does not contain
+/// the line. The converse requires the exact values of all minors.
 bool holds_line(const PlaneTable& planes, PlaneId plane, PlaneId p, PlaneId q) {
   const std::array<PlaneId, 2> pair = {p, q};
   if (plane == p || plane == q || planes.is_wall_of(plane, pair)) {

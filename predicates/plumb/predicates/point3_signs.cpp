@@ -78,9 +78,9 @@ FilteredSign order_in(const PointOperand& x, const PointOperand& y, std::size_t 
   });
 }
 
-/// Returns the side of a plane across an axis on which an input point lies: coordinates are
-/// compared, as a canonical normal along an axis is positive. Unsure if the plane is not seen to be
-/// across an axis.
+/// Returns the side of a plane across an axis on which an input point lies. The canonical normal
+/// along an axis is positive, so coordinates are compared. Returns Unsure if the definition of the
+/// plane does not show that it is across an axis.
 FilteredSign side_across(const PlaneTable& planes, InputPointId x, PlaneId plane) {
   const PlaneSource& source = planes.source(plane);
   if (!source.is_explicit()) return exact3::side_across(planes, x, source);
@@ -93,7 +93,8 @@ FilteredSign side_across(const PlaneTable& planes, InputPointId x, PlaneId plane
   return FilteredSign::Unsure;
 }
 
-/// The exact stages of side(). An input point against a plane through input points is orient3d.
+/// The exact stages of side(). For an input point and a plane through input points, this is
+/// orient3d.
 Sign exact_side(const Point3Table& points, SpacePoint x, PlaneId plane) {
   const auto count = [](Rung rung) { count_rung(Predicate::SideOfPlane, rung); };
   if (has_three_planes(points, x)) {
@@ -168,7 +169,8 @@ FilteredSign far_compare_axis_filter(const Point3Table& points, SpacePoint x, Sp
   return compare_axis_filter(points.near_box(x), points.near_box(y), axis);
 }
 
-// g++ takes the visibility of a template from its definition, not from the header.
+// For g++, the definition of a template determines its visibility, not the declaration in the
+// header.
 #pragma GCC visibility push(default)
 template <class W>
 FilteredSign side_fixed(const Point3Table& points, SpacePoint x, PlaneId plane) {
@@ -246,7 +248,7 @@ Sign rung::side_without_filter(const Point3Table& points, SpacePoint x, PlaneId 
 
 namespace {
 
-/// Returns the plane across an axis among the three that define a point, or an invalid id.
+/// Returns the plane across an axis among the three planes that define a point, or an invalid id.
 PlaneId plane_across(const Point3Table& points, SpacePoint x, std::size_t axis) {
   if (x.is_input()) return {};
   const PointSource& source = points.source(x);
@@ -256,8 +258,8 @@ PlaneId plane_across(const Point3Table& points, SpacePoint x, std::size_t axis) 
   return {};
 }
 
-/// Compares coordinates that the definitions of points show: doubles of input points, and of planes
-/// and lines across the axis. Unsure if a coordinate is not shown.
+/// Compares coordinates that are visible in the definitions of the points: doubles of input points,
+/// and of planes and lines across the axis. Returns Unsure if a coordinate is not visible.
 FilteredSign order_by_definition(const Point3Table& points, SpacePoint x, SpacePoint y,
                                  std::size_t axis) {
   const PlaneId p = plane_across(points, x, axis), q = plane_across(points, y, axis);
@@ -300,7 +302,7 @@ Sign compare_xyz(const Point3Table& points, SpacePoint x, SpacePoint y) {
 
 namespace {
 
-/// Whether filters show that two points differ along some axis.
+/// Whether the filters show that two points differ along some axis.
 bool is_apart(const Point3Table& points, SpacePoint x, SpacePoint y) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (is_decided(rough_order(points, x, y, axis))) {
@@ -330,8 +332,8 @@ bool equal(const Point3Table& points, SpacePoint x, SpacePoint y) {
 
 namespace {
 
-/// An axis along which the line of p and q runs, the fastest by doubles if possible, and the sign
-/// of its direction n_p x n_q there.
+/// An axis along which the line of p and q is not constant, and the sign of its direction n_p x n_q
+/// along this axis. If doubles determine it, the axis is the one along which the line is steepest.
 struct Direction {
   std::size_t axis;
   Sign sign;
@@ -355,9 +357,9 @@ Direction direction_of(const PlaneTable& planes, PlaneId p, PlaneId q) {
 
 }  // namespace
 
-/// Boxes decide along the axis where the line runs fastest. Otherwise let s be a plane of y that
-/// cuts the line, and y = x + l (n_p x n_q). Then 0 = s(y) = s(x) + l det3(p, q, s), so l has the
-/// sign of -s(x) det3(p, q, s).
+/// Boxes decide along the axis along which the line is steepest. Otherwise let s be a plane of y
+/// that cuts the line, and y = x + l (n_p x n_q). Then 0 = s(y) = s(x) + l det3(p, q, s), so l has
+/// the sign of -s(x) det3(p, q, s).
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y) {
   if (x == y) return Sign::Zero;
   const Direction along = direction_of(points.planes(), p, q);

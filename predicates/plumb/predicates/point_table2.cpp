@@ -28,8 +28,8 @@ namespace plumb {
 
 namespace {
 
-/// Returns 0.0 for -0.0, and every other number as it is. It looks at the bits, because under DAZ
-/// every comparison and sum would take a subnormal for zero.
+/// Returns 0.0 for -0.0, and every other number unchanged. The function examines the bits, because
+/// under DAZ every comparison and every sum would read a subnormal number as zero.
 double without_negative_zero(double v) {
   constexpr std::uint64_t kNegativeZero = std::uint64_t{1} << 63;
   return std::bit_cast<std::uint64_t>(v) == kNegativeZero ? 0.0 : v;
@@ -44,7 +44,7 @@ void PointTable2::push_back(Point2 p) {
   if (!slot_.empty()) slot_.push_back(kNoSlot);
 }
 
-/// Slots are made only when the first point comes that is no double.
+/// Slots are made when the first point is added that doubles cannot represent.
 void PointTable2::push_back(const Rational& x, const Rational& y) {
   const RoundedDouble rx = round_to_double(x);
   const RoundedDouble ry = round_to_double(y);
@@ -65,8 +65,8 @@ void PointTable2::push_back(const Rational& x, const Rational& y) {
   entries_.push_back(entry);
 }
 
-/// Appends |value| to the pool and returns its number of limbs, negative for a negative value, as
-/// GMP has it.
+/// Appends |value| to the pool. Returns the number of limbs. As in GMP, this number is negative if
+/// the value is negative.
 std::int32_t PointTable2::append_limbs(mpz_srcptr value) {
   const mp_limb_t* limbs = mpz_limbs_read(value);
   limbs_.insert(limbs_.end(), limbs, limbs + mpz_size(value));
@@ -74,7 +74,7 @@ std::int32_t PointTable2::append_limbs(mpz_srcptr value) {
   return mpz_sgn(value) < 0 ? -size : size;
 }
 
-/// Appends point i of `other`. Requires that it is no double.
+/// Appends point i of `other`. Requires that doubles cannot represent the point.
 void PointTable2::append_entry(const PointTable2& other, std::uint32_t i) {
   Entry entry = other.entries_[other.slot_[i]];
   const std::size_t length = static_cast<std::size_t>(std::abs(entry.x_size)) +
@@ -320,7 +320,7 @@ struct Box {
   double x, y, radius;
 };
 
-/// Returns the box of a + t u. The factor 1.01 pays for the rounding of the bound itself.
+/// Returns the box of a + t u. The factor 1.01 covers the rounding of the bound itself.
 Box box_at(const Point2& a, const Vector2& u, const Approximation& t, double h) {
   const double x = a.x + t.value * u.x;
   const double y = a.y + t.value * u.y;
@@ -402,7 +402,8 @@ Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, st
 }
 
 Sign detail::compare_xy_unsure(const PointTable2& points, const Crossing2& p, const Crossing2& q) {
-  // A sweep finds one crossing again and again, so equal indices are asked before any arithmetic.
+  // A sweep computes the same crossing many times, so equal indices are tested before any
+  // arithmetic.
   if (p.a == q.a && p.b == q.b && p.c == q.c && p.d == q.d) {
     return decide(Predicate::CompareCrossings2, Rung::Identity, FilteredSign::Zero);
   }

@@ -39,13 +39,15 @@ void set_to_zero(mpq_ptr x) {
   set_denominator_to_one(x);
 }
 
-/// Returns the denominator for GMP to write. Its value is lost if it was shared.
+/// Returns the denominator, so that GMP can write to it. If the denominator was shared, its value
+/// is lost.
 mpz_ptr new_denominator(mpq_ptr x) {
   if (is_shared(mpq_denref(x))) mpq_denref(x)->_mp_size = 0;
   return mpq_denref(x);
 }
 
-/// Returns the fraction for GMP to write. If it is an operand, its denominator keeps the value 1.
+/// Returns the fraction, so that GMP can write to it. If the fraction is an operand, its
+/// denominator keeps the value 1.
 mpq_ptr target(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   if (!is_shared(mpq_denref(result))) return result;
   if (result == a || result == b) {
@@ -71,11 +73,11 @@ void add_whole(mpq_ptr result, mpq_srcptr x, mpz_srcptr n) {
 
 std::size_t limbs_of(mpq_srcptr x) { return mpz_size(mpq_numref(x)) + mpz_size(mpq_denref(x)); }
 
-/// Counts an operation on two fractions before it begins, as its cost is that of greatest common
+/// Counts an operation on two fractions before it begins. Its cost is that of greatest common
 /// divisors.
 void count_work_on(mpq_srcptr a, mpq_srcptr b) { detail::count_work(limbs_of(a) + limbs_of(b)); }
 
-/// Adds or subtracts. Whole operands need no gcd.
+/// Adds or subtracts. Integer operands need no gcd.
 template <bool kAdds>
 void combine(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   const bool a_is_whole = is_one(mpq_denref(a)), b_is_whole = is_one(mpq_denref(b));
@@ -85,7 +87,7 @@ void combine(mpq_ptr result, mpq_srcptr a, mpq_srcptr b) {
   } else if (b_is_whole) {
     add_whole<kAdds>(result, a, mpq_numref(b));
   } else if (a_is_whole) {
-    add_whole<kAdds>(result, b, mpq_numref(a));  // b - a
+    add_whole<kAdds>(result, b, mpq_numref(a));  // The result is b - a.
     if (!kAdds) mpz_neg(mpq_numref(result), mpq_numref(result));
   } else {
     count_work_on(a, b);
@@ -103,7 +105,8 @@ bool are_digits(std::string_view text) {
 
 void append_digits(mpz_srcptr x, std::string& text) {
   const std::size_t before = text.size();
-  text.resize(before + mpz_sizeinbase(x, 10) + 2);  // Two more for a sign and the final zero.
+  // Two more characters are for a sign and the final zero.
+  text.resize(before + mpz_sizeinbase(x, 10) + 2);
   mpz_get_str(text.data() + before, 10, x);
   text.resize(before + std::strlen(text.c_str() + before));
 }
@@ -198,7 +201,7 @@ Integer::Integer(std::string_view text) {
     throw Error(ErrorCode::Syntax, "not an integer: '" + std::string(text) + "'");
   }
   reset();
-  Integer read;  // Owns the memory, so that an exception leaks nothing.
+  Integer read;  // The array owns the memory, so an exception leaks no memory.
   mpz_set_str(read.value_, std::string(digits).c_str(), 10);
   if (text.front() == '-') read.negate();
   std::swap(value_[0], read.value_[0]);
@@ -219,7 +222,8 @@ void Integer::require_positive() const {
 }
 
 Rational::Rational(double value) : Rational() {
-  // The bits decide, so that the rounding mode and denormals-are-zero of the caller do not matter.
+  // The bits decide, so that the rounding mode and the mode denormals-are-zero of the caller do not
+  // matter.
   if ((std::bit_cast<std::uint64_t>(value) & ~detail::kSignBit) >> 52U == 0x7ffU)
     throw_not_finite();
   const Decomposed d = decompose(value);

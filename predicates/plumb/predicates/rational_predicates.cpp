@@ -11,7 +11,7 @@ namespace plumb {
 
 namespace {
 
-/// Returns the least positive integer whose products with all `values` are integers.
+/// Returns the least positive integer whose product with each of the `values` is an integer.
 Integer common_denominator(std::initializer_list<const Rational*> values) {
   Integer common = 1;
   for (const Rational* v : values) common = lcm(common, Integer(denominator(*v)));
@@ -22,7 +22,7 @@ Integer times(const Rational& value, const Integer& common) {
   return numerator(value) * (common / denominator(value));
 }
 
-/// Returns one coordinate of points minus that of an origin, times `common`.
+/// Returns one coordinate of the points minus the coordinate of an origin, times `common`.
 template <class... Rationals>
 std::array<Integer, sizeof...(Rationals)> differences(const Integer& common, const Rational& origin,
                                                       const Rationals&... values) {
@@ -30,7 +30,7 @@ std::array<Integer, sizeof...(Rationals)> differences(const Integer& common, con
   return {Integer(times(values, common) - o)...};
 }
 
-/// Returns the same times the common denominator of this coordinate alone.
+/// Returns the same differences times the common denominator of this coordinate alone.
 template <class... Rationals>
 auto axis_differences(const Rational& origin, const Rationals&... values) {
   return differences(common_denominator({&origin, &values...}), origin, values...);

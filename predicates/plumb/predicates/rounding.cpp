@@ -76,9 +76,9 @@ struct Decimal {
   std::int64_t exponent;
 };
 
-/// Returns p / q rounded to so many digits. Starts from an estimate of log10(p / q) by the numbers
-/// of bits, which is off by a place or two at most, and moves until the quotient has exactly
-/// `digits` digits before rounding.
+/// Returns p / q rounded to `digits` digits. The function starts with an estimate of log10(p / q)
+/// by the numbers of bits, which is wrong by at most two places. It changes the estimate until the
+/// quotient has exactly `digits` digits before rounding.
 Decimal round_decimal(const Integer& p, const Integer& q, int digits) {
   const Integer limit = power_of_ten(digits);
   const Integer least = power_of_ten(digits - 1);
@@ -98,7 +98,7 @@ Decimal round_decimal(const Integer& p, const Integer& q, int digits) {
 
 void strip_zeros(std::string& digits) { digits.erase(digits.find_last_not_of('0') + 1); }
 
-/// Returns digits with the point after place `exponent`. Places without a digit are filled with
+/// Returns the digits with the decimal point after place `exponent`. Missing places are filled with
 /// zeros.
 std::string plain_text(const std::string& digits, std::int64_t exponent) {
   std::string text;

@@ -68,7 +68,7 @@ Sides sides(const BasicSegment2<Point>& line, const BasicSegment2<Point>& s) {
 RationalPoint2 exact_point(const Point2& p) { return {exact_rational(p.x), exact_rational(p.y)}; }
 const RationalPoint2& exact_point(const RationalPoint2& p) { return p; }
 
-/// Returns the common point of two segments on one line that share just an end.
+/// Returns the common point of two segments on one line that share only an end.
 template <class Point>
 const Point& shared_end(const BasicSegment2<Point>& s, const BasicSegment2<Point>& t) {
   const bool is_source =
@@ -88,7 +88,8 @@ Sign compare_xy(const RationalPoint2& p, const RationalPoint2& q) {
   return sign_of(by_x != 0 ? by_x : p.y.compare(q.y));
 }
 
-// g++ takes the visibility of a template from its definition, not from the header.
+// For g++, the definition of a template determines its visibility, not the declaration in the
+// header.
 #pragma GCC visibility push(default)
 template <class Point>
 Sign compare_along(const BasicSegment2<Point>& direction, const Point& p, const Point& q) {

@@ -1,8 +1,8 @@
 // Elementary functions by MPFR with 53 bits, which rounds each of them correctly.
 //
-// MPFR stores pi for each thread in which a function has needed it. Threads do not release this
-// memory when they end, so each call does. Computing pi to the bits that doubles need takes less
-// time than the function itself.
+// MPFR stores pi for each thread in which a function has needed it. A thread does not release this
+// memory when it ends, so each call releases it. For the precision of doubles, computing pi takes
+// less time than the function itself.
 //
 // Tested by tests/predicates/elementary_test.cpp.
 #include "plumb/predicates/arithmetic/elementary.h"
@@ -15,7 +15,7 @@
 namespace plumb {
 namespace {
 
-/// Calls `function(result, direction of rounding)`, whose result it returns as a double.
+/// Calls `function(result, direction of rounding)`, and returns its result as a double.
 template <class Function>
 double rounded_value(const Function& function) {
   const DoubleRange range;
@@ -26,7 +26,7 @@ double rounded_value(const Function& function) {
   return to_double(result.get());
 }
 
-/// A double as a number of MPFR.
+/// A double as a number for MPFR.
 class Argument {
  public:
   explicit Argument(double x) { mpfr_set_d(number_.get(), x, MPFR_RNDN); }
@@ -54,7 +54,8 @@ Point2 direction_at(double angle) {
   int of_cosine = 0;
   const double y = rounded_value([&](mpfr_ptr r, mpfr_rnd_t mode) {
     const int inexact = mpfr_sin_cos(r, cosine.get(), a.get(), mode);
-    // The lower two bits are of the sine, the next ones of the cosine: 1 above, 2 below.
+    // The lower two bits belong to the sine, the next two bits to the cosine: 1 if the result is
+    // above the exact value, 2 if it is below.
     constexpr std::array kDirection{0, 1, -1};
     of_cosine = kDirection[static_cast<std::size_t>(inexact >> 2)];
     return kDirection[static_cast<std::size_t>(inexact & 3)];

@@ -8,7 +8,8 @@ Residue Residue::of(const Integer& value) {
   if constexpr (sizeof(unsigned long) == sizeof(std::uint64_t)) {
     return raw(mpz_fdiv_ui(value.mpz(), static_cast<unsigned long>(kModulus)));
   }
-  // On Windows, and where words have 32 bits, GMP's functions for built-in integers take less.
+  // On Windows, and if words have 32 bits, the functions of GMP for built-in integers take integers
+  // that are too short.
   const Integer modulus(kModulus);
   Integer remainder;
   mpz_fdiv_r(remainder.mpz(), value.mpz(), modulus.mpz());
@@ -41,7 +42,7 @@ Residue Residue::inverse() const {
   return square_times(t59, 2) * t1;
 }
 
-/// One inversion serves for all (Montgomery's trick): scratch[i] is the product of the nonzero
+/// A single inversion is enough (Montgomery's trick): scratch[i] is the product of the nonzero
 /// values before i. (P. L. Montgomery, Speeding the Pollard and elliptic curve methods of
 /// factorization, Mathematics of Computation 48, 1987.)
 void invert_all(std::span<Residue> values, std::span<Residue> scratch) {

@@ -10,8 +10,9 @@ using Watch = std::function<void()>;
 
 Integer odd_part(const Integer& value) { return value >> lsb(value); }
 
-/// Returns the tree of products: level 0 is the numbers, and each entry of a level above is the
-/// product of two of the level below, or the last one if their number is odd.
+/// Returns the tree of products. Level 0 contains the numbers. Each entry of a higher level is the
+/// product of two entries of the level below. If that level has an odd number of entries, the last
+/// one is copied.
 std::vector<std::vector<Integer>> product_tree(std::vector<Integer> numbers, const Watch& watch) {
   std::vector<std::vector<Integer>> levels = {std::move(numbers)};
   while (levels.back().size() > 1) {
@@ -26,8 +27,8 @@ std::vector<std::vector<Integer>> product_tree(std::vector<Integer> numbers, con
   return levels;
 }
 
-/// Returns for each number w the product of all others modulo w, which is the product of all modulo
-/// w^2, divided by w. The remainders are computed down the tree.
+/// Returns, for each number w, the product of all other numbers modulo w. This is the product of
+/// all numbers modulo w^2, divided by w. The remainders are computed down the tree.
 std::vector<Integer> others_modulo(const std::vector<Integer>& numbers, const Watch& watch) {
   std::vector<std::vector<Integer>> levels = product_tree(numbers, watch);
   std::vector<Integer> remainders = std::move(levels.back());
@@ -54,8 +55,8 @@ Fraction coprime_sum(const Fraction& a, const Fraction& b) {
   return {a.above * b.below + b.above * a.below, a.below * b.below};
 }
 
-/// Returns a / s and b / r in lowest terms with n / (s r) = a / s + b / r. Requires s and r without
-/// common factors, whose product is the denominator of `term`.
+/// Returns a / s and b / r in lowest terms such that n / (s r) = a / s + b / r. Requires that s and
+/// r have no common factors, and that their product is the denominator of `term`.
 std::pair<Rational, Fraction> split(const Rational& term, const Integer& s, const Integer& r) {
   Integer a = 0;
   if (s > 1) {
@@ -100,7 +101,7 @@ Rational RationalSum::total() const {
 
 Rational sum_of_fractions(const std::vector<Rational>& terms, const std::function<void()>& watch) {
   RationalSum shared;
-  std::vector<const Rational*> others;  // Terms whose denominator is no power of 2.
+  std::vector<const Rational*> others;  // These terms have denominators that are not powers of 2.
   std::vector<Integer> odd;
   for (const Rational& term : terms) {
     Integer part = odd_part(denominator(term));
@@ -124,7 +125,8 @@ Rational sum_of_fractions(const std::vector<Rational>& terms, const std::functio
   const Rational with_shared = shared.total();
   Fraction sum = coprime_sum(total_of(std::move(lone), watch),
                              {numerator(with_shared), denominator(with_shared)});
-  Rational result;  // Set part by part, as its constructor would search for common factors.
+  // The parts are set separately, because the constructor would search for common factors.
+  Rational result;
   mpz_swap(mpq_numref(result.mpq()), sum.above.mpz());
   mpz_swap(mpq_denref(result.mpq()), sum.below.mpz());
   return result;

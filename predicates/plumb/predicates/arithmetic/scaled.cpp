@@ -7,7 +7,7 @@ namespace plumb {
 Scaled scaled(const Integer& x) {
   if (x.is_zero()) return {};
   long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, x.mpz());  // truncates
+  const double mantissa = mpz_get_d_2exp(&exponent, x.mpz());  // The mantissa is truncated.
   return {mantissa, static_cast<int>(exponent)};
 }
 

@@ -10,13 +10,13 @@ using Factors = std::array<std::uint64_t, 1 + 2 * kMostWords>;
 
 /// Returns random factors.
 Factors drawn() {
-  std::random_device random;  // Gives 32 bits at a time.
+  std::random_device random;  // Each call returns 32 bits.
   Factors factors{};
   for (std::uint64_t& f : factors) f = std::uint64_t{random()} << 32U | random();
   return factors;
 }
 
-/// Returns the permuted hash. One to one.
+/// Returns a permutation of the hash. The function is one to one.
 std::uint32_t mixed(std::uint32_t h) {
   h = (h ^ h >> 16U) * 0x85ebca6bU;
   h = (h ^ h >> 13U) * 0xc2b2ae35U;

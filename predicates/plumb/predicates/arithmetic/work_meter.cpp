@@ -6,12 +6,12 @@
 namespace plumb::detail {
 namespace {
 
-// Products of two limbs. The slowest operations, greatest common divisors of numbers of some
-// hundred limbs, take about 1 nanosecond for each.
+// The unit is the product of two limbs. The slowest operations are greatest common divisors of
+// numbers of some hundred limbs. They take about 1 nanosecond for each unit.
 constexpr std::uint64_t kProductsBetweenCalls = 2'000'000;
 // The cost of the smallest operation.
 constexpr std::uint64_t kLeastProducts = 64;
-// The square of more limbs exceeds every bound.
+// The square of a greater number of limbs would exceed every bound.
 constexpr std::uint64_t kMostLimbs = std::uint64_t{1} << 20;
 
 struct Meter {

@@ -10,7 +10,7 @@ Integer minor2(const Integer& x0, const Integer& y0, const Integer& x1, const In
   return minor;
 }
 
-/// det [x y z] of rows i, j, k.
+/// Returns det [x y z] of the rows i, j, k.
 template <std::size_t N>
 Integer minor3(const std::array<Integer, N>& x, const std::array<Integer, N>& y,
                const std::array<Integer, N>& z, std::size_t i, std::size_t j, std::size_t k) {
@@ -53,7 +53,7 @@ Sign big_insphere(const std::array<Integer, 4>& x, const std::array<Integer, 4>&
     lift[i] = x[i] * x[i];
     lift[i].add_product(y[i], y[i]).add_product(z[i], z[i]);
   }
-  // The expansion by the last column: row 3 (d) is even, and so on in turn.
+  // Expands by the last column. The sign of row 3 (d) is positive, and the signs alternate.
   Integer det = lift[3] * minor3(x, y, z, 0, 1, 2);
   det.subtract_product(lift[2], minor3(x, y, z, 0, 1, 3));
   det.add_product(lift[1], minor3(x, y, z, 0, 2, 3));

@@ -70,7 +70,8 @@ Sign polygon_area_sign(const PointTable2& points, std::span<const std::uint32_t>
 
 namespace {
 
-/// Returns a bound of the distance of x from its approximation, which is within 2^-53 of its size.
+/// Returns a bound of the distance of x from its approximation. The relative error of the
+/// approximation is at most 2^-53.
 double reach_of(const PointTable2& inputs, std::uint32_t i) {
   return inputs.is_double(i) ? 0 : 0x1p-52 * std::fabs(inputs.approx(i).x);
 }
@@ -78,7 +79,7 @@ double reach_of(const PointTable2& inputs, std::uint32_t i) {
 Sign compare_x_inputs(const PointTable2& inputs, std::uint32_t i, std::uint32_t j) {
   if (i == j) return Sign::Zero;
   const Sign seen = compare(inputs.approx(i).x, inputs.approx(j).x);
-  // Rounding is monotone: different approximations are in the right order.
+  // Rounding is monotone, so approximations that differ have the same order as the exact numbers.
   const bool is_known = seen != Sign::Zero || (inputs.is_double(i) && inputs.is_double(j));
   count_rung(Predicate::ComparePoints2, is_known ? Rung::Filter : Rung::Big);
   if (is_known) return seen;

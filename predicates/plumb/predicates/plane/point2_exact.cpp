@@ -57,7 +57,8 @@ Triple Scratch2::point(Point2 p) {
     if constexpr (sizeof(long) == sizeof(std::int64_t)) {
       mpz_set_si(out, static_cast<long>(d.mantissa));
     } else {
-      mpz_set_d(out, static_cast<double>(d.mantissa));  // Exact: 53 bits.
+      // The conversion is exact, because the number has at most 53 bits.
+      mpz_set_d(out, static_cast<double>(d.mantissa));
     }
     mpz_mul_2exp(out, out, static_cast<mp_bitcnt_t>(bits));
   };
@@ -68,7 +69,8 @@ Triple Scratch2::point(Point2 p) {
   return own(s);
 }
 
-/// W is the product of the denominators, not their lcm: a gcd would cost more than longer products.
+/// W is the product of the denominators and not their least common multiple, because a gcd would
+/// cost more time than longer products.
 Triple Scratch2::point(const RationalPoint2& p) {
   mpq_srcptr x = p.x.mpq();
   mpq_srcptr y = p.y.mpq();
@@ -140,7 +142,7 @@ namespace plumb::rung {
 
 namespace {
 
-/// A grid for each axis, of all points that take part.
+/// Each axis has its own grid, which contains all points that the predicate depends on.
 struct Grids {
   Grid x;
   Grid y;
@@ -246,7 +248,7 @@ Sign orient2d_in(const Grids& grids, const Point2& i, const Point2& j, const Cor
   return det.sign() * p.den.sign();
 }
 
-/// Whether all these points are doubles; the others have no integers of a fixed width.
+/// Whether all these points are doubles. Other points have no integers of a fixed width.
 bool are_doubles(const PointTable2& points, std::initializer_list<std::uint32_t> indices) {
   if (points.all_double()) return true;
   return std::all_of(indices.begin(), indices.end(),
@@ -263,8 +265,8 @@ Corners corners(const PointTable2& points, const Crossing2& p, Grids& grids) {
   return r;
 }
 
-/// Asks in_limbs<L>() with the narrowest integers that hold `bits` per coordinate: 64 L - 2 >=
-/// bits. Unsure if two limbs are too few.
+/// Calls in_limbs<L>() with the narrowest integers that hold `bits` bits for each coordinate: 64 L
+/// - 2 >= bits. Returns Unsure if two limbs are too few.
 template <class InLimbs>
 FilteredSign narrowest(int bits, const InLimbs& in_limbs) {
   if (bits <= 62) return filtered(in_limbs.template operator()<1>());

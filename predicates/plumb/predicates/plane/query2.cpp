@@ -20,8 +20,8 @@
 namespace plumb {
 namespace {
 
-/// Compares x of a point or the box of a crossing with the query's nearest double, which is off by
-/// at most 2^-52 of its size.
+/// Compares x of a point, or the box of a crossing, with the nearest double of the query. The
+/// relative error of this double is at most 2^-52.
 FilteredSign compare_x_filter(const PlanePointsView& points, std::uint32_t i,
                               const QueryPoint2& q) {
   const double x = q.approx().x;
@@ -29,7 +29,7 @@ FilteredSign compare_x_filter(const PlanePointsView& points, std::uint32_t i,
     const Crossing2& c = points.crossing(i);
     return detail::compare_apart(c.x, x, c.radius + 0x1p-52 * std::fabs(x));
   }
-  // Rounding is monotone: different approximations are in the right order.
+  // Rounding is monotone, so approximations that differ have the same order as the exact numbers.
   const Sign s = compare(points.inputs().approx(i).x, x);
   const bool is_exact = points.inputs().is_double(i) && q.is_double();
   return s != Sign::Zero || is_exact ? filtered(s) : FilteredSign::Unsure;
@@ -91,7 +91,8 @@ constexpr double kUnderflow = 8 * kLeast;
 Rough rough(double value, double error) {
   const double size = std::fabs(value);
   const double bound = (error + 0x1p-52 * size) * (1 + 0x1p-48) + kUnderflow;
-  // In a mode that rounds toward zero, what overflows is the greatest double and not infinite.
+  // In a mode that rounds toward zero, the result of an overflow is the greatest double and not
+  // infinity.
   return {value, size < kGreatest && bound < kGreatest ? bound : kInfinity};
 }
 Rough operator-(Rough p, Rough q) { return rough(p.value - q.value, p.error + q.error); }
@@ -102,7 +103,7 @@ Rough operator*(Rough p, Rough q) {
 }
 
 FilteredSign known_sign(Rough r) {
-  // Both comparisons are false for NaNs and for infinite errors.
+  // For NaNs and for infinite errors, both comparisons are false.
   if (r.value > r.error) return filtered(Sign::Positive);
   if (-r.value > r.error) return filtered(Sign::Negative);
   return FilteredSign::Unsure;
@@ -113,8 +114,8 @@ struct RoughPoint {
   Rough y;
 };
 
-/// Returns a double that stands for a number, which it is exactly, or to which it is the nearest,
-/// clamped to the greatest double. A subnormal one may be read as zero by any operation.
+/// Returns a double that represents a number: the number itself, or the nearest double, clamped to
+/// the greatest double. Any operation may read a subnormal double as zero.
 Rough rounded(double value, bool is_exact) {
   const double size = std::fabs(value);
   if (is_exact) return {value, size < kLeast ? kLeast : 0};

@@ -12,9 +12,9 @@
 #include "plumb/predicates/arithmetic/double_bits.h"
 #include "plumb/predicates/input_predicates.h"
 
-// Inlines everything that a function calls. Without it g++ calls every product of a determinant
-// with its operands in memory, which costs a tenth of the time. The width Wide gets slower by it,
-// because of traffic on the stack.
+// Inlines all functions that a function calls. Without this attribute, g++ calls the function of
+// every product of a determinant with operands in memory, which takes a tenth of the time. For the
+// width Wide, inlining is slower because of accesses to the stack.
 #ifdef PLUMB_PORTABLE
 #define PLUMB_FLATTEN
 #else
@@ -114,7 +114,8 @@ BigPlane load_big_corners(int low, const std::array<const Point3*, 3>& at) {
 
 }  // namespace
 
-// The normal of a canonical plane across an axis runs along the axis, towards greater coordinates.
+// The canonical normal of a plane across an axis points along the axis, towards greater
+// coordinates.
 FilteredSign side_across(const PlaneTable& table, InputPointId x, const PlaneSource& plane) {
   constexpr std::array kCoordinates{&Point3::x, &Point3::y, &Point3::z};
   const auto [p, q, r] = corners(table, plane);
@@ -131,7 +132,8 @@ FilteredSign side_by_corners(const PlaneTable& table, InputPointId x, const Plan
   Grid grid = grid_of(table, plane);
   grid.add(table.grid(x));
   const auto [p, q, r] = corners(table, plane);
-  return rung::orient3d_exact(grid, *q, *p, *r, table.point(x));  // Positive above the plane.
+  // The sign is positive above the plane.
+  return rung::orient3d_exact(grid, *q, *p, *r, table.point(x));
 }
 
 Operand operand(const PlaneTable& table, const PlaneSource& source) {
@@ -140,7 +142,8 @@ Operand operand(const PlaneTable& table, const PlaneSource& source) {
   return {&table, source, grid, grid_width(grid.bits())};
 }
 
-// g++ takes the visibility of a template from its definition, not from the header.
+// For g++, the definition of a template determines its visibility, not the declaration in the
+// header.
 #pragma GCC visibility push(default)
 template <class W>
 FixedPlane<W> load(const Operand& operand) {

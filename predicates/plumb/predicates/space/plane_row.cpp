@@ -35,7 +35,7 @@
 namespace plumb {
 
 float rounded_up(double x) {
-  // One float rounding loses at most 2^-23 in any mode.
+  // One rounding to float loses at most 2^-23 in any rounding mode.
   const double widened = x * (1 + 0x1p-20);
   if (!(widened < static_cast<double>(FLT_MAX))) return std::numeric_limits<float>::infinity();
   return static_cast<float>(std::max(widened, static_cast<double>(FLT_MIN)));
@@ -83,7 +83,7 @@ bool is_plainly_zero(const Point3& p, const Point3& q, const Point3& r, std::siz
 }
 
 /// Returns the sign of the first nonzero component of n = (q - p) x (r - p); 0 if doubles do not
-/// show it.
+/// determine it.
 int leading_sign(const std::array<Component, 3>& n, double error, const Point3& p, const Point3& q,
                  const Point3& r) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -124,15 +124,15 @@ FastRow fast_row(const Point3& p, const Point3& q, const Point3& r) {
 
 namespace {
 
-/// Returns s.mantissa 2^(s.exponent - lower), or 0 below 2^-200, which is an absolute error of
-/// 2^-200.
+/// Returns s.mantissa 2^(s.exponent - lower). Values below 2^-200 become 0, which is an absolute
+/// error of 2^-200.
 double lowered(const Scaled& s, int lower) {
   const int exponent = s.exponent - lower;
   return exponent < -200 ? 0 : s.mantissa * power_of_two(exponent);
 }
 
-/// Sets the offset and its error. An offset above 2^900 becomes 0 with an infinite error, one below
-/// 2^-900 becomes 0 with the least error.
+/// Sets the offset and its error. An offset above 2^900 becomes 0 with an infinite error. An offset
+/// below 2^-900 becomes 0 with the least error.
 void set_offset(const Scaled& s, std::int64_t exponent, PlaneRow& row) {
   if (exponent > 900) {
     row.d = 0;

@@ -39,10 +39,10 @@ using exact3::kAnyScale;
 
 namespace {
 
-/// Zero if two canonical planes (n, d) and (m, e) are the same, Positive otherwise. They are the
-/// same if n x m = 0 and n_k e = m_k d, for the first n_k that is not zero. Parallel canonical
-/// planes have the same direction, so m_k is not zero then either, and n x m = 0 follows from its
-/// components with the factor n_k: m_i = 0 for i < k, and n_k m_i = m_k n_i for i > k.
+/// The sign is Zero if two canonical planes (n, d) and (m, e) are equal, and Positive otherwise.
+/// They are equal if n x m = 0 and n_k e = m_k d, for the first n_k that is not zero. Parallel
+/// canonical planes have the same direction, so m_k is not zero then either, and n x m = 0 follows
+/// from its components with the factor n_k: m_i = 0 for i < k, and n_k m_i = m_k n_i for i > k.
 struct SamePlane {
   template <class Plane>
   Sign operator()(const std::array<Plane, 2>& planes) const {
@@ -67,8 +67,8 @@ struct SamePlane {
   }
 };
 
-/// Whether the planes are defined by the same numbers, as they often are in the merge of tables
-/// with a common past.
+/// Whether the planes are defined by the same numbers. This is often the case if two tables are
+/// merged that were derived from the same table.
 bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const PlaneSource& b) {
   if (a.is_explicit() != b.is_explicit()) return false;
   if (a.is_explicit()) {
@@ -83,10 +83,10 @@ bool is_same_definition(const PlaneTable& table, const PlaneSource& a, const Pla
   });
 }
 
-/// Returns the side of `plane` on which the first corner of `other` lies that is not on it, Zero if
-/// all are on it, and Unsure if the points have more bits than fixed widths hold. Requires planes
-/// through input points. Points that are noted to be on the plane are not asked about; those found
-/// on it are noted.
+/// Returns the side of `plane` on which the first corner of `other` lies that is not on the plane.
+/// Returns Zero if all corners are on it, and Unsure if the points have more bits than the fixed
+/// widths hold. Requires planes through input points. Points that are already noted as points of
+/// the plane are skipped, and points that are found on it are noted.
 template <class Notes>
 FilteredSign first_off_plane(const PlaneTable& table, PlaneId plane, const PlaneSource& other,
                              Notes* notes) {
@@ -101,8 +101,8 @@ FilteredSign first_off_plane(const PlaneTable& table, PlaneId plane, const Plane
   return FilteredSign::Zero;
 }
 
-/// Whether two planes with equal fingerprints are equal, exactly. There is no filter before that,
-/// as planes that collide without being equal are too rare for one to pay.
+/// Whether two planes with equal fingerprints are equal, exactly. There is no filter stage before,
+/// because different planes with equal fingerprints are so rare that a filter does not save time.
 template <class Notes>
 bool is_same_plane(const PlaneTable& table, PlaneId plane, const PlaneSource& b, Notes* notes) {
   const PlaneSource& a = table.source(plane);
@@ -133,8 +133,8 @@ IntegerRow integer_row(const PlaneTable& table, const PlaneSource& source) {
   return integer_row(exact3::load_big(exact3::operand(table, source)));
 }
 
-/// What equal planes have in common, however they are defined: whether they are of the frame, and
-/// the primitive row.
+/// A key that equal planes have in common, however they are defined: whether the plane belongs to
+/// the frame, and its primitive row.
 using ExactPlane = std::pair<bool, IntegerRow>;
 
 ExactPlane exact_plane(const PlaneTable& table, const PlaneSource& source) {
@@ -145,18 +145,19 @@ ExactPlane exact_plane(const PlaneTable& table, const PlaneSource& source) {
 
 struct PlaneTable::Index {
   IdIndex firsts;  ///< The first plane of each fingerprint.
-  /// The planes that came later with the fingerprint of another. They are few, except in input made
-  /// for that: 33^3 planes through points at powers of 2^61 on the axes have one residue.
+  /// The planes whose fingerprint was already used by a different plane. There are few of them,
+  /// except in input that is made to collide: 33^3 planes through points at powers of 2^61 on the
+  /// axes have the same residue.
   std::map<ExactPlane, PlaneId> others;
 
-  /// Fetches what the search for these fingerprints will read. They should be few enough for the
-  /// entries to stay in the cache.
+  /// Prefetches the entries that the search for these fingerprints will read. The number of
+  /// fingerprints should be so small that the entries stay in the cache.
   void look_ahead(std::span<const Fingerprint> fingerprints) const {
     for (const Fingerprint f : fingerprints) firsts.prefetch(hash_of(f));
   }
 };
 
-/// A plane before its interning.
+/// A plane that is not interned yet.
 struct PlaneTable::Draft {
   bool is_plane;       ///< Whether the normal is not zero.
   bool is_flipped;     ///< Whether the given orientation is opposite to the canonical one.
@@ -164,8 +165,8 @@ struct PlaneTable::Draft {
   PlaneSource source;  ///< The source in canonical orientation.
 };
 
-/// What is kept about all input points while many triangles are interned: their residues, and for
-/// each point the four planes that it was last found to be on.
+/// The data about all input points while many triangles are interned: the residues of each point,
+/// and the four planes on which it was last found.
 class PlaneTable::CornerNotes {
  public:
   CornerNotes(std::span<const Point3> points, bool keep) : points_(points) {
@@ -182,7 +183,7 @@ class PlaneTable::CornerNotes {
     const auto& known = planes_[p.value()];
     return std::find(known.begin(), known.end(), plane) != known.end();
   }
-  /// Notes that p is on a plane, in place of the oldest of four notes.
+  /// Notes that p is on a plane. This note replaces the oldest of four notes.
   void note(InputPointId p, PlaneId plane) {
     if (planes_.empty()) return;
     auto& known = planes_[p.value()];
@@ -218,7 +219,8 @@ void PlaneTable::reserve(std::size_t planes) {
   index_->firsts.reserve(planes);
 }
 
-/// Reserves memory for so many more planes in one step. Many small calls still grow geometrically.
+/// Reserves memory for additional planes in one step. Many calls with small numbers still grow the
+/// memory geometrically.
 void PlaneTable::make_room(std::size_t planes) {
   const std::size_t needed = size() + planes;
   if (needed > rows_.capacity()) reserve(std::max(needed, 2 * rows_.capacity()));
@@ -232,9 +234,9 @@ InputPointId PlaneTable::add_points(std::span<const Point3> points) {
   return first;
 }
 
-/// The plane is searched under its fingerprint first. If a different plane is found there, the
-/// exact row decides in the ordered map; so the number of planes with one fingerprint does not
-/// matter.
+/// The plane is first searched by its fingerprint. If a different plane has this fingerprint, the
+/// ordered map is searched by the exact row. Therefore the time does not depend on the number of
+/// planes with one fingerprint.
 OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprint,
                                       CornerNotes* notes) {
   const PlaneId next{rows_.size()};
@@ -246,7 +248,7 @@ OrientedPlane PlaneTable::find_or_add(const Draft& draft, Fingerprint fingerprin
   return {plane == next ? push(draft.row, fingerprint, draft.source) : plane, draft.is_flipped};
 }
 
-/// Appends a plane to all arrays. Requires that the index holds it under this id already.
+/// Appends a plane to all arrays. Requires that the index already contains it under this id.
 PlaneId PlaneTable::push(const PlaneRow& row, Fingerprint fingerprint, const PlaneSource& source) {
   const PlaneId id{rows_.size()};
   rows_.push_back(row);
@@ -276,7 +278,8 @@ void negate(Plane& plane) {
   plane.d = -plane.d;
 }
 
-/// Sets `row` to the row of a plane in canonical orientation, and returns the orientation it had.
+/// Sets `row` to the row of the plane in canonical orientation, and returns the orientation that
+/// the plane had.
 template <class Plane>
 Sign canonical_row(Plane plane, PlaneRow& row) {
   const Sign sign = orientation(plane);
@@ -288,8 +291,9 @@ Sign canonical_row(Plane plane, PlaneRow& row) {
 
 }  // namespace
 
-/// Doubles give the row and the orientation of nearly every triangle. The others, nearly or really
-/// degenerate, are computed from exact coefficients. Flipping swaps two corners.
+/// For nearly every triangle, doubles determine the row and the orientation. For other triangles,
+/// which are degenerate or nearly degenerate, they are computed from exact coefficients. A flip
+/// swaps two corners.
 PlaneTable::Draft PlaneTable::draft(const PlaneSource& corners) const {
   const auto& [p, q, r] = corners.code;
   const FastRow fast = fast_row(points_[p], points_[q], points_[r]);
@@ -308,7 +312,8 @@ PlaneTable::Draft PlaneTable::draft(const PlaneSource& corners) const {
 
 namespace {
 
-constexpr std::size_t kBlock = 256;  // Triangles for one inversion. The scratch stays in L1.
+// So many triangles share one inversion. The scratch memory fits into the first level of the cache.
+constexpr std::size_t kBlock = 256;
 
 }  // namespace
 
@@ -331,8 +336,9 @@ OrientedPlane PlaneTable::intern(InputPointId p, InputPointId q, InputPointId r)
 }
 
 /// Works in three passes over the block: the residues of the exact rows; their inversion and
-/// fingerprints; row and search for each triangle. A row whose residues are all zero has the
-/// fingerprint of its primitive row, which is computed in the last pass, as only planes need one.
+/// fingerprints; row and search for each triangle. A row whose residues are all zero gets the
+/// fingerprint of its primitive row. It is computed in the last pass, because only triangles that
+/// define a plane need it.
 void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> triangles,
                               std::span<OrientedPlane> result, CornerNotes& notes) {
   std::array<ResidueRow, kBlock> rows;
@@ -346,7 +352,8 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
     inverses[i] = leading(rows[i]);
   }
   invert_all(std::span(inverses).first(count), std::span(scratch).first(count));
-  std::array<Fingerprint, kBlock> fingerprints;  // 0 if not known yet.
+  // The value is 0 as long as the fingerprint is not known.
+  std::array<Fingerprint, kBlock> fingerprints;
   for (std::size_t i = 0; i < count; ++i) {
     fingerprints[i] = inverses[i].is_zero() ? 0 : plumb::fingerprint(rows[i], inverses[i]);
   }
@@ -367,7 +374,7 @@ void PlaneTable::intern_block(std::span<const std::array<InputPointId, 3>> trian
 
 namespace {
 
-/// Takes powers of two out of the coefficients n, d 2^scale: the common one of the normal, and all
+/// Removes powers of two from the coefficients n, d 2^scale: the common one of the normal, and all
 /// those of d, which is then odd or zero. Requires a normal other than zero.
 void strip(IntegerRow& row, int& scale) {
   int low = INT_MAX;
@@ -406,14 +413,14 @@ PlaneSource PlaneTable::push_slot(const IntegerRow& row, int scale,
   return {{PlaneSource::kExplicit, slot, 0}};
 }
 
-/// Takes back the last push_slot().
+/// Undoes the last push_slot().
 void PlaneTable::pop_slot() {
   limbs_.resize(slots_.back().first);
   slots_.pop_back();
 }
 
-/// The slot is stored first, because the comparison with known planes reads it, and taken back if
-/// the plane is known.
+/// The slot is stored first, because the comparison with known planes reads it. It is removed again
+/// if the plane is known.
 OrientedPlane PlaneTable::intern_row(IntegerRow row, int scale, std::array<PlaneId, 2> parents) {
   const auto leading =
       std::find_if(row.begin(), row.begin() + 3, [](const Integer& x) { return !x.is_zero(); });
@@ -431,11 +438,11 @@ OrientedPlane PlaneTable::intern_row(IntegerRow row, int scale, std::array<Plane
   const Draft draft{true, is_flipped, exact_row(plane), source};
   const std::size_t planes = size();
   const OrientedPlane result = find_or_add(draft, fingerprint);
-  if (size() == planes) pop_slot();  // The plane was known already.
+  if (size() == planes) pop_slot();  // The plane was known before.
   return result;
 }
 
-/// The normal is taken on the common grid of its components; the offset has a scale of its own.
+/// The normal is computed on the common grid of its components. The offset has its own scale.
 OrientedPlane PlaneTable::intern(double a, double b, double c, double d) {
   const Grid normal = {a, b, c};
   const Decomposed offset = decompose(d);
@@ -459,9 +466,9 @@ OrientedPlane PlaneTable::intern(const Rational& a, const Rational& b, const Rat
 
 // --- the frame -----------------------------------------------------------------------------------
 
-/// The rows are exact: a unit vector and the offset +-1 in units of R. Their offset error is
-/// infinite all the same, so that no filter takes the offset for a number; far_row() sets it to 0
-/// where offsets are multiples of R.
+/// The rows are exact: a unit vector and the offset +-1 in units of R. Their offset error is set to
+/// infinity nevertheless, so that no filter uses the offset as a number. far_row() sets the error
+/// to 0 if offsets are multiples of R.
 std::array<PlaneId, 6> PlaneTable::intern_frame() {
   for (std::size_t i = 0; i < frame_.size(); ++i) {
     if (frame_[i].is_valid()) continue;
@@ -485,8 +492,8 @@ std::array<PlaneId, 6> PlaneTable::intern_frame() {
 
 // --- walls ---------------------------------------------------------------------------------------
 
-/// The row is the combination of the two rows. A far plane, with an offset that is a multiple of R,
-/// is made primitive, as its fingerprint has R in the offset alone.
+/// The row is a combination of the two rows. If the plane is far, that is, if its offset is a
+/// multiple of R, the row is made primitive, because its fingerprint has R only in the offset.
 OrientedPlane PlaneTable::intern(const Pencil& wall) {
   const IntegerRow p = coefficients(wall.first), q = coefficients(wall.second);
   IntegerRow row;
@@ -494,8 +501,8 @@ OrientedPlane PlaneTable::intern(const Pencil& wall) {
   if (!is_frame(wall.first) && !is_frame(wall.second)) {
     return intern_row(std::move(row), 0, {wall.first, wall.second});
   }
-  // The offset is a multiple of R. The plane may be one of the cube's, which must be there first,
-  // as they have sources of their own.
+  // The offset is a multiple of R. The plane may be a plane of the cube. The planes of the cube
+  // must be added first, because they have their own kind of source.
   intern_frame();
   const Sign sign = orientation(big_plane(row, 0));
   if (sign == Sign::Zero) return {};
@@ -511,7 +518,7 @@ OrientedPlane PlaneTable::intern(const Pencil& wall) {
   draft.source.code[2] = static_cast<std::uint32_t>(frame_.size()) + 1;
   const std::size_t planes = size();
   const OrientedPlane result = find_or_add(draft, plumb::fingerprint(residues));
-  if (size() == planes) pop_slot();  // The plane was known already.
+  if (size() == planes) pop_slot();  // The plane was known before.
   return result;
 }
 

@@ -29,7 +29,8 @@ int width_of_bits(int bits) {
 
 namespace {
 
-/// Sets the line of an operand, or twice an input point, with the grid that both are on.
+/// Sets the line of an operand, and the grid that contains both of its points. If the operand is an
+/// input point, the two points are equal.
 void set_ends(PointOperand& operand, const PlaneTable& planes, InputPointId a, InputPointId b) {
   operand.ends = {&planes.point(a), &planes.point(b)};
   operand.grid = planes.grid(a);
@@ -55,7 +56,7 @@ struct Numbers<BigPlane> {
   static constexpr int kNumeratorBits = INT_MAX;
 };
 
-/// Returns the integer value / 2^grid.low(). Requires that the type holds the bits of the grid.
+/// Returns the integer value / 2^grid.low(). Requires that the type has enough bits for the grid.
 template <class Number>
 Number on_grid(const Grid& grid, double value) {
   if constexpr (std::is_same_v<Number, Integer>) {
@@ -76,7 +77,7 @@ Coordinates<Plane> on_grid(const Grid& grid, const Point3& p) {
   return {on_grid<Number>(grid, p.x), on_grid<Number>(grid, p.y), on_grid<Number>(grid, p.z)};
 }
 
-/// Shifts three coordinates. Returns false if one has more bits than the width admits.
+/// Shifts three coordinates. Returns false if a coordinate has more bits than the width allows.
 template <class Plane>
 bool shift_all(Coordinates<Plane>& x, int shift) {
   return std::all_of(x.begin(), x.end(), [&](auto& c) {
@@ -93,7 +94,7 @@ To widened(const From& x) {
   }
 }
 
-/// Loads the common point of three planes on one scale.
+/// Loads the common point of three planes, with all coefficients on the same scale.
 template <class Plane>
 bool load_three(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   std::array<Plane, 3> planes = {load_as<Plane>(operand.planes[0], part),
@@ -104,7 +105,7 @@ bool load_three(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   return true;
 }
 
-/// Loads an input point: w = 1, and no part with R.
+/// Loads an input point, with w = 1 and without a part with R.
 template <class Plane>
 bool load_input(const PointOperand& operand, Part part, PointOf<Plane>& point) {
   using T = Types<Plane>;
@@ -176,8 +177,8 @@ bool has_frame(const PointOperand& operand) {
 
 namespace {
 
-/// Returns two input points that both planes go through by definition, if there are two. Their line
-/// is that of the planes.
+/// Returns two input points that define both planes, if there are two. The line of the planes is
+/// the line through these points.
 std::optional<std::array<InputPointId, 2>> common_points(const PlaneSource& p,
                                                          const PlaneSource& q) {
   if (p.is_explicit() || q.is_explicit()) return {};
@@ -208,7 +209,8 @@ PointSource as_line(const PlaneTable& planes, const PointSource& source) {
 bool is_across(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
   const PlaneRow& row = planes.row(plane);
-  if (row.n[i] != 0 || row.n[j] != 0) return false;  // Zeros are rounded to zero.
+  // A component that is exactly zero is stored as zero.
+  if (row.n[i] != 0 || row.n[j] != 0) return false;
   const PlaneSource& source = planes.source(plane);
   if (!source.is_explicit()) {
     const auto bits = [&](std::size_t k) {
@@ -253,7 +255,7 @@ bool is_parallel(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
          are_along(corner(2), corner(0), axis);
 }
 
-/// Returns an input point that both planes go through by definition, if there is one.
+/// Returns an input point that defines both planes, if there is one.
 std::optional<InputPointId> common_point(const PlaneSource& p, const PlaneSource& q) {
   if (p.is_explicit()) return {};
   const auto* const found =
@@ -285,7 +287,7 @@ std::optional<double> coordinate_along(const PlaneTable& planes, const PointSour
   return {};
 }
 
-/// The width is the greatest of those of the planes and of the grid of the line's points.
+/// The width is the greatest of the widths of the planes and of the grid of the line's points.
 PointOperand operand(const Point3Table& points, const PointSource& given) {
   const PlaneTable& planes = points.planes();
   const PointSource source = as_line(planes, given);
@@ -339,8 +341,8 @@ bool load_point(const PointOperand& operand, Part part, PointOf<Plane>& point) {
                                   : load_input<Plane>(operand, part, point);
 }
 
-/// Scales are made equal by shifting the offset or the coordinates, whichever has the coarser
-/// scale.
+/// The scales are made equal by shifting either the offset or the coordinates, whichever has the
+/// coarser scale.
 template <class Plane>
 FilteredSign side_sign(PointOf<Plane> point, Plane plane) {
   const int shift = plane.scale == kAnyScale ? 0 : plane.scale - point.scale;
@@ -393,7 +395,8 @@ Integer integer(const Fixed<L>& x) {
   return integer_from_limbs(limbs.data(), L);
 }
 
-/// Sets the row in the numbers of Plane. Returns false if they do not hold the point.
+/// Sets the row in the numbers of Plane. Returns false if the point does not fit into these
+/// numbers.
 template <class Plane>
 bool load_row(const PointOperand& operand, Part part, IntegerRow& row) {
   PointOf<Plane> p;
@@ -406,7 +409,7 @@ bool load_row(const PointOperand& operand, Part part, IntegerRow& row) {
 
 }  // namespace
 
-/// The row is computed in the narrowest width, as GMP takes twenty times as long.
+/// The row is computed in the narrowest width, because GMP takes twenty times as long.
 IntegerRow integer_row(const PointOperand& operand, Part part) {
   IntegerRow row;
   const bool is_loaded =

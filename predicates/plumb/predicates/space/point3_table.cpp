@@ -41,7 +41,8 @@ namespace plumb {
 
 namespace {
 
-constexpr double kTooWide = 0x1p-34;  // Relative to the coordinates. Wider boxes are made exactly.
+// The width is relative to the coordinates. If a box is wider, a new box is computed exactly.
+constexpr double kTooWide = 0x1p-34;
 static_assert(kTooWide <= kDirectionError);
 constexpr double kRounding = 0x1p-48;
 constexpr double kTiny = 0x1p-960;
@@ -51,7 +52,7 @@ double max_abs(const std::array<double, 3>& v) {
   return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
-/// Whether the box is narrow enough to be kept. False for NaNs.
+/// Whether the box is narrow enough to be stored. Returns false for NaNs.
 bool is_good(const PointBox& box) {
   return box.radius <= kTooWide * max_abs(box.mid) && box.radius < 0x1p900;
 }
@@ -72,8 +73,8 @@ double sum(float a, float b, float c) {
   return static_cast<double>(a) + static_cast<double>(b) + static_cast<double>(c);
 }
 
-/// Returns a box around the common point of three planes; one that is not good unless the planes
-/// surely have exactly one common point.
+/// Returns a box around the common point of three planes. The box is not good unless the planes
+/// certainly have exactly one common point.
 PointBox fast_box(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
   const Row qr = cross(q.n, r.n), rp = cross(r.n, p.n), pq = cross(p.n, q.n);
   const double w = pq[0] * r.n[0] + pq[1] * r.n[1] + pq[2] * r.n[2];
@@ -92,7 +93,7 @@ PointBox fast_box(const PlaneRow& p, const PlaneRow& q, const PlaneRow& r) {
   return box;
 }
 
-/// s(a) = n.a + d and a bound of its error.
+/// The value s(a) = n.a + d with a bound of its error.
 struct Value {
   double value;
   double error;
@@ -104,10 +105,10 @@ Value value_at(const PlaneRow& plane, const Point3& a) {
           static_cast<double>(plane.normal_error) * size + static_cast<double>(plane.offset_error)};
 }
 
-/// Returns a box around the point where the line from a to b cuts the plane; one that is not good
-/// unless it surely does. The test of ew also bounds t: ew is at least 2^-48 (|a|_1 + |d|), up to
-/// roundings, and |s(a)| is at most |a|_1 + |d|, so that |t| < 2^48. Where a + t (b - a) overflows
-/// all the same, the box is infinite or NaN, which is_good() refuses.
+/// Returns a box around the point where the line from a to b cuts the plane; The box is not good
+/// unless the line certainly cuts the plane. The test of ew also bounds t: ew is at least 2^-48
+/// (|a|_1 + |d|), up to roundings, and |s(a)| is at most |a|_1 + |d|, so that |t| < 2^48. Where a +
+/// t (b - a) overflows all the same, the box is infinite or NaN, which is_good() refuses.
 PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   const Value at_a = value_at(plane, a), at_b = value_at(plane, b);
   const double w = at_a.value - at_b.value;
@@ -116,7 +117,7 @@ PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   if (!(ew <= std::fabs(w) / 2)) return box;
   const double t = at_a.value / w;
   const double et = 2 * (at_a.error + std::fabs(t) * ew) / std::fabs(w) + kRounding * std::fabs(t) +
-                    0x1p-1000;  // The last term covers a t that was flushed to zero.
+                    0x1p-1000;  // The last term covers a value of t that was flushed to zero.
   const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
   box.mid = {a.x + t * step[0], a.y + t * step[1], a.z + t * step[2]};
   const double size = max_abs({a.x, a.y, a.z}) + std::fabs(t) * max_abs(step);
@@ -125,7 +126,8 @@ PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
 }
 
 /// Returns a box around the direction u of the point where the line from a to b cuts a plane of the
-/// cube. It is not good where a difference may have lost bits to underflow or overflow.
+/// cube. The box is not good if a difference may have lost bits because of an underflow or an
+/// overflow.
 PointBox fast_direction(const Point3& a, const Point3& b, const PlaneRow& far) {
   const std::array<double, 3> step = {b.x - a.x, b.y - a.y, b.z - a.z};
   const double climb = far.n[0] * step[0] + far.n[1] * step[1] + far.n[2] * step[2];
@@ -135,8 +137,8 @@ PointBox fast_direction(const Point3& a, const Point3& b, const PlaneRow& far) {
   return box;
 }
 
-/// Returns a box around the direction u of a point that depends on the frame. It is good only if
-/// the signs of all coordinates are sure, too, as PointBox promises.
+/// Returns a box around the direction u of a point that depends on the frame. The box is good only
+/// if the signs of all coordinates are certain, as PointBox requires.
 PointBox fast_direction(const PlaneTable& planes, const PointSource& source) {
   const auto row = [&](std::size_t i) { return far_row(planes, source.plane(i)); };
   PointBox box = source.is_line() ? fast_direction(planes.point(source.end(0)),
@@ -170,8 +172,8 @@ PointBox box_of(const exact3::Homogeneous<X, W>& p) {
   return box;
 }
 
-/// Whether each coordinate of the box is zero if and only if that of the point is. Coordinates
-/// below 2^-900 became 0 in box_of().
+/// Whether each coordinate of the box is zero if and only if the coordinate of the point is zero.
+/// Coordinates below 2^-900 became 0 in box_of().
 template <class X, class W>
 bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -182,19 +184,22 @@ bool has_exact_signs(const exact3::Homogeneous<X, W>& p, const PointBox& box) {
 
 PointBox box_around(const RoundedPoint3& nearest) {
   PointBox box{{nearest.at.x, nearest.at.y, nearest.at.z}, 0};
-  if (!nearest.is_exact) box.radius = 0x1p-53 * max_abs(box.mid);  // At most half an ulp.
+  // The distance is at most half a unit in the last place.
+  if (!nearest.is_exact) box.radius = 0x1p-53 * max_abs(box.mid);
   return box;
 }
 
-/// A box by exact integers: around a constructed point, or around u if it depends on the frame.
+/// Computes a box with exact integers. The box is around a constructed point, or around the
+/// direction u if the point depends on the frame.
 struct ExactBox {
   Sign w;                   ///< Zero if the point does not exist; it then has no box.
   PointBox box;             ///< Around the point or its direction.
   bool is_nearest = false;  ///< Whether the middle is the nearest doubles.
 };
 
-/// Sets the box of an exact point: the nearest doubles where the numbers have a fixed width and
-/// every coordinate is known to be rounded right, otherwise the quotients of leading bits.
+/// Sets the box of an exact point. If the numbers have a fixed width, and every coordinate is known
+/// to be rounded correctly, the box is around the nearest doubles. Otherwise, it is around the
+/// quotients of leading bits.
 template <class Plane>
 void set_box(const exact3::PointOf<Plane>& point, const PlaneTable& planes,
              const PointSource& source, bool is_framed, ExactBox& result) {
@@ -210,8 +215,8 @@ void set_box(const exact3::PointOf<Plane>& point, const PlaneTable& planes,
   if (is_framed && !has_exact_signs(point, result.box)) result.box = kEverywhere;
 }
 
-/// Makes the box in the narrowest integers. A point of the frame exists if its Infinite part does:
-/// w has no R, so both parts share it.
+/// Makes the box in the narrowest integers. A point of the frame exists if its Infinite part
+/// exists, because w has no R, and both parts share it.
 ExactBox exact_box(const Point3Table& points, const PointSource& source) {
   const exact3::PointOperand operand = exact3::operand(points, source);
   const bool is_framed = exact3::has_frame(operand);
@@ -238,7 +243,8 @@ void Point3Table::reserve(std::size_t points) {
   is_nearest_.reserve(points);
 }
 
-/// Tries the ways to make a box, cheapest first. Only exact_box() can find that there is no point.
+/// Tries the methods in the order of their cost. Only exact_box() can detect that there is no
+/// point.
 SpacePoint Point3Table::add_new(const PointSource& source, const PointBox& fast) {
   if (is_good(fast)) return add(source, fast);
   const bool is_framed = depends_on_frame(source);

@@ -12,8 +12,8 @@ namespace plumb {
 namespace {
 
 /// Returns a box around the nearest doubles. These are off by at most half a unit in the last
-/// place, 2^-53 of the coordinate, or by half of the least subnormal number. Beyond all doubles the
-/// box is infinite.
+/// place, 2^-53 of the coordinate, or by half of the least subnormal number. If a coordinate
+/// exceeds all doubles, the box is infinite.
 PointBox rounded_box(const RationalPoint3& p) {
   PointBox box{{}, 0};
   for (std::size_t i = 0; i < 3; ++i) {

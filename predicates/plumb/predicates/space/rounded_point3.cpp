@@ -64,8 +64,8 @@ using Corners = std::array<Point3, 3>;
 
 std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
-/// Whether the filter admits a point. Zero is recognized by its bits, as subnormal numbers may
-/// compare as zero.
+/// Whether the filter accepts a point. Zero is recognized by its bits, because a subnormal number
+/// may compare as equal to zero.
 bool is_in_range(const Point3& p) {
   return std::ranges::all_of(coordinates(p), [](double c) {
     return is_equal(c, 0) || (std::fabs(c) >= 0x1p-60 && std::fabs(c) <= 0x1p60);
@@ -101,9 +101,9 @@ TwofoldPlane plane_through(const Corners& corners) {
   return {n, negative(sum(sum(product(n[0], p[0]), product(n[1], p[1])), product(n[2], p[2])))};
 }
 
-/// Returns the coordinates of the point where a line through two input points meets a plane that
-/// are clear and no doubles, rounded, and 0 for the others; nothing if the line may be parallel to
-/// the plane.
+/// Returns the coordinates of the point where a line through two input points meets a plane.
+/// Coordinates that are clear and not doubles are rounded; all other coordinates are 0. Returns
+/// nothing if the line may be parallel to the plane.
 std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Point3& b,
                                                        const Corners& corners) {
   const std::array<Twofold, 3> n = normal_of(corners);
@@ -122,11 +122,13 @@ std::optional<std::array<double, 3>> clear_coordinates(const Point3& a, const Po
   return found;
 }
 
-/// Returns the same for the common point of three planes; all 0 if they may have none.
+/// Returns the same coordinates for the common point of three planes. All are 0 if the planes may
+/// have no common point.
 std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
   std::array<TwofoldPlane, 3> planes;
   std::transform(corners.begin(), corners.end(), planes.begin(), plane_through);
-  std::array<std::array<Twofold, 3>, 3> minors;  // The cross product of the two planes after each.
+  // For each plane, the cross product of the normals of the next two planes.
+  std::array<std::array<Twofold, 3>, 3> minors;
   for (std::size_t i = 0; i < 3; ++i) {
     minors[i] = cross(planes[(i + 1) % 3].n, planes[(i + 2) % 3].n);
   }
@@ -146,7 +148,7 @@ std::array<double, 3> clear_coordinates(const std::array<Corners, 3>& corners) {
 }
 
 /// Returns the input points that define a plane, or three points of a plane across an axis whose
-/// equation is stored; nothing for other planes.
+/// equation is stored; otherwise nothing.
 std::optional<Corners> corners_of(const PlaneTable& planes, PlaneId plane) {
   const PlaneSource& source = planes.source(plane);
   if (!source.is_explicit()) {
@@ -179,7 +181,8 @@ std::optional<std::array<Corners, 3>> corners_of_planes(const PlaneTable& planes
 
 // ---------------------------------------------------------------- fixed widths
 
-/// Rounds in the width W. Returns false if that is less than the operand's, or a scale breaks (L).
+/// Rounds in the width W. Returns false if W is less than the width of the operand, or if a scale
+/// breaks (L).
 template <class W>
 bool round_in(const exact3::PointOperand& operand, const Point3Table& points, SpacePoint x,
               std::optional<RoundedPoint3>& rounded) {
@@ -195,8 +198,8 @@ bool round_in(const exact3::PointOperand& operand, const Point3Table& points, Sp
 
 // ---------------------------------------------------------------- exact integers
 
-/// Returns the rounded quotient. The numbers are lent to a Rational without removing common
-/// factors, which does not matter to the division.
+/// Returns the rounded quotient. The numbers are passed to a Rational without removing common
+/// factors, which does not matter for the division.
 RoundedDouble round_quotient(Integer& numerator, Integer& denominator, Rational& scratch) {
   mpq_ptr q = scratch.mpq();
   mpz_swap(mpq_numref(q), numerator.mpz());
@@ -226,7 +229,7 @@ std::optional<RoundedPoint3> exact3::with_coordinates_across(std::array<double, 
     }
     if (!only) only = coordinate_along(planes, source, axis);
     if (!only) return {};
-    clear[axis] = is_equal(*only, 0) ? 0 : *only;  // Never -0.0.
+    clear[axis] = is_equal(*only, 0) ? 0 : *only;  // The result is never -0.0.
   }
   return RoundedPoint3{{clear[0], clear[1], clear[2]}, is_exact};
 }
