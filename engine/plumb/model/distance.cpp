@@ -43,13 +43,14 @@ void require_points(bool is_empty) {
 // ---------------------------------------------------------------- the simplices of a set
 
 constexpr std::uint32_t kNo = SimplexTree::kNone;
-constexpr std::uint64_t kBytesPerPlace = 40;  // A vertex: its place and its class.
+constexpr std::uint64_t kBytesPerPlace = 40;  // Each vertex has a place and a class.
 constexpr std::uint64_t kBytesPerSimplex =
-    200;  // Corners, facet, rounded box and nodes of the tree.
+    200;  // A simplex has corners, a facet, a rounded box and nodes of the tree.
 
 }  // namespace
 
-/// What the kinds of sets have in common: a tree of simplices, and the parts of the boundary.
+/// The part of SetBoundary that does not depend on the kind of set: a tree of simplices, and the
+/// parts of the boundary.
 struct SetBoundary {
   SimplexTree tree;
   std::vector<FacetId> facet;  ///< The facet of each triangle; invalid for other simplices.
@@ -88,7 +89,7 @@ std::vector<BoundaryPart> parts_of(const SetBoundary& boundary) {
   return parts;
 }
 
-/// Takes the middle of the box of a point, if the box is small; else rounds the point.
+/// Returns the middle of the box of a point if the box is small; otherwise rounds the point.
 void add_vertex(SimplexTree& tree, const Point3Table& points, SpacePoint p) {
   PointBox box = points.box(p);
   const auto size = [](const std::array<double, 3>& at) {
@@ -103,7 +104,7 @@ void add_vertex(SimplexTree& tree, const Point3Table& points, SpacePoint p) {
   tree.error = std::max(tree.error, box.radius);
 }
 
-/// Takes the nearest doubles of a point.
+/// Returns the nearest doubles of a point.
 void add_vertex(SimplexTree& tree, const RationalPoint3& p) {
   std::array<double, 3> at{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
   for (double& x : at) {
@@ -115,7 +116,8 @@ void add_vertex(SimplexTree& tree, const RationalPoint3& p) {
 
 SetBoundary boundary_of(const Nef3& set, Context& context, MemoryCharge& memory) {
   const SpaceComplex& c = set.complex();
-  const std::size_t most = c.use_count() + c.edge_count() + c.vertex_count();  // Of simplices.
+  // This is the greatest possible number of simplices.
+  const std::size_t most = c.use_count() + c.edge_count() + c.vertex_count();
   memory.add(c.vertex_count() * kBytesPerPlace + most * kBytesPerSimplex, "a distance");
   SetBoundary result;
   result.parts = UnionFind(c.vertex_count());
@@ -150,7 +152,8 @@ SetBoundary boundary_of(const Nef3& set, Context& context, MemoryCharge& memory)
 
 SetBoundary boundary_of(const Nef2& set, Context& context, MemoryCharge& memory) {
   const PlaneComplex& c = set.complex();
-  const std::size_t most = c.edge_count() + c.vertex_count();  // Of simplices.
+  // This is the greatest possible number of simplices.
+  const std::size_t most = c.edge_count() + c.vertex_count();
   memory.add(c.vertex_count() * kBytesPerPlace + most * kBytesPerSimplex, "a distance");
   SetBoundary result;
   result.parts = UnionFind(c.vertex_count());
@@ -176,7 +179,7 @@ SetBoundary boundary_of(const Nef2& set, Context& context, MemoryCharge& memory)
   return result;
 }
 
-/// A tree of one point.
+/// Returns a tree of one point.
 SimplexTree tree_of(const RationalPoint3& p, Context& context) {
   SimplexTree tree;
   add_vertex(tree, p);
@@ -380,7 +383,7 @@ typename DistanceOf<Set>::Type distance_to_bounded(const Set& a, const PreparedS
       result.cell_a = *cell_in_closure(a, in_space(result.at_a), context);
       return result;
     }
-    margin = result.squared + 1;  // At least the distance.
+    margin = result.squared + 1;  // The margin is at least the distance.
   }
 }
 
@@ -401,8 +404,9 @@ typename DistanceOf<Set>::Type distance_of(const Set& a, const Set& b, Context& 
 double root_of(const Rational& square) {
   if (square.sign() < 0) throw Error(ErrorCode::BadArgument, "a negative number has no root");
   if (square.is_zero()) return 0;
-  // The root of num / den is the root of num * den * 4^k, divided by den * 2^k. With 128 bits or
-  // more under the root, the integer part has 64 bits, and an error below 2^-63 of it.
+  // The root of num / den is the root of num * den * 4^k, divided by den * 2^k. If the radicand has
+  // at least 128 bits, the integer part of the root has 64 bits, and its relative error is below
+  // 2^-63.
   const Integer den = denominator(square);
   Integer radicand = numerator(square) * den;
   const std::size_t bits = mpz_sizeinbase(radicand.mpz(), 2);

@@ -24,8 +24,9 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kMostSlices = 1U << 20U;
-// Diagonals of walls differ by less if a symmetry makes them equal. It does not matter for the
-// correctness of the solid which one is used; it matters that all symmetric walls use the same one.
+// If a symmetry makes the diagonals of a wall equal, they differ in doubles by less than this. For
+// the correctness of the solid it does not matter which one is used. But all symmetric walls should
+// use the same one.
 constexpr double kSameLength = 0x1p-40;
 
 /// The vertices of a complex for triangulate().
@@ -102,7 +103,7 @@ class Sweep {
       mesh_.add_face(std::array{at(low, p), at(low, q), at(high, q), at(high, p)});
     }
   }
-  /// Which diagonal of a wall becomes the common edge of its two triangles.
+  /// The diagonal of a wall that becomes the common edge of its two triangles.
   enum class Diagonal : std::uint8_t { Shorter, Longer };
 
   /// Joins two layers by pairs of triangles. If both diagonals are equally long up to rounding,
@@ -135,7 +136,7 @@ class Sweep {
 
  private:
   static constexpr std::size_t kMostPoints = std::size_t{1} << 30;
-  static constexpr std::uint64_t kBytesPerPoint = 160;  // With the faces at a point.
+  static constexpr std::uint64_t kBytesPerPoint = 160;  // The memory includes the faces at a point.
 
   /// Charges the memory of one more layer.
   void expect_layer() {
@@ -223,8 +224,9 @@ Nef3 linear_extrusion(const Nef2& outline, const LinearExtrusion& options, Conte
                     z};
     });
     if (i == 0) continue;
-    // Towards a segment, the shorter diagonals would leave out its ends: two triangles of a wall
-    // would lie in one plane, back to back. OpenSCAD 2021.01 takes the longer ones, too.
+    // Towards a segment, the shorter diagonals would leave out the ends of the segment, because two
+    // triangles of a wall would lie in one plane, back to back. OpenSCAD 2021.01 takes the longer
+    // diagonals, too.
     const bool ends_in_segment = i == options.slices && (scale_x == 0) != (scale_y == 0);
     sweep.add_triangle_walls(i - 1, i, options.twist > 0,
                              ends_in_segment ? Sweep::Diagonal::Longer : Sweep::Diagonal::Shorter);

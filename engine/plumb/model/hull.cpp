@@ -37,10 +37,11 @@ namespace {
 
 constexpr std::uint32_t kNoIndex = 0xffffffff;
 constexpr std::uint64_t kBytesPerHullPoint = 160;
-constexpr std::uint64_t kBytesPerExactHullPoint = 300;  // Three fractions of some limbs.
+// A point has three fractions of some limbs.
+constexpr std::uint64_t kBytesPerExactHullPoint = 300;
 constexpr std::uint32_t kStepsPerHullCheckpoint = 1024;
 
-/// Checks the limits once in a while, and charges memory for a list that grows.
+/// Checks the limits from time to time, and charges memory for a list that grows.
 class HullSteps {
  public:
   explicit HullSteps(Context& context) : context_(context), memory_(context) {}
@@ -59,7 +60,8 @@ class HullSteps {
   std::uint64_t bytes_ = 0;
 };
 
-/// Points of space, with predicates: doubles, or exact numbers with their nearest doubles.
+/// Points of space with their predicates. The coordinates are doubles, or exact numbers with their
+/// nearest doubles.
 class HullPoints {
  public:
   HullPoints(std::span<const Point3> points, HullSteps& steps)
@@ -110,7 +112,8 @@ class HullPoints {
     if (!are_doubles()) return exact_[i] == exact_[j];
     return near_[i].x == near_[j].x && near_[i].y == near_[j].y && near_[i].z == near_[j].z;
   }
-  /// Returns a view of the points in which i, j, k do not lie on a line, as the axis that it drops.
+  /// Returns a view of the points in which i, j, k are not collinear. The view is given by the axis
+  /// that it drops.
   std::optional<std::size_t> view_of(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const RationalPoint2 a = flat(i, axis), b = flat(j, axis), c = flat(k, axis);
@@ -155,11 +158,11 @@ class HullPoints {
   double largest_ = 0;                 ///< Of the magnitudes of near_.
 };
 
-/// Up to four points that are affinely independent; as many as there are.
+/// At most four points that are affinely independent, and as many as possible.
 using Simplex = std::vector<std::uint32_t>;
 
-/// Returns the point with the greatest value for which `is_new` holds, or else any for which it
-/// holds.
+/// Returns the point with the greatest value. If `is_new` does not hold for it, returns another
+/// point for which it holds, or nothing.
 template <class Value, class IsNew>
 std::optional<std::uint32_t> farthest(const HullPoints& points, const Value& value,
                                       const IsNew& is_new) {
@@ -243,7 +246,7 @@ class HullBuilder {
     bool is_alive = true;
     bool is_seen = false;
   };
-  /// An edge of the horizon from one corner to another, as the removed face has it.
+  /// An edge of the horizon, directed as in the removed face.
   struct HorizonEdge {
     std::uint32_t from, to;
     std::uint32_t beyond;  ///< The face that stays.
@@ -264,7 +267,7 @@ class HullBuilder {
 
   void add_face(const std::array<std::uint32_t, 3>& corner,
                 const std::array<std::uint32_t, 3>& neighbour) {
-    faces_made_.step(2 * sizeof(Face));  // Faces that were removed keep their memory.
+    faces_made_.step(2 * sizeof(Face));  // The memory of removed faces is kept for new faces.
     Face face;
     face.corner = corner;
     face.neighbour = neighbour;
@@ -398,7 +401,7 @@ std::vector<std::uint32_t> corners_of_hull(const PointTable2& points, Context& c
   for (const std::uint32_t p : order) extend(p, 0);
   const std::size_t lower = hull.size() - 1;
   for (auto p = std::next(order.rbegin()); p != order.rend(); ++p) extend(*p, lower);
-  hull.pop_back();  // The first point again.
+  hull.pop_back();  // The first point is listed again at the end.
   return hull;
 }
 
@@ -408,7 +411,7 @@ Nef2 hull_of_table(const PointTable2& points, Context& context) {
   return Nef2::polygons(points, corners, begin, WindingRule::NonZero, Boundary::Closed, context);
 }
 
-/// Returns the hull of points in a plane that are not on a line.
+/// Returns the hull of points that are coplanar but not collinear.
 Nef3 flat_hull(const HullPoints& points, std::size_t axis, Context& context) {
   PointTable2 table;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -421,7 +424,7 @@ Nef3 flat_hull(const HullPoints& points, std::size_t axis, Context& context) {
   return Nef3::facet(corners, context);
 }
 
-/// Returns the hull of points on a line.
+/// Returns the hull of collinear points.
 Nef3 straight_hull(const HullPoints& points) {
   const auto is_less = [](const RationalPoint3& a, const RationalPoint3& b) {
     if (a.x != b.x) return a.x < b.x;

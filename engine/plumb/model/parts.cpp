@@ -29,7 +29,8 @@ class CellNumbers {
   std::size_t facets_, edges_, vertices_, size_;
 };
 
-/// The classes of marked cells of which one lies in the border of the other.
+/// The equivalence classes of marked cells. Two cells are equivalent if one is contained in the
+/// boundary of the other.
 class Components {
  public:
   explicit Components(const SpaceComplex& c) : c_(c), numbers_(c), classes_(numbers_.size()) {

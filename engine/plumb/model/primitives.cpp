@@ -23,7 +23,7 @@ namespace plumb {
 namespace {
 
 constexpr double kMostChords = 0x1p20;
-constexpr double kLeastRadius = 0x1p-20;  // Smaller circles are triangles, as in OpenSCAD.
+constexpr double kLeastRadius = 0x1p-20;  // A smaller circle becomes a triangle, as in OpenSCAD.
 
 void require_finite_numbers(std::initializer_list<double> numbers) {
   for (const double number : numbers) {
@@ -64,7 +64,8 @@ void require_chords(std::uint32_t chords) {
   }
 }
 
-/// Charges the points of a solid made of circles. Throws Error{ResourceLimit} if they are too many.
+/// Charges memory for the points of a solid that consists of circles. Throws Error{ResourceLimit}
+/// if there are too many points.
 void charge_circles(std::uint64_t circles, std::uint64_t chords, MemoryCharge& memory) {
   constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 30, kBytesPerPoint = 120;
   if (circles * chords > kMostPoints) {
@@ -76,7 +77,7 @@ void charge_circles(std::uint64_t circles, std::uint64_t chords, MemoryCharge& m
 }  // namespace
 
 double sine_of_degrees(double angle) {
-  const double turn = std::remainder(angle, 360);  // In [-180, 180].
+  const double turn = std::remainder(angle, 360);  // The angle is in [-180, 180].
   const double magnitude = std::fabs(turn);
   const double sine = sine_in_quadrant(magnitude <= 90 ? magnitude : 180 - magnitude);
   return turn < 0 ? -sine : sine;

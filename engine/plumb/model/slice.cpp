@@ -45,7 +45,8 @@ Sign upward(const SpaceComplex& c, FacetId f) {
   return sign_of(c.planes().coefficients(c.facet_plane[f])[2]);
 }
 
-/// Makes a set of the plane of a set all of whose cells lie in one plane that is not vertical.
+/// Makes a set of the plane from a set of space whose cells all lie in one plane that is not
+/// vertical.
 class Flattening {
  public:
   Flattening(const SpaceComplex& flat, Context& context) : c_(flat), context_(context) {}
@@ -61,7 +62,8 @@ class Flattening {
       plane.marks.vertex[VertexId(v)] = c_.vertex_mark[VertexId(vertices_[v])];
     }
     for (std::size_t e = 0; e < plane.edge_count(); ++e) {
-      const Edge& edge = edges_[arrangement.origins[e].value()];  // A set of one curve.
+      // The set of origins contains one curve.
+      const Edge& edge = edges_[arrangement.origins[e].value()];
       plane.marks.edge[EdgeId(e)] = c_.edge_mark[edge.of];
       mark_faces(plane, EdgeId(e), edge);
     }
@@ -128,9 +130,9 @@ class Flattening {
     do {
       const FacetId f = c_.use_facet[u];
       if (c_.facet_mark[f] == 1) {
-        const HalfedgeId h = first_half(e);  // It is ascending.
+        const HalfedgeId h = first_half(e);  // The first half-edge is ascending.
         const bool is_along = SpaceComplex::is_reverse(c_.use_halfedge[u]) != edge.is_ascending;
-        // Seen from the positive side of its plane, the facet is to the left of its use.
+        // Seen from the positive side of its plane, the facet is on the left of its use.
         const bool is_left = is_along == (upward(c_, f) == Sign::Positive);
         plane.marks.face[plane.dcel.face(is_left ? h : twin(h))] = 1;
       }
@@ -174,8 +176,9 @@ class Projection {
   }
 
  private:
-  /// Adds the borders of a facet, turned such that the facet is on their left. Of a solid, the
-  /// facets that look upward cover the shadow, and vertical facets lie in the shadow of others.
+  /// Adds the borders of a facet, directed such that the facet is on their left. If the set is a
+  /// solid, the facets that look upward cover its shadow, and every vertical facet lies in the
+  /// shadow of another facet.
   void add_facet(FacetId f) {
     const auto [above, below] = c_.facet_volume[f];
     const bool is_free = c_.volume_mark[above] == c_.volume_mark[below];

@@ -29,10 +29,10 @@ Nef3 complement_near(const Nef3& closed, const Rational& margin, Context& contex
   return boolean_op(Nef3::intersection(sides, context), closed, kDifference, context);
 }
 
-// A point p of the set is lost if p + b lies outside for some b of the ball. Then p lies in the sum
-// of the complement and the mirrored ball. The points p + b are within the radius of the set, so
-// the complement near the set is enough. It is open, and the sum of an open set and a body is as
-// fast as the sum of closed sets (minkowski.h).
+// A point p of the set is removed if p + b lies outside of the set for some b of the ball. Then p
+// lies in the sum of the complement and the mirrored ball. The points p + b are within the radius
+// of the set, so the complement near the set is enough. It is open, and the sum of an open set and
+// a body is as fast as the sum of closed sets (minkowski.h).
 Nef3 eroded(const Nef3& closed, double radius, unsigned rounds, Context& context) {
   const Nef3 ball = polyhedral_ball(radius, rounds, context);
   const Nef3 mirrored = ball.transformed(scaling({-1, -1, -1}), context);
@@ -54,7 +54,8 @@ Nef3 offset(const Nef3& set, double distance, const SolidOffsetOptions& options,
   if (!std::isfinite(distance)) {
     throw Error(ErrorCode::NotFinite, "the distance of an offset is not finite");
   }
-  static_cast<void>(inner_radius(options.rounds));  // Refuses too many rounds.
+  // This call throws if there are too many rounds.
+  static_cast<void>(inner_radius(options.rounds));
   const Nef3 closed = set.closure(context);
   if (distance == 0 || closed.is_empty() || closed.is_whole()) return closed;
   if (distance < 0) return eroded(closed, -distance, options.rounds, context);

@@ -22,7 +22,7 @@ AffineMap3 identity() {
 }
 
 /// Returns the rotation of the quaternion w + x i + y j + z k, which need not have the length 1.
-/// The matrix is orthogonal for all numbers that are not all zero.
+/// The matrix is orthogonal unless all four numbers are zero.
 AffineMap3 rotation_of_quaternion(const Rational& w, const Vector& v) {
   const Rational& x = v[0];
   const Rational& y = v[1];
@@ -36,7 +36,7 @@ AffineMap3 rotation_of_quaternion(const Rational& w, const Vector& v) {
   return map;
 }
 
-/// Returns the direction of an axis in doubles of the length 1, up to rounding.
+/// Returns the direction of an axis as doubles. Its length is 1 up to rounding.
 std::array<double, 3> unit_axis(std::array<double, 3> axis) {
   const double largest = std::max({std::fabs(axis[0]), std::fabs(axis[1]), std::fabs(axis[2])});
   if (!(largest > 0)) throw Error(ErrorCode::BadArgument, "the axis of a rotation is zero");
@@ -93,8 +93,8 @@ AffineMap3 reflection(const std::array<Rational, 3>& normal) {
 }
 
 // The quaternion of half the angle gives an orthogonal matrix whatever its rounding errors are; its
-// length does not matter. With cosine and sine of half the angle, both zero for no multiple of a
-// turn, no angle is special. About a coordinate axis, multiples of 90 degrees have a quaternion of
+// length does not matter. The cosine and the sine of half the angle are never both zero, so no
+// angle is a special case. About a coordinate axis, multiples of 90 degrees have a quaternion of
 // equal numbers or of one number.
 AffineMap3 rotation(const std::array<double, 3>& axis, double degrees) {
   for (const double number : {axis[0], axis[1], axis[2], degrees}) {

@@ -43,7 +43,7 @@ SimplexFace face_on_edge(double t, std::uint32_t i, std::uint32_t j) {
   return t == 1 ? 1U << j : 1U << i | 1U << j;
 }
 
-/// The pair of points that are nearest so far.
+/// The nearest pair of points so far.
 class NearestInDoubles {
  public:
   NearestInDoubles(const RoundedSimplex& a, const RoundedSimplex& b) : a_(a), b_(b) {
@@ -65,7 +65,7 @@ class NearestInDoubles {
  private:
   static std::uint32_t edges_of(const RoundedSimplex& s) { return s.size == 3 ? 3 : s.size - 1; }
 
-  /// Takes a pair of points if it is the nearest one.
+  /// Stores a pair of points if it is nearer than the pair so far.
   void take(const Vector& p, SimplexFace face_p, const Vector& q, SimplexFace face_q,
             bool is_swapped) {
     const Vector d = minus(q, p);
@@ -78,7 +78,7 @@ class NearestInDoubles {
     std::swap(face_a_, face_b_);
   }
 
-  /// Takes a corner of s, and the foot of its perpendicular to the triangle t.
+  /// Tries a corner of s and the foot of its perpendicular to the triangle t.
   void corner_and_inside(const RoundedSimplex& s, std::uint32_t i, const RoundedSimplex& t,
                          bool is_swapped) {
     if (t.size < 3) return;
@@ -103,7 +103,7 @@ class NearestInDoubles {
     }
   }
 
-  /// Takes the nearest points of edge i of the first simplex and edge j of the second one.
+  /// Tries the nearest points of edge i of the first simplex and edge j of the second simplex.
   void edges(std::uint32_t i, std::uint32_t j) {
     const std::uint32_t i2 = (i + 1) % a_.size, j2 = (j + 1) % b_.size;
     const Vector &p = a_.corner[i], &q = b_.corner[j];
@@ -115,7 +115,7 @@ class NearestInDoubles {
     take(along(p, x, u), face_on_edge(x, i, i2), along(q, y, v), face_on_edge(y, j, j2), false);
   }
 
-  /// Returns how far the second simplex lies beyond the first one along a direction.
+  /// Returns how far the second simplex lies beyond the first simplex along a direction.
   double gap_along(const Vector& direction, double length) const {
     const Vector n{direction[0] / length, direction[1] / length, direction[2] / length};
     double high = -std::numeric_limits<double>::infinity();

@@ -1,8 +1,8 @@
 // The nearest points of two trees of simplices (simplex_tree.h).
 //
 // Invariant of the search: `limit_` is at least the distance of the trees, and every pair of
-// simplices that was left out is farther apart than some earlier limit, and so than the distance.
-// Limits only fall. Therefore the nearest pair is always among the candidates.
+// simplices that was left out is farther apart than an earlier limit, and therefore farther than
+// the distance. Limits only decrease. Therefore the nearest pair is always among the candidates.
 // Tested by tests/model/distance_test.cpp.
 #include "plumb/model/nearest/simplex_tree.h"
 
@@ -17,7 +17,7 @@
 namespace plumb {
 namespace {
 
-/// Returns a lower bound for the distance of two boxes, up to the slack.
+/// Returns a lower bound of the distance of two boxes, up to the slack.
 double gap(const Box3& a, const Box3& b) {
   double squared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -62,7 +62,7 @@ class NearestSearch {
     return are_doubles_of_use_ ? gap(a_.nodes_[m].box, b_.nodes_[n].box) - slack_ : 0;
   }
 
-  // The larger node is opened, and the nearer half is visited first.
+  // Opens the larger node, and visits the nearer half first.
   void descend(std::uint32_t m, std::uint32_t n) {
     if (++steps_ % 1024 == 0) context_.checkpoint("distance", 0, 0);
     const SimplexTree::Node &x = a_.nodes_[m], &y = b_.nodes_[n];
@@ -106,7 +106,7 @@ class NearestSearch {
     return span;
   }
 
-  /// Takes the pair of the simplices at places i and j of the orders.
+  /// Tries the pair of the simplices at places i and j of the orders.
   void take(std::uint32_t i, std::uint32_t j) {
     DistanceBounds bounds{0, kInfinity};
     if (are_doubles_of_use_) bounds = distance_bounds(a_.rounded_[i], b_.rounded_[j], slack_);
@@ -118,7 +118,8 @@ class NearestSearch {
     if (candidates_.size() >= most_candidates_) drop_candidates();
     candidates_.push_back({a_.order_[i], b_.order_[j], bounds});
   }
-  /// Drops the candidates that are farther than the limit, and makes room for as many as are left.
+  /// Drops the candidates that are farther apart than the limit, and reserves as much space as the
+  /// remaining candidates need.
   void drop_candidates() {
     const auto is_far = [this](const Candidate& c) { return c.bounds.lower > limit_; };
     candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), is_far),
@@ -155,7 +156,7 @@ class NearestSearch {
   double slack_;
   bool are_doubles_of_use_;
   double limit_ = kInfinity;
-  std::array<double, 3> direction_ = {0, 0, 0};  // Not longer than 1.
+  std::array<double, 3> direction_ = {0, 0, 0};  // The vector is not longer than 1.
   std::vector<Candidate> candidates_;
   std::size_t most_candidates_ = 1024;
   std::uint64_t steps_ = 0;
