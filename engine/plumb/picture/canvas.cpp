@@ -6,7 +6,8 @@
 namespace plumb {
 namespace {
 
-constexpr double kNearer = 1.5;  // Samples: what is nearer by so little does not hide a line.
+// The unit is a sample. A surface that is nearer only by this much does not hide a line.
+constexpr double kNearer = 1.5;
 constexpr Colour kWhite{255, 255, 255};
 
 std::uint8_t mixed(std::uint8_t under, std::uint8_t over, double part) {
@@ -28,8 +29,8 @@ void Canvas::blend(std::size_t sample, Colour colour, double part) {
     colour_[sample][i] = mixed(colour_[sample][i], colour[i], part);
 }
 
-/// Whether a line's sample is seen, decided by the samples around it: beside a silhouette, and on
-/// its own facets, a line is seen whatever rounding does.
+/// Whether a line is visible at a sample, decided by the samples around it. Beside a silhouette,
+/// and on its own facets, a line is visible whatever the rounding.
 bool Canvas::is_seen(Spot at, const std::array<std::uint32_t, 2>& patches) const {
   if (!(at.x >= 0 && at.y >= 0 && at.x < width_ && at.y < height_)) return false;
   const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);

@@ -28,9 +28,11 @@ constexpr double kLayerWidth = 1000;
 constexpr double kLayerMargin = 0.03;
 constexpr double kLeastLayerAspect = 0.4;
 constexpr double kMostLayerAspect = 1.2;
-constexpr double kSeen = 6;             // A region with a smaller box gets a circle.
-constexpr double kCloseUpMargin = 0.6;  // Part of the box of a region that is shown around it.
-constexpr double kCrossingPart = 0.05;  // Part of the map that is shown around a crossing.
+constexpr double kSeen = 6;  // A region with a smaller box is marked with a circle.
+// The margin around a region, as a part of the box of the region.
+constexpr double kCloseUpMargin = 0.6;
+// The size of the close-up of a crossing, as a part of the map.
+constexpr double kCrossingPart = 0.05;
 constexpr std::size_t kMostLayerPoints = 500000;
 constexpr std::size_t kMostCloseUpPoints = 20000;
 constexpr Rectangle kCloseUpFrame{0, 0, 600, 380};
@@ -46,7 +48,8 @@ constexpr const char* kLayerStyle = R"(.feature{stroke:#5b6672;stroke-width:8;fi
 .ring.crossing{fill:none;stroke:#b45309}
 )";
 
-// Texts of the page, which has the size of the screen, and are therefore not part of the picture.
+// The texts of the page. The page has the size of the screen, so they are not a part of the
+// picture.
 constexpr const char* kPageStyle =
     "body{margin:1em auto;max-width:1000px;padding:0 12px;font:16px/1.4 sans-serif;color:#1f2933}"
     "h1{font-size:1.4em;overflow-wrap:anywhere}"
@@ -56,7 +59,7 @@ constexpr const char* kPageStyle =
     "svg{max-width:100%;height:auto}details{margin:.4em 0}"
     "summary{cursor:pointer;overflow-wrap:anywhere}details svg{border:1px solid #9aa5b1}";
 
-/// What the colours of regions mean.
+/// The meanings of the colours of regions.
 struct LayerLegendItem {
   const char* css;  ///< The class, and the name.
   const char* colour;
@@ -161,7 +164,8 @@ Rectangle box_of_region(const BoxedLayer& shapes, const LayerReport& report, std
   return at ? Rectangle{at->x, at->y, at->x, at->y} : box_of_feature(shapes, i);
 }
 
-/// Draws a circle around each defect that is too small to be seen, as a link to its close-up.
+/// Draws a circle around each defect that is too small to be visible. The circle is a link to its
+/// close-up.
 void draw_circles(const View& view, const BoxedLayer& shapes, const LayerReport& report,
                   bool has_links, std::ostream& out) {
   constexpr std::size_t kMostCircles = 5000;
@@ -179,7 +183,7 @@ void draw_circles(const View& view, const BoxedLayer& shapes, const LayerReport&
   }
 }
 
-/// Returns what the list says of a region.
+/// Returns the description of a region for the list.
 std::string sentence(const Layer& layer, const LayerReport& report, std::size_t i) {
   constexpr std::size_t kMostNames = 4;
   const LayerRegion& region = report.regions[i];

@@ -33,7 +33,8 @@ constexpr double kMapPadding = 22;
 constexpr std::size_t kInsetsInRow = 3;
 constexpr double kInsetGap = 18;
 constexpr double kInsetAspect = 1.4;
-constexpr double kLeastSource = 9;  // Half the width of a close-up's source on the map.
+// Half the width on the map of the region that a close-up shows.
+constexpr double kLeastSource = 9;
 constexpr double kCaption = 24;
 constexpr double kFont = 17;
 constexpr double kLine = 23;
@@ -55,17 +56,18 @@ constexpr const char* kStyle = R"(.faces path{stroke-linejoin:round;fill-rule:ev
 .frame{fill:none;stroke:#1f2933;stroke-width:1.4}
 )";
 
-/// Returns the whole map; if a few parts lie far off, the core and all defects.
+/// Returns the box of the whole map. If a few parts lie far away, returns the box of the core and
+/// of all defects.
 Rectangle main_window(const MapReport& report, const Plane& plane) {
   Rectangle core = plane.core();
   for (const MapDefect& d : report.defects) core.include(plane.at(d.near));
   return without_far_parts(core, plane.extent());
 }
 
-/// Returns a text such as "x90", "x9200" or "x3e9": two digits.
+/// Returns a factor as text with two digits, such as "x90", "x9200" or "x3e9".
 std::string zoom_text(double zoom) {
   std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // An exhausted memory limit becomes an exception.
+  text.exceptions(std::ios::badbit);  // The stream throws if the memory limit is exceeded.
   text.precision(2);
   if (zoom < 1e6) {
     const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(zoom)) - 1));
@@ -160,7 +162,7 @@ void MapSheet::write_header() {
 
 // ------------------------------------------------------------------ layout
 
-/// Decides the map's height by its shape, then which close-ups there are and where.
+/// Decides the height of the map by its shape, and then the number of close-ups and their places.
 void MapSheet::lay_out_map() {
   const Rectangle e = window_;
   const double inside = kColumn - 2 * kMapPadding;
@@ -174,8 +176,8 @@ void MapSheet::lay_out_map() {
                  draft);
 }
 
-/// Orders close-ups: up to three stand below the map; of more, the upper places are above the map.
-/// In each row they go from left to right, so that leaders cross little.
+/// Orders close-ups. Up to three stand below the map. If there are more, the upper places are above
+/// the map. In each row, they are sorted from left to right, so that few leaders cross.
 std::size_t MapSheet::order_closeups(const std::vector<Inset>& insets, const View& draft) {
   for (const Inset& i : insets) closeups_.push_back({i, {}, {}, false});
   const auto at = [&draft](const Closeup& c) { return draft.place(c.inset.window.centre()); };
@@ -238,7 +240,7 @@ void MapSheet::write_map() {
   }
 }
 
-/// Draws leaders first, so that marks lie over them.
+/// Leaders are drawn first, so that marks lie over them.
 void MapSheet::write_sources(LabelPlacer& room) {
   for (const Closeup& c : closeups_) write_leader(c);
   for (const Closeup& c : closeups_) {
@@ -319,7 +321,8 @@ void MapSheet::write_defect(std::size_t i) {
                 << symbol(style, {box.right + 16, sheet_.y() - 6}, 7) << '\n';
   const double x = kMargin + 76;
   std::string lead = std::string("<tspan class=\"kind\">") + style.name + "</tspan> ";
-  const std::string room(std::string_view(style.name).size(), 'm');  // The bold name is wide.
+  // The name is bold, and therefore wide.
+  const std::string room(std::string_view(style.name).size(), 'm');
   auto lines = wrapped(room + " " + defect.hint, kFont, kWidth - kMargin - x, 3);
   lines.front().erase(0, room.size() + 1);
   for (const std::string& line : lines) {

@@ -33,13 +33,15 @@
 
 namespace plumb {
 
-// Parts of a set in its picture, each filled with a colour of its own, with thin lines around.
+// The parts of a set in its picture. Each part is filled with a different colour and has thin lines
+// around it.
 inline constexpr const char* kPieceStyle =
     R"(.piece{fill-rule:evenodd;stroke:#5b6672;stroke-width:10}
 .under{fill:none;stroke:#fff;stroke-linecap:butt}
 )";
 
-/// Counts of parts; those too small to be seen, and those of dimension 1 and 0, are not counted.
+/// The numbers of parts. Parts that are too small to be visible, and parts of dimension 1 and 0,
+/// are not counted.
 struct PieceCounts {
   std::size_t drawn = 0;
   std::size_t left_out = 0;  ///< Parts beyond what one file should hold.
@@ -99,19 +101,21 @@ PieceCounts write_pieces(std::span<const Nef2> pieces, const PlaneWindow& window
 
 namespace {
 
-constexpr double kWidth = 600;  // Text stays legible on a telephone.
+constexpr double kWidth = 600;  // The text remains legible on a phone.
 constexpr double kTickRoom = 46;
 constexpr double kTickFont = 14;
 constexpr double kBoundedMargin = 0.1;
-constexpr double kFadingMargin = 0.34;  // Part of the longer side; the faded part lies within it.
-constexpr double kFaded = 0.17;         // Part of the frame, at each side.
+// The width of the frame, as a part of the longer side. The part that fades out lies within it.
+constexpr double kFadingMargin = 0.34;
+// The width of the part that fades out at each side, as a part of the frame.
+constexpr double kFaded = 0.17;
 constexpr double kEdgeWidth = 2.6;
 constexpr double kDotRadius = 5;
 constexpr std::size_t kMaxDots = 5000;
-// With more, only dots are drawn that say more than the edges do.
+// If there are more vertices, a dot is drawn only if the mark does not follow from the edges.
 constexpr std::size_t kFewDots = 120;
 constexpr std::size_t kLongNumber = 24;
-constexpr std::size_t kCheckedPoints = 256;  // A point costs some microseconds.
+constexpr std::size_t kCheckedPoints = 256;  // Testing a point takes some microseconds.
 constexpr const char* kPhase = "drawing";
 
 constexpr const char* kStyle = R"(.inside{fill:#cfe2f3;fill-rule:evenodd}
@@ -142,15 +146,15 @@ EdgeMarksAround marks_around(const PlaneComplex& complex, VertexId v) {
   return around;
 }
 
-/// Whether the mark of v says more than the lines that end there.
+/// Whether the mark of v does not follow from the marks of the lines that end there.
 bool says_more(const PlaneComplex& complex, VertexId v) {
   if (complex.dcel.is_isolated(v)) return true;
   const EdgeMarksAround around = marks_around(complex, v);
   return complex.mark(v) ? around.unmarked > 0 : around.marked > 0;
 }
 
-/// Returns the picture of one dot. With `few` dots, ends of slits and all open vertices get one,
-/// too.
+/// Returns the picture of one dot. If there are `few` dots, ends of slits and all open vertices get
+/// a dot, too.
 Dot dot_of(const PlaneComplex& complex, VertexId v, bool few) {
   const bool is_shown =
       says_more(complex, v) || (few && (!complex.mark(v) || marks_around(complex, v).marked == 1));
@@ -164,7 +168,7 @@ std::string area_text(const Nef2& set, Context& context) {
   const std::string exact = format_exact(*area);
   if (exact.size() <= kLongNumber) return "area " + exact;
   std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // An exhausted memory limit becomes an exception.
+  text.exceptions(std::ios::badbit);  // The stream throws if the memory limit is exceeded.
   text << "area \xE2\x89\x88 " << static_cast<double>(*area);
   return text.str();
 }
@@ -240,7 +244,7 @@ class SetSheet {
   bool fades_;
   PlaneWindow window_;
   Nef2 shown_;
-  const PlaneComplex& complex_;  // Complex of shown_.
+  const PlaneComplex& complex_;  // The complex of shown_.
   Sheet sheet_{{.width = kWidth}};
   Rectangle frame_{};
   std::optional<View> view_;
@@ -268,7 +272,7 @@ void SetSheet::place() {
   classify_edges();
 }
 
-/// Decides how each edge is drawn. Edges on the window's border come from the cut.
+/// Decides how each edge is drawn. Edges on the border of the window come from the cut.
 void SetSheet::classify_edges() {
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
     const HalfedgeId h = first_half(EdgeId(e));
@@ -300,8 +304,8 @@ void SetSheet::write_axes() {
 
 // ------------------------------------------------------------------ fading
 
-/// Writes a mask, white with black ends: what it masks fades out at two opposite sides of the
-/// frame.
+/// Writes a mask that is white with black ends. A masked element fades out at two opposite sides of
+/// the frame.
 void SetSheet::write_mask(const char* id, bool is_vertical) {
   const std::string faded = svg_number(kFaded), solid = svg_number(1 - kFaded);
   sheet_.body() << "<linearGradient id=\"g" << id << "\" x1=\"0\" y1=\"0\" x2=\""
@@ -355,7 +359,7 @@ void SetSheet::write_faces() {
 
 // ------------------------------------------------------------------ edges
 
-/// Returns the width of edges, which cover at most about a third of the picture.
+/// Returns the width of edges such that they cover at most about a third of the picture.
 double SetSheet::edge_width() const {
   const double length =
       total_length(complex_, kind_, kSolid, at_) + total_length(complex_, kind_, kDashed, at_);
@@ -372,7 +376,8 @@ void SetSheet::write_edges() {
     left_out_ += append_chains(complex_, kind_, kind, at_, kMaxPoints, path);
     if (path.empty()) continue;
     (kind == kSolid ? has_solid_ : has_dashed_) = true;
-    if (kind == kDashed && has_pieces()) {  // No outline of a piece shows between the dashes.
+    // The outline of a piece is not visible between the dashes.
+    if (kind == kDashed && has_pieces()) {
       sheet_.body() << "<path class=\"under\" d=\"" << path.data() << "\"/>\n";
     }
     sheet_.body() << "<path class=\"edge" << (kind == kDashed ? " open" : "") << "\" d=\""

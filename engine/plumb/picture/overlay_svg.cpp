@@ -22,16 +22,18 @@ namespace plumb {
 namespace {
 
 constexpr double kWidth = 1000;
-constexpr double kTextScale = 1.45;  // The page is viewed on small screens, too.
+constexpr double kTextScale = 1.45;  // The page may be viewed on small screens.
 constexpr double kMargin = 0.02;
-constexpr double kNear = 0.02;  // Part of the width: what is nearer to the core belongs to it.
+// A part of the width. Parts that are nearer to the core belong to it.
+constexpr double kNear = 0.02;
 constexpr double kLeastAspect = 0.45;
 constexpr double kMostAspect = 1.15;
 constexpr double kLeastCore =
-    0.03;  // Part of half the width: beyond it, distant points exceed the numbers of SVG.
+    // A part of half the width. The coordinates of more distant points exceed the numbers of SVG.
+    0.03;
 constexpr double kVisible = 1.2;
 constexpr std::size_t kMaxPoints = 600000;
-// Largest number of cells that show their pair when pointed at.
+// The greatest number of cells that show their pair when the pointer is on them.
 constexpr std::size_t kMaxTitles = 8000;
 constexpr std::size_t kMaxLabels = 400;
 constexpr double kLabelSizes[] = {36, 27, 20, 16, 13};
@@ -68,8 +70,8 @@ void for_borders(const MapOverlay& overlay, const See& see) {
   }
 }
 
-/// Colours the nodes in order, each unlike those of its neighbours that have a colour. `neighbours`
-/// holds every pair of neighbours, in any order, repeated or not.
+/// Colours the nodes in order. Each node gets a colour that differs from the colours of its
+/// neighbours so far. `neighbours` has every pair of neighbours, in any order, possibly repeated.
 std::vector<std::uint8_t> coloured(std::size_t nodes, Pairs neighbours, std::size_t colours) {
   for (auto& [a, b] : neighbours) {
     if (a < b) std::swap(a, b);
@@ -99,7 +101,7 @@ std::vector<std::uint8_t> colour_first_regions(const MapOverlay& overlay) {
   return coloured(regions, std::move(neighbours), kTints);
 }
 
-/// Returns the pairs that occur, each once, ascending.
+/// Returns the pairs that occur, each once, in ascending order.
 Pairs pairs_of(const MapOverlay& overlay) {
   Pairs pairs;
   for (const MapOverlay::Origin& o : overlay.origin) pairs.emplace_back(o.first, o.second);
@@ -113,7 +115,7 @@ std::uint32_t index_of(const Pairs& pairs, const MapOverlay::Origin& o) {
   return static_cast<std::uint32_t>(at - pairs.begin());
 }
 
-/// Returns a shade of a colour: the darker, the more of the tint's own colour.
+/// Returns a shade of a colour. Darker shades have more of the colour of the tint.
 std::string shaded(const char* hex, std::size_t shade) {
   std::string text = "#";
   for (int i = 0; i < 3; ++i) {
@@ -204,7 +206,7 @@ class OverlaySheet {
 };
 
 std::string name_of(const std::vector<std::string>& names, std::uint32_t region) {
-  if (region == 0) return "\xE2\x80\x93";  // An en dash.
+  if (region == 0) return "\xE2\x80\x93";  // The character is an en dash.
   return region < names.size() ? names[region] : std::to_string(region);
 }
 
@@ -212,7 +214,8 @@ std::string OverlaySheet::pair_text(const MapOverlay::Origin& o) const {
   return name_of(options_.first_names, o.first) + " / " + name_of(options_.second_names, o.second);
 }
 
-/// Returns the whole overlay; if a few parts lie far off, its core and what is connected with it.
+/// Returns the box of the whole overlay. If a few parts lie far away, returns the box of its core
+/// and of the parts that are connected with it.
 Rectangle OverlaySheet::choose_window() const {
   const Rectangle all = {-1, -window_.aspect(), 1, window_.aspect()};
   Rectangle shown = without_far_parts(core_of(at_), all);
@@ -250,8 +253,8 @@ void OverlaySheet::place() {
   collect_cells();
 }
 
-/// Collects the bounded cells that can be seen, by decreasing size of their boxes, so that a cell
-/// inside another is drawn after it.
+/// Collects the bounded cells that are large enough to be visible, by decreasing size of their
+/// boxes. Therefore a cell inside of another cell is drawn after it.
 void OverlaySheet::collect_cells() {
   TinyFaces tiny(frame_);
   std::size_t outside = 0;
@@ -294,7 +297,7 @@ void OverlaySheet::write_cell(const Cell& cell, const OverlayColour& colour, boo
   }
 }
 
-/// Hatches cells that are only in one map.
+/// Hatches cells that belong to only one of the maps.
 void OverlaySheet::write_hatch(const PathData& path) {
   if (path.empty()) return;
   sheet_.body() << "<pattern id=\"hatch\" width=\"70\" height=\"70\" "

@@ -25,7 +25,8 @@ namespace {
 template <class Write>
 std::string written(const Write& write) {
   std::ostringstream out;
-  out.exceptions(std::ios::badbit);  // A refused allocation is not taken for the end of the text.
+  // A failed allocation must not be taken for the end of the text.
+  out.exceptions(std::ios::badbit);
   write(out);
   return std::move(out).str();
 }
@@ -35,8 +36,8 @@ std::string encoded(const PictureOptions& options, const Image& image) {
   return options.encode_png(image);
 }
 
-/// Returns a picture of something flat: a page with text is drawn as SVG; triangles and images come
-/// from the scene.
+/// Returns a picture of a planar drawing. A page with text is drawn as SVG. Triangles and images
+/// are made from the scene.
 template <class Flat, class Draw>
 std::string flat_picture(const Flat& flat, const PictureOptions& options, Context& context,
                          const Draw& draw_svg) {
@@ -56,8 +57,8 @@ std::string flat_picture(const Flat& flat, const PictureOptions& options, Contex
   return written([&](std::ostream& out) { write_scene_glb(out, scene, options.title); });
 }
 
-/// Returns a picture of a scene. `write_svg` writes its page as SVG, and `text` makes the texts of
-/// a page, which may cost more than the scene.
+/// Returns a picture of a scene. `write_svg` writes the page of the scene as SVG. `text` makes the
+/// texts of a page, which may take more time than the scene.
 template <class WriteSvg, class Text>
 std::string scene_picture(const Scene& scene, const PictureOptions& options,
                           const WriteSvg& write_svg, const Text& text) {

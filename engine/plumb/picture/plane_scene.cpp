@@ -1,4 +1,4 @@
-// Scenes of sets of the plane and of maps: flat things for viewers of scenes.
+// Scenes of sets of the plane and of maps: planar drawings for viewers of scenes.
 //
 // Faces are triangulated between exact points, so a thin face keeps its shape, and only then placed
 // in scene coordinates in doubles. A set is first cut at a window, exactly, as for its picture
@@ -21,7 +21,7 @@ namespace {
 constexpr double kThickness = 1e-3;
 constexpr std::size_t kRegionPaints = 6;
 constexpr const char* kPhase = "drawing";
-constexpr std::size_t kCheckedPoints = 256;  // A point costs some microseconds.
+constexpr std::size_t kCheckedPoints = 256;  // Testing a point takes some microseconds.
 
 using IndexRing = std::vector<std::uint32_t>;
 
@@ -38,7 +38,7 @@ class FlatScene {
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
 
-  /// Fills the region to the left of the rings; rings of one point bound none.
+  /// Fills the region to the left of the rings. A ring of one point has no area.
   void fill(const std::vector<IndexRing>& rings, Paint paint) {
     std::vector<std::uint32_t> used;
     for (const IndexRing& ring : rings) used.insert(used.end(), ring.begin(), ring.end());

@@ -26,8 +26,8 @@ namespace {
 constexpr std::uint32_t kNoGroup = ~std::uint32_t{0};
 constexpr float kStep = 1, kSlant = 1.41421356F;
 
-/// Approximate distance of each sample from the nearest sample of another group: two passes over
-/// the neighbours.
+/// Computes the approximate distance of each sample from the nearest sample of another group, in
+/// two passes over the neighbours.
 class Distances {
  public:
   Distances(const Scene& scene, const Canvas& canvas)
@@ -104,25 +104,26 @@ namespace {
 
 constexpr Colour kPaper{255, 255, 255};
 constexpr Colour kInk{0x12, 0x1a, 0x24};
-constexpr std::uint32_t kSamples = 2;  // Samples along each side of a pixel.
-constexpr double kMargin = 0.06;       // Part of the picture, on every side.
-constexpr double kLineWidth = 2;       // Pixels.
+constexpr std::uint32_t kSamples = 2;  // The number of samples along each side of a pixel.
+constexpr double kMargin = 0.06;       // The margin on every side, as a part of the picture.
+constexpr double kLineWidth = 2;       // In pixels.
 constexpr double kFreeLineWidth = 3.2;
 constexpr double kDotRadius = 5;
-constexpr double kInkedPart = 0.12;  // Part of the picture: more lines get thinner.
+// A part of the picture. If lines would cover more, they are drawn thinner.
+constexpr double kInkedPart = 0.12;
 constexpr double kVeil = 0.35;
-constexpr double kHatch = 9;  // Pixels from line to line.
+constexpr double kHatch = 9;  // In pixels, from line to line.
 constexpr double kHatchWidth = 3;
 constexpr double kHatchShade = .8;
 constexpr std::size_t kManyDots = 300;
-constexpr double kLeastText = 11;  // Pixels.
+constexpr double kLeastText = 11;  // In pixels.
 
 Point3 unit(const Point3& p) {
   const double length = std::sqrt(dot(p, p));
   return {p.x / length, p.y / length, p.z / length};
 }
 
-/// Returns axes for a view from the right, in front and above; z points up.
+/// Returns the axes of a view from the right, the front and above. The axis z points up.
 std::array<Point3, 3> axes_of(bool is_flat) {
   if (is_flat) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const Point3 viewer = unit({0.55, -0.9, 0.62});
@@ -185,7 +186,7 @@ class Renderer {
     if (!scene_.shows_text()) return {};
     return place_texts(scene_, canvas_, kSamples * kLeastText, kSamples * text_height_);
   }
-  /// Writes dark letters with a light rim, legible on any ground.
+  /// Writes dark letters with a light rim, which are legible on any background.
   void write(const PlacedText& text) {
     const std::vector<TextStroke> strokes = strokes_of(text.text);
     const auto place = [&text](Point2 p) {
@@ -206,7 +207,8 @@ class Renderer {
     return scene_.fades ? scene_.strength(camera_.point_at(spot)) : 1;
   }
 
-  /// Returns the colour of a patch lit from above on the left, whichever side is seen.
+  /// Returns the colour of a patch that is lit from above on the left. Both sides of the patch have
+  /// the same colour.
   Colour lit(const Scene::Patch& patch) const {
     const Colour colour = scene_.colour_of(patch);
     if (scene_.is_flat) return colour;
@@ -229,13 +231,14 @@ class Renderer {
     });
   }
 
-  /// Whether a spot is on a hatch: slanted lines of the picture, independent of the object.
+  /// Whether a spot is on a hatch line. The lines are slanted in the picture and do not depend on
+  /// the object.
   static bool is_on_hatch(const Spot& spot) {
     const double at = (spot.x + spot.y) / (kSamples * kHatch);
     return (at - std::floor(at)) * kHatch < kHatchWidth;
   }
 
-  /// Veils the sides of the window, where it cuts a volume and one looks through the cut into it.
+  /// Veils the sides of the window where it cuts a volume and the viewer looks through the cut.
   void veil(const Scene::Triangle& t) {
     const Scene::Patch& patch = scene_.patches[t.patch];
     if (patch.paint != Paint::Cut || dot(patch.normal, camera_.viewer()) <= 0) return;
@@ -245,7 +248,8 @@ class Renderer {
     });
   }
 
-  /// Draws lines. They cover a small part of the picture: many of them get thin, then pale.
+  /// Draws lines. They cover a small part of the picture. If there are many lines, they become
+  /// thin, and then pale.
   void draw_lines() {
     double length = 1;
     for (const Scene::Line& l : scene_.lines) {
@@ -293,7 +297,7 @@ class Renderer {
   Camera camera_;
   double text_height_;
   std::vector<Spot> spots_;
-  std::vector<Colour> colours_;  // Lit colour of each patch.
+  std::vector<Colour> colours_;  // The lit colour of each patch.
 };
 
 }  // namespace

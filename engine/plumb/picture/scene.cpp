@@ -6,7 +6,7 @@
 namespace plumb {
 namespace {
 
-constexpr double kFullUntil = 0.6;  // Part of the way to the sides.
+constexpr double kFullUntil = 0.6;  // A part of the distance to the sides.
 
 constexpr std::array<PaintStyle, kPaints> kStyles{{
     {{0xa9, 0xc8, 0xe6}, "facet", "part of the set"},

@@ -27,9 +27,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kFloat = 5126, kUnsigned = 5125;      // Values of componentType.
-constexpr int kVertices = 34962, kIndices = 34963;  // Values of target.
-constexpr int kTriangles = 4, kLines = 1;           // Values of mode.
+constexpr int kFloat = 5126, kUnsigned = 5125;      // The values of componentType.
+constexpr int kVertices = 34962, kIndices = 34963;  // The values of target.
+constexpr int kTriangles = 4, kLines = 1;           // The values of mode.
 
 template <class Number>
 void append(std::string& bytes, Number value) {
@@ -208,7 +208,8 @@ class GlbWriter {
           normals.push_back(scene_.patches[t.patch].normal);
           if (has_texture) {
             append(texcoords, scene_.texcoords[triangle][2 * i]);
-            append(texcoords, 1 - scene_.texcoords[triangle][2 * i + 1]);  // Down in glTF.
+            // In glTF, this axis points down.
+            append(texcoords, 1 - scene_.texcoords[triangle][2 * i + 1]);
           }
         }
         indices.push_back(place->second);
@@ -251,14 +252,15 @@ class GlbWriter {
     meshes_.push_back(std::move(mesh));
   }
 
-  /// Returns the node's transform. Floats hold scene coordinates; the node has those of the set, if
-  /// a float can hold them.
+  /// Returns the transform of the node. Positions are floats in scene coordinates. The node
+  /// transforms them to the coordinates of the set, if floats can hold these.
   Json node() const {
     const double scale = 4 * scene_.quarter_scale;
     const Point3& c = scene_.quarter_centre;
     const double most = 4 * std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)});
     const double turned = std::sqrt(.5);
-    Json node = {{"rotation", {-turned, 0, 0, turned}}};  // z up becomes y up.
+    // The axis z points up, and becomes the axis y.
+    Json node = {{"rotation", {-turned, 0, 0, turned}}};
     if (scale > 1e-30 && scale < 1e30 && most < 1e30) {
       node["scale"] = {scale, scale, scale};
       node["translation"] = {4 * c.x, 4 * c.z, -4 * c.y};
@@ -266,7 +268,8 @@ class GlbWriter {
     return node;
   }
 
-  /// Returns one node for one mesh; for several, a node for each below one that places them all.
+  /// Returns one node if there is one mesh. If there are several meshes, returns a node for each of
+  /// them below a common node.
   Json nodes(const std::string& title) const {
     Json root = node();
     if (meshes_.size() == 1) {
@@ -292,7 +295,7 @@ class GlbWriter {
   void finish(const std::string& title) {
     json_["scene"] = 0;
     if (has_lines_) json_["extensionsUsed"] = Json::array({"KHR_materials_unlit"});
-    if (meshes_.empty()) {  // glTF has no empty lists.
+    if (meshes_.empty()) {  // In glTF, lists must not be empty.
       for (const char* list : {"bufferViews", "accessors", "materials"}) json_.erase(list);
       json_["nodes"] = Json::array({named(title)});
     } else {

@@ -25,8 +25,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The numbers of a list, as the typed array of the page reads them: little-endian, as the
-/// processors are on which browsers run.
+/// The numbers of a list, as the typed array of the page reads them. They are little-endian, like
+/// the processors on which browsers run.
 class Numbers {
  public:
   template <class Number>
@@ -75,8 +75,8 @@ Json line_widths() {
   return list;
 }
 
-/// Returns the first view, which is that of an image. Columns come one after the other, as in
-/// WebGL.
+/// Returns the first view, which is the view of an image. WebGL expects the columns one after the
+/// other.
 Json first_turn(const Scene& scene) {
   const Camera camera(scene, 1, 1);
   Json columns = Json::array();

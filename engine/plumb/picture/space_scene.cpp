@@ -36,9 +36,11 @@
 namespace plumb {
 namespace {
 
-constexpr double kFadingMargin = 0.45;  // Part of the longest side; the faded part lies within it.
-constexpr double kGoodBox = 1e-9;       // Ratio of radius to coordinates.
-constexpr double kOnBox = 1e-7;         // Scene units: the box is far from everything else.
+// A part of the longest side. The part that fades out lies within it.
+constexpr double kFadingMargin = 0.45;
+constexpr double kGoodBox = 1e-9;  // The ratio of the radius to the coordinates.
+// In scene units. Points that are not on the box are farther from it.
+constexpr double kOnBox = 1e-7;
 
 Point3 normal_of(const SpaceComplex& complex, PlaneId plane) {
   const PlaneRow& row = complex.planes().row(plane);
@@ -156,7 +158,7 @@ class SceneMaker {
     }
   }
 
-  /// Returns the sides of the box that a vertex lies on, a bit for each.
+  /// Returns the set of sides of the box that contain a vertex, one bit for each side.
   unsigned sides_at(VertexId v) const {
     if (!scene_.fades) return 0;
     const Point3& p = scene_.points[v.value()];
@@ -222,7 +224,7 @@ class SceneMaker {
     scene_.lines.push_back(line);
   }
 
-  /// Adds a dot for a point that says more than the edges there.
+  /// Adds a dot for a point whose mark does not follow from the edges.
   void add_dot(VertexId v) {
     if (sides_at(v) != 0) return;
     const bool is_point = complex_.vertex_mark[v] == 1;
@@ -259,7 +261,7 @@ namespace {
 
 constexpr const char* kColourChannel = "color";
 constexpr const char* kTextureChannel = "texcoord_0";
-constexpr double kSteps = 15;  // Steps of a colour of corners between 0 and 1.
+constexpr double kSteps = 15;  // The number of steps of a corner's colour between 0 and 1.
 
 std::uint8_t byte_of(double part) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
@@ -280,8 +282,8 @@ const MeshChannel* colour_channel(const MeshAttributes& attributes) {
 /// The images of the materials of a set.
 class Textures {
  public:
-  /// Loads the images, each once, into `scene`. Materials are numbered as mesh_with_attributes()
-  /// numbers them: those of all sources, one after the other.
+  /// Loads each image once into `scene`. Materials have the numbers that mesh_with_attributes()
+  /// gives them: the materials of all sources, one source after the other.
   Textures(const Nef3& set, const TextureLoader& load, Scene& scene) {
     std::map<std::pair<std::string, std::string>, std::uint32_t> known;
     for (const PlacedSource& placed : set.sources()) {
@@ -328,11 +330,11 @@ class Textures {
 /// The colours of the faces of a mesh of triangles.
 class FaceColours {
  public:
-  /// `attributes` must outlive the object.
+  /// The attributes must outlive the object.
   explicit FaceColours(const MeshAttributes& attributes)
       : attributes_(attributes), channel_(colour_channel(attributes)) {}
 
-  /// Returns the colour of a face, or that of `plain` if it has none.
+  /// Returns the colour of a face. If the face has none, returns the colour of `plain`.
   Colour of(std::size_t face, Colour plain) const {
     const std::uint32_t material =
         attributes_.face_material.empty() ? MeshAttributes::kNone : attributes_.face_material[face];
@@ -362,7 +364,7 @@ class FaceColours {
   const MeshChannel* channel_;
 };
 
-/// Returns the unit normal of a triangle; zero if it has none in doubles.
+/// Returns the unit normal of a triangle, or zero if doubles do not determine it.
 Point3 unit_normal(const Point3& a, const Point3& b, const Point3& c) {
   const Point3 n =
       cross(Point3{b.x - a.x, b.y - a.y, b.z - a.z}, Point3{c.x - a.x, c.y - a.y, c.z - a.z});
@@ -370,7 +372,7 @@ Point3 unit_normal(const Point3& a, const Point3& b, const Point3& c) {
   return length > 0 ? Point3{n.x / length, n.y / length, n.z / length} : Point3{0, 0, 0};
 }
 
-/// Puts triangles in their colours in the place of those beside marked volumes.
+/// Replaces the triangles beside marked volumes by coloured triangles.
 void colour_triangles(const MeshWithAttributes& made, const Textures& textures, Scene& scene) {
   const Colour plain = style_of(Paint::ClosedFacet).colour;
   const FaceColours colours(made.attributes);
@@ -464,7 +466,7 @@ Point3 middle_of(const SceneFrame& frame) {
   return {middle_of(low.x, high.x), middle_of(low.y, high.y), middle_of(low.z, high.z)};
 }
 
-/// Returns where the points of a scene are in space.
+/// Returns the positions in space of the points of a scene.
 std::vector<Point3> unscaled_points(const Scene& scene) {
   const auto along = [&scene](double p, double quarter_centre) {
     return clamped_to_finite(4 * (quarter_centre + scene.quarter_scale * p));
@@ -484,14 +486,14 @@ SceneFrame frame_of(std::span<const Point3> points) {
   return frame;
 }
 
-/// Hatches facets that cuts made; each has one patch.
+/// Hatches the facets that cuts made. Each of them has one patch.
 void hatch_walls(const SpaceComplex& complex, Scene& scene) {
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     scene.patches[f].is_hatched = is_wall(complex, FacetId(f));
   }
 }
 
-/// Appends a scene whose points are now at `points`.
+/// Appends a scene whose points have been moved to `points`.
 void append(const Scene& part, std::span<const Point3> points, Scene& all) {
   const auto point = static_cast<std::uint32_t>(all.points.size());
   const auto patch = static_cast<std::uint32_t>(all.patches.size());

@@ -15,10 +15,11 @@
 namespace plumb {
 namespace {
 
-constexpr double kWidth = 600;  // Text stays legible on a telephone.
+constexpr double kWidth = 600;  // The text remains legible on a phone.
 constexpr double kAxis = 30;
 constexpr std::size_t kLongNumber = 24;
-constexpr double kCapital = 1.4;  // Size of a font, in heights of its capitals.
+// The size of a font, as a multiple of the height of its capital letters.
+constexpr double kCapital = 1.4;
 
 constexpr const char* kStyle = R"(.axis{stroke:#5b6672;stroke-width:2;stroke-linecap:round}
 .letter{font-size:14px;fill:#5b6672;text-anchor:middle}

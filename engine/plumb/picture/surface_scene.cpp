@@ -24,7 +24,7 @@
 namespace plumb {
 namespace {
 
-// Colour of labels that are zero, and of cells that are not selected.
+// The colour of labels that are zero, and of cells that are not selected.
 constexpr Colour kNothing{0xe6, 0xe9, 0xee};
 constexpr Colour kSelected{0x7f, 0xb4, 0xe6};
 constexpr std::size_t kCurvePaints = 6;
@@ -81,7 +81,7 @@ class SurfaceSceneMaker {
     }
   }
 
-  /// Adds a patch for each run of triangles in one face and one cell.
+  /// Adds a patch for each sequence of triangles in the same face and cell.
   void add_patches() {
     const SurfaceMesh& mesh = division_.mesh();
     for (std::size_t t = 0; t < in_.triangles.size(); ++t) {
@@ -127,7 +127,7 @@ class SurfaceSceneMaker {
     scene_.layers.push_back(std::move(layer));
   }
 
-  /// Calls visit(side) for the sides of triangles, once for each pair.
+  /// Calls visit(side) for the sides of triangles, once for each pair of sides.
   template <class Visit>
   void for_sides(const Visit& visit) const {
     for (std::uint32_t s = 0; s < in_.across.size(); ++s) {
@@ -183,7 +183,7 @@ class SurfaceSceneMaker {
       scene_.dots.push_back({point_of(NodeId(n)), Paint::Crossing, kLayer});
     }
   }
-  /// Returns the point of a node. Triangles have no corner where polygons cancel.
+  /// Returns the point of a node. If polygons cancel, no triangle has a corner there.
   std::uint32_t point_of(NodeId n) {
     std::uint32_t& point = point_of_node_[n];
     if (point == kNoPoint) point = add_point(node_position(division_, n));

@@ -39,10 +39,10 @@ ImageSize size_of_png(std::string_view bytes) {
 ImageSize size_of_jpeg(std::string_view bytes) {
   constexpr std::uint32_t kTables = 0xc4, kExtension = 0xc8, kArithmetic = 0xcc;
   constexpr std::size_t kHeight = 5, kWidth = 7, kFrame = 9;
-  std::size_t at = 2;  // After the marker of the start.
+  std::size_t at = 2;  // The position after the marker of the start.
   while (at + 4 <= bytes.size() && number_at(bytes, at, 1) == 0xff) {
     const std::uint32_t marker = number_at(bytes, at + 1, 1);
-    if (marker == 0xff) {  // Bytes that fill up a segment.
+    if (marker == 0xff) {  // Fill bytes may precede a marker.
       ++at;
       continue;
     }

@@ -134,9 +134,8 @@ for (const button of document.querySelectorAll('figure button')) button.addEvent
 
 void write_picture(std::ostream& out, const DemoPicture& picture) {
   const std::string title = escaped(picture.title);
-  const bool is_wide =
-      // On a phone, the text of the picture would be too small, so the picture scrolls there.
-      !picture.is_small;
+  // On a phone, the text of the picture would be too small, so the picture scrolls there.
+  const bool is_wide = !picture.is_small;
   out << (is_wide ? "<figure class=\"wide\">\n<p class=\"scrolls\">Drag the picture sideways to "
                     "see all "
                     "of it.</p>\n<div class=\"sheet\">"

@@ -21,15 +21,15 @@
 namespace plumb {
 namespace {
 
-constexpr double kVisible = 1.2;  // Picture units: smaller faces are only a tint.
-// Then no more faces fit into the picture than may be drawn.
+constexpr double kVisible = 1.2;  // In picture units. Smaller faces only tint the picture.
+// The picture cannot hold more faces of at least this size than may be drawn.
 constexpr double kVisibleAmongMany = 4;
 constexpr double kLine = 0.7;
 constexpr double kFineLine = 0.45;
 constexpr std::size_t kManyCycles = 1500;
 
-/// Returns the signed area of a cycle, summed from the least vertex towards its lesser neighbour:
-/// whichever way the cycle is listed, the result differs in sign only.
+/// Returns the signed area of a cycle, summed from the least vertex towards its lesser neighbour.
+/// Therefore the two orders of listing a cycle give results that differ only in sign.
 double signed_area(const Plane& plane, std::span<const std::uint32_t> cycle) {
   const std::size_t n = cycle.size();
   const auto least = static_cast<std::size_t>(std::ranges::min_element(cycle) - cycle.begin());
@@ -69,7 +69,7 @@ Painter::Painter(const Plane& plane)
     perimeter_ += perimeter(plane, plane.map().cycle(c));
   }
   std::iota(order_.begin(), order_.end(), 0U);
-  // If a cycle is listed both ways, the outside comes first.
+  // If a cycle is listed both ways, the outside is painted first.
   const auto is_below = [&](std::uint32_t a, std::uint32_t b) {
     if (key[a] != key[b]) return key[a] > key[b];
     return colour_[a] == kTints && colour_[b] != kTints;
@@ -77,8 +77,8 @@ Painter::Painter(const Plane& plane)
   std::stable_sort(order_.begin(), order_.end(), is_below);
 }
 
-/// Returns the width of lines, which cover at most about a third of the picture. Lines that would
-/// be too thin are left out.
+/// Returns the width of lines such that they cover at most about a third of the picture. Lines that
+/// would be too thin are left out.
 double Painter::line_width(const View& view, const PaintLimits& limits) const {
   if (!limits.is_overview || perimeter_ == 0) return kLine;
   const double area = view.frame().width() * view.frame().height();
@@ -123,12 +123,14 @@ PaintCounts Painter::paint(const View& view, const PaintLimits& limits, std::ost
 namespace {
 
 constexpr std::size_t kConsidered = 1000;
-constexpr double kVisibleEdge = 45;  // Picture units: long enough to be seen without a close-up.
+// In picture units. Longer edges are visible without a close-up.
+constexpr double kVisibleEdge = 45;
 constexpr double kEdgeAmongMany = 12;
 constexpr std::size_t kMany = 100;
-constexpr double kWidestSource = 130;   // Picture units: wider windows would hardly be enlarged.
-constexpr double kReach = 2.2;          // Half the height of a window, in edge lengths.
-constexpr double kLeastReach = 1e-150;  // Plane units.
+constexpr double kWidestSource = 130;  // In picture units. Wider windows would hardly be enlarged.
+// Half the height of a window in lengths of the shortest edge.
+constexpr double kReach = 2.2;
+constexpr double kLeastReach = 1e-150;  // In units of the plane.
 
 /// The place of a defect and the length of its shortest edge.
 struct Spot {
@@ -172,13 +174,13 @@ class InsetChooser {
   }
 
   Rectangle window_at(const Spot& s) const {
-    // centred() may add a factor of 1.3.
+    // The function centred() may add a factor of 1.3.
     const double widest = kWidestSource / 2.6 / overview_.scale();
     const double half = std::min(aspect_ * kReach * s.length, widest);
     return Rectangle::around(s.at, half, half / aspect_);
   }
 
-  /// Returns the spots that the window shows and that are not far smaller than it.
+  /// Returns the spots that the window shows, except those that are far smaller than the window.
   std::vector<const Spot*> seen(const Rectangle& window, double length) const {
     std::vector<const Spot*> spots;
     for (const Spot& s : spots_) {
@@ -200,7 +202,7 @@ class InsetChooser {
     return best == nullptr ? Inset{} : Inset{centred(*best), most};
   }
 
-  /// Returns the window around what it shows, with the spots well inside.
+  /// Returns the window around the spots that it shows, with a margin.
   Rectangle centred(const Spot& best) const {
     Rectangle box = Rectangle::around(best.at, 0, 0);
     for (const Spot* s : seen(window_at(best), best.length)) box.include(s->at);

@@ -19,7 +19,7 @@
 namespace plumb {
 namespace {
 
-// Directions to try, the most pleasant first: above right, above left, and so on.
+// The directions to try, the most pleasant first.
 constexpr std::array<Point2, 12> kDirections = {{{.71, -.71},
                                                  {-.71, -.71},
                                                  {.71, .71},
@@ -71,14 +71,15 @@ std::optional<Rectangle> LabelPlacer::place(Point2 anchor, double width, double 
 
 namespace {
 
-constexpr double kGroupRadius = 32;  // Picture units.
+constexpr double kGroupRadius = 32;  // In picture units.
 constexpr double kLabelHeight = 24;
 constexpr double kLabelFont = 16;
 constexpr double kNumberFont = 14;
-constexpr double kArrowFrom = 34;  // Shortest edge with a direction.
+constexpr double kArrowFrom = 34;  // The shortest edge that gets an arrow for its direction.
 constexpr std::size_t kMaxVertexNumbers = 16;
-constexpr double kOutsideMargin = 12;  // Where vertices outside the view are marked.
-constexpr double kSamePlace = 3;       // Picture units.
+// The part outside of the view in which vertices are marked, too.
+constexpr double kOutsideMargin = 12;
+constexpr double kSamePlace = 3;  // In picture units.
 
 std::string move_line(Point2 a, Point2 b) {
   return "M" + svg_number(a.x) + " " + svg_number(a.y) + "L" + svg_number(b.x) + " " +
@@ -149,7 +150,7 @@ std::size_t MapMarks::paint(const View& view, Detail detail, LabelPlacer& room,
   return left_out;
 }
 
-/// Returns the lines and arrows of all defects of one kind; labels are kept off them.
+/// Returns the lines and arrows of all defects of one kind. Labels avoid them.
 std::pair<std::string, std::string> MapMarks::edge_paths(const View& view, DefectKind kind,
                                                          LabelPlacer& room) const {
   std::string path, arrows;
@@ -168,7 +169,7 @@ std::pair<std::string, std::string> MapMarks::edge_paths(const View& view, Defec
   return {path, arrows};
 }
 
-/// Draws edges. Those of several kinds lie on each other: the later the kind, the thinner.
+/// Draws edges. Edges of several kinds lie upon each other, and later kinds are thinner.
 void MapMarks::paint_edges(const View& view, Detail detail, LabelPlacer& room,
                            std::ostream& out) const {
   std::string halo, bands;
@@ -214,7 +215,8 @@ void MapMarks::paint_warnings(const View& view, Detail detail, std::ostream& out
   if (!inferred.empty()) out << "<path class=\"inferred\" d=\"" << inferred << "\"/>\n";
 }
 
-/// Draws symbols. Several kinds at one place stand side by side; a kind is drawn once at a place.
+/// Draws symbols. Symbols of several kinds at one place stand side by side, and each kind occurs
+/// only once at a place.
 void MapMarks::paint_symbols(const View& view, Detail detail, LabelPlacer& room,
                              std::ostream& out) const {
   const double radius = detail == Detail::Closeup ? 7 : count_ <= 100 ? 6 : 4.5;
@@ -235,7 +237,7 @@ void MapMarks::paint_symbols(const View& view, Detail detail, LabelPlacer& room,
   out << "</g>\n";
 }
 
-/// Returns groups of defects: each joins the first group whose anchor is near.
+/// Returns groups of defects. Each defect joins the first group whose anchor is near.
 std::vector<DefectGroup> MapMarks::grouped(const View& view) const {
   std::vector<DefectGroup> groups;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -264,7 +266,7 @@ std::size_t MapMarks::paint_labels(const View& view, Detail detail, LabelPlacer&
                                    std::ostream& out) const {
   std::size_t left_out = 0;
   const std::vector<DefectGroup> groups = grouped(view);
-  // Labels are spread evenly over the groups.
+  // Labels are distributed evenly over the groups.
   const std::size_t step = (groups.size() + kMaxLabels - 1) / kMaxLabels;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const DefectGroup& group = groups[i];

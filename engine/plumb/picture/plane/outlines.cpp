@@ -14,7 +14,7 @@
 namespace plumb {
 namespace {
 
-constexpr double kCell = 2;  // Picture units.
+constexpr double kCell = 2;  // In picture units.
 
 }  // namespace
 
@@ -98,7 +98,7 @@ class ChainWalker {
   bool is_left(EdgeId e) const { return is_left_[e]; }
   bool begins_chain(HalfedgeId h) const { return degree_[complex_.dcel.origin(h)] != 2; }
 
-  /// Appends the chain that begins with h; a closed one once around.
+  /// Appends the chain that begins with h. A closed chain is walked around once.
   void append(HalfedgeId h, std::span<const Point2> at, PathData& path) {
     path.move_to(at[complex_.dcel.origin(h).value()]);
     while (h.is_valid()) {
@@ -131,7 +131,7 @@ std::size_t append_chains(const PlaneComplex& complex, std::span<const std::uint
                           std::uint8_t wanted, std::span<const Point2> at, std::size_t max_points,
                           PathData& path) {
   ChainWalker walker(complex, kind, wanted);
-  for (const bool is_open : {true, false}) {  // Chains with ends come first, then rings.
+  for (const bool is_open : {true, false}) {  // Chains with ends are walked first, then rings.
     for (std::size_t e = 0; e < complex.edge_count(); ++e) {
       for (const HalfedgeId h : {first_half(EdgeId(e)), twin(first_half(EdgeId(e)))}) {
         if (path.points() >= max_points) return walker.left();
@@ -157,7 +157,7 @@ double total_length(const PlaneComplex& complex, std::span<const std::uint8_t> k
 
 namespace {
 
-// Heights to try, as parts of the polygon's height; the middle comes first.
+// The heights to try, as parts of the height of the polygon. The middle is tried first.
 constexpr double kHeights[] = {.5, .4, .6, .3, .7, .2, .8};
 
 using Rings = std::vector<std::vector<Point2>>;
@@ -182,7 +182,7 @@ std::vector<double> crossings(const Rings& rings, double y) {
   return xs;
 }
 
-/// Whether the part of the edge within the box's rows lies beside the box.
+/// Whether the part of the edge in the rows of the box lies beside the box.
 bool is_beside(const Rectangle& box, Point2 a, Point2 b) {
   if (std::max(a.y, b.y) <= box.top || std::min(a.y, b.y) >= box.bottom) return true;
   const auto x_at = [a, b](double y) {

@@ -21,9 +21,10 @@
 namespace plumb {
 namespace {
 
-constexpr double kMargin = 6;  // Picture units around the frame that are drawn as well.
+// In picture units. A margin of this width around the frame is drawn, too.
+constexpr double kMargin = 6;
 constexpr std::size_t kSamples = 100000;
-constexpr double kLeastWindow = 1e-200;  // Keeps scales finite.
+constexpr double kLeastWindow = 1e-200;  // The limit keeps scales finite.
 
 double clamped(double value) { return std::isnan(value) ? 0 : std::clamp(value, -2.0, 2.0); }
 
@@ -42,7 +43,7 @@ std::vector<Side> sides(const Rectangle& r) {
   return {{true, -1, -r.left}, {true, 1, r.right}, {false, -1, -r.top}, {false, 1, r.bottom}};
 }
 
-/// Returns one step of Sutherland and Hodgman's clipping.
+/// Performs one step of the algorithm of Sutherland and Hodgman.
 std::vector<Point2> cut(const std::vector<Point2>& ring, const Side& side) {
   std::vector<Point2> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -154,9 +155,11 @@ namespace {
 
 constexpr double kLeastAspect = 0.45;
 constexpr double kMostAspect = 1.15;
-constexpr double kComfort = 0x1p-25;  // Least half width over the distance from the origin.
-constexpr double kNearBorder = 1e-6;  // Window coordinates; nearer points are compared exactly.
-constexpr double kTicks = 6;          // About so many.
+// The least ratio of the half width to the distance from the origin.
+constexpr double kComfort = 0x1p-25;
+// In window coordinates. Points that are nearer are compared exactly.
+constexpr double kNearBorder = 1e-6;
+constexpr double kTicks = 6;  // There are about so many steps.
 
 /// The least box around points.
 struct ExactBox {
@@ -176,7 +179,7 @@ bool is_plain_input(const PlanePoints& points, std::uint32_t i) {
   return i < points.inputs.size() && points.inputs.is_double(i);
 }
 
-/// Extends the box by all vertices. Doubles are compared as such, other numbers as fractions.
+/// Extends the box by all vertices. Doubles are compared directly, and other numbers as fractions.
 void include_vertices(const PlaneComplex& complex, ExactBox& box) {
   Rectangle plain;
   bool has_plain = false;
@@ -202,8 +205,8 @@ RationalPoint2 foot(const RationalPoint2& a, const RationalPoint2& b, const Rati
   return {a.x + t * dx, a.y + t * dy};
 }
 
-/// Extends the box by lines without vertices. They are parallel, so their points on one
-/// perpendicular show all of them.
+/// Extends the box by lines without vertices. These lines are parallel, so a point of each on a
+/// common perpendicular is enough to show all of them.
 void include_lines(const PlaneComplex& complex, ExactBox& box) {
   RationalPoint2 beside{0, 0};
   if (!complex.vertex_point.empty()) beside = exact(complex.points, complex.vertex_point[0]);
@@ -220,8 +223,8 @@ void include_lines(const PlaneComplex& complex, ExactBox& box) {
   }
 }
 
-/// Returns a double between r - space and r, or r itself if there is none. Short numbers keep the
-/// cutting cheap.
+/// Returns a short number between r - space and r, or r itself if there is none. Short numbers make
+/// the cut cheap.
 Rational short_below(const Rational& r, const Rational& space) {
   const double d = std::nextafter(nearest_double(r), -INFINITY);
   if (!std::isfinite(d)) return r;
@@ -241,7 +244,8 @@ PlaneWindow::PlaneWindow(const PlaneComplex& complex, double margin) {
   surround(box.left, box.bottom, box.right, box.top, margin);
 }
 
-/// Makes a box of no size one of size 1, or of a size that shows beside its coordinates.
+/// If the box has no extent, extends it to size 1, or to a size that is visible beside its
+/// coordinates.
 void PlaneWindow::surround(const Rational& left, const Rational& bottom, const Rational& right,
                            const Rational& top, double margin) {
   Rational width = right - left, height = top - bottom;
@@ -307,12 +311,12 @@ std::vector<PlaneWindow::Tick> PlaneWindow::ticks(bool is_vertical) const {
   if (!is_plain_ || half < 1e-6 * std::fabs(centre) || half < 1e-9 || half > 1e12) return ticks;
   const double rough = 2 * half / kTicks;
   double step = std::pow(10, std::floor(std::log10(rough)));
-  for (const double factor : {2.0, 2.5, 2.0}) {  // The steps 1, 2, 5, 10.
+  for (const double factor : {2.0, 2.5, 2.0}) {  // The steps are 1, 2, 5, 10.
     if (step < rough) step *= factor;
   }
   for (double k = std::ceil((centre - half) / step); k * step < centre + half; ++k) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.9g", k * step + 0.0);  // Negative zeros become zeros.
+    std::snprintf(text, sizeof text, "%.9g", k * step + 0.0);  // Negative zero becomes zero.
     ticks.push_back({(k * step - centre) / plain_half_, text});
   }
   return ticks;

@@ -1,4 +1,4 @@
-// Tested by tests/cli/view_command_test.cpp.
+// Encodes images with libpng (encode_png.h). Tested by tests/cli/view_command_test.cpp.
 #include "plumb/picture/png/encode_png.h"
 
 #include <png.h>

@@ -9,9 +9,11 @@
 namespace plumb {
 namespace {
 
-constexpr double kLeastScale = 1e-290;  // Quarters: smaller things are drawn as a point.
-constexpr double kLeastPart = 1e-9;  // Part of the place: doubles do not distinguish nearer points.
-// Part of the longest side: a window has some extent in every direction.
+// For coordinates divided by 4. Smaller objects are drawn as points.
+constexpr double kLeastScale = 1e-290;
+// A part of the coordinates. Doubles do not distinguish points that are nearer.
+constexpr double kLeastPart = 1e-9;
+// A part of the longest side. A window has at least this extent in every direction.
 constexpr double kThinnest = 0.02;
 
 Point3 quartered(const Point3& p) { return {p.x / 4, p.y / 4, p.z / 4}; }

@@ -7,9 +7,10 @@ namespace plumb {
 namespace {
 
 constexpr double kHeight = 6, kAdvance = 5.8, kGap = 1.8;
-constexpr double kSmall = .78;  // Part of a capital's height.
+constexpr double kSmall = .78;  // A part of the height of a capital letter.
 
-/// Polylines on a grid 4 wide and 6 high, y upwards: "xy xy ..", with a bar before the next one.
+/// Polylines on a grid that is 4 wide and 6 high, with y upwards. The format is "xy xy ..", with a
+/// bar between polylines.
 struct Glyph {
   char letter;
   std::string_view path;

@@ -28,7 +28,7 @@ const std::vector<Point2> kBars = {{-1, -.9}, {1, -.9}, {1, -.3}, {-.4, -.3},
                                    {-.4, .3}, {1, .3},  {1, .9},  {-1, .9}};
 
 std::vector<Point2> circle() {
-  // cos and sin of multiples of 30 degrees.
+  // The cosine and sine of multiples of 30 degrees.
   constexpr double c = 0.866, s = 0.5;
   return {{1, 0},  {c, s},   {s, c},   {0, 1},  {-s, c}, {-c, s},
           {-1, 0}, {-c, -s}, {-s, -c}, {0, -1}, {s, -c}, {c, -s}};
@@ -71,8 +71,8 @@ std::uint8_t free_colour(std::uint32_t taken, std::size_t wish, std::size_t coun
   return static_cast<std::uint8_t>(wish % count);
 }
 
-// A neighbour's tint is known at both ends of the common edge. Tints seen at one end only belong to
-// faces that touch at a vertex, and may be used again.
+// The tint of a neighbour is found at both ends of the common edge. A tint that is found only at
+// one end belongs to a face that touches at a vertex, and may be used again.
 std::vector<std::uint8_t> colour_cycles(const Map& map) {
   std::vector<std::uint16_t> seen(map.vertex_count());
   std::vector<std::uint8_t> colours(map.cycle_count());
@@ -93,12 +93,13 @@ std::vector<std::uint8_t> colour_cycles(const Map& map) {
 namespace {
 
 constexpr double kTitleSize = 30;
-constexpr double kBold = 1.15;  // How much wider bold letters may be.
+constexpr double kBold = 1.15;  // Bold letters may be wider by this factor.
 constexpr double kBadgeSize = 22;
 constexpr double kFactsSize = 17;
 constexpr double kNoteSize = 15;
-constexpr double kLine = 23;         // Distance between the lines of a text of size 17.
-constexpr double kTwoColumns = 900;  // Least width for two columns, for unscaled text.
+constexpr double kLine = 23;  // The distance between the lines of a text of size 17.
+// The least width for two columns, for text that is not scaled.
+constexpr double kTwoColumns = 900;
 
 }  // namespace
 
@@ -119,7 +120,8 @@ void Sheet::write_badge(const Badge& badge) {
         << svg_number(y_ + text(28)) << "\">" << xml_escaped(badge.text) << "</text>\n";
 }
 
-/// Writes the header. The facts stand beside the badge if they fit, else below it.
+/// Writes the header. The facts stand beside the badge if there is enough space; otherwise below
+/// it.
 void Sheet::write_header(const std::string& title, const Badge& badge, const std::string& facts) {
   for (const std::string& line : wrapped(title, text(kBold * kTitleSize), column(), 2)) {
     y_ += text(kTitleSize - 2);

@@ -19,17 +19,18 @@
 namespace plumb {
 namespace {
 
-constexpr double kFarOff = 100000;  // Picture units.
-constexpr long kLeastStep = 3;      // Tenths of a picture unit.
+constexpr double kFarOff = 100000;  // In picture units.
+constexpr long kLeastStep = 3;      // In tenths of a picture unit.
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// Returns the bytes of the UTF-8 sequence that begins `text`; 0 if there is none or XML does not
-/// allow it.
+/// Returns the bytes of the UTF-8 sequence at the beginning of `text`; 0 if there is none, or if
+/// XML does not allow it.
 std::size_t utf8_length(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80) return 1;
   const std::string_view sequence = text.substr(0, lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4);
-  if (sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF") return 0;  // U+FFFE and U+FFFF.
+  // The characters are U+FFFE and U+FFFF.
+  if (sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF") return 0;
   return text_prefix(sequence) == sequence.size() ? sequence.size() : 0;
 }
 
@@ -94,7 +95,7 @@ double text_width(std::string_view text, double font_size) {
   double ems = 0;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >> 6U == 2) continue;  // A byte inside a code point.
+    if (byte >> 6U == 2) continue;  // The byte is inside of a code point.
     const bool is_narrow =
         std::string_view(" .,:;!|'il()[]-trfj").find(c) != std::string_view::npos;
     ems += is_narrow ? 0.38 : 0.62;
@@ -120,7 +121,7 @@ std::vector<std::string> wrapped(std::string_view text, double font_size, double
       break;
     }
   }
-  for (std::string& line : lines) {  // A word may be wider than the line.
+  for (std::string& line : lines) {  // A single word may be wider than the line.
     while (text_width(line, font_size) > width * 1.05) {
       while (line.size() > 1 && static_cast<unsigned char>(line.back()) >> 6U == 2) line.pop_back();
       line.pop_back();
