@@ -43,7 +43,7 @@ class VertexTree {
  public:
   VertexTree(const SpaceComplex& complex, std::vector<VertexId> vertices);
 
-  /// Returns some vertex strictly on that side of the plane, or an invalid id if there is none.
+  /// Returns a vertex strictly on that side of the plane, or an invalid id if there is none.
   VertexId find(PlaneId plane, Sign side) const;
 
  private:
@@ -98,8 +98,9 @@ void VertexTree::build(std::size_t begin, std::size_t end, std::size_t node) {
   build(middle, end, 2 * node + 2);
 }
 
-/// Whether the box may hold a vertex on that side. It may not if the corner farthest to that side
-/// is surely not beyond the plane: the value there is below minus the error bound of the row.
+/// Whether the box may contain a vertex on that side. It does not if the corner that is farthest to
+/// that side is certainly not beyond the plane, that is, if the value there is below minus the
+/// error bound of the row.
 bool VertexTree::can_hold(PlaneId plane, Sign side, const Box3& box) const {
   const PlaneRow& row = c_.planes().row(plane);
   const double s = side == Sign::Positive ? 1 : -1;
@@ -136,8 +137,8 @@ namespace {
 
 // ---------------------------------------------------------------- meshes of convex polygons
 
-/// Steps 1 to 4 of convexity.h for polygons that are planar and convex. Gives no answer if a face
-/// is neither, or a sign is Zero that must not be.
+/// Steps 1 to 4 of convexity.h, for polygons that are planar and convex. The test gives no answer
+/// if a face is not planar or not convex, or if a sign is Zero that must not be Zero.
 class StarTest {
  public:
   StarTest(const MeshView& mesh, Context& context) : m_(mesh), context_(context) {}
@@ -155,7 +156,7 @@ class StarTest {
   }
 
  private:
-  static constexpr std::size_t kStride = 4096;  // Faces between checkpoints.
+  static constexpr std::size_t kStride = 4096;  // This is the number of faces between checkpoints.
 
   void checkpoint(std::size_t f) const {
     if (f % kStride == 0) context_.checkpoint("convexity", f, m_.face_count());
@@ -165,8 +166,8 @@ class StarTest {
     const std::size_t f = face_[corner];
     return corner + 1 == m_.begin_of(f + 1) ? m_.begin_of(f) : corner + 1;
   }
-  /// Returns the side of x with respect to the plane of face f, spanned by three corners that are
-  /// not on a line.
+  /// Returns the side of x with respect to the plane of face f. Three corners of the face that are
+  /// not collinear span this plane.
   Sign side(std::size_t f, const Point3& x) const {
     const auto& [a, b, c] = three_[f];
     return orient3d(at(a), at(b), at(c), x);
@@ -175,8 +176,8 @@ class StarTest {
   static bool is_finite(const Point3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
   }
-  /// Whether all corners are finite points of the mesh. If not, the slow path throws the error that
-  /// names the point.
+  /// Whether all corners are finite points of the mesh. If a corner is not, the general test throws
+  /// the error that names the point.
   bool are_points_there() const {
     return std::ranges::all_of(m_.corners, [&](std::uint32_t v) {
       return v < m_.point_count() && is_finite(m_.point(v));
@@ -184,8 +185,8 @@ class StarTest {
   }
 
   /// Finds a point strictly behind all faces, or strictly before all of them if the mesh is inside
-  /// out. The mean of the corners is tried; it lies inside every convex mesh up to rounding. Also
-  /// chooses three corners of each face that span its plane.
+  /// out. The function tries the mean of the corners, which up to rounding lies inside of every
+  /// convex mesh. Also chooses three corners of each face that span its plane.
   bool find_middle() {
     const double scale = 1.0 / static_cast<double>(m_.corners.size());
     for (std::size_t i = 0; i < m_.corners.size(); ++i) {
@@ -212,7 +213,7 @@ class StarTest {
     return true;
   }
 
-  /// Whether each face lies in one plane, has no right turns, and runs around once.
+  /// Whether each face lies in one plane, has no right turns, and winds around once.
   bool are_faces_convex() const {
     for (std::size_t f = 0; f < m_.face_count(); ++f) {
       if (m_.face(f).size() == 3) continue;
@@ -222,9 +223,9 @@ class StarTest {
     return true;
   }
 
-  /// Whether face f is a convex polygon. A closed chain that turns left only winds around as often
-  /// as it has local minima in any direction; the lexicographic order of coordinates is the
-  /// direction used here.
+  /// Whether face f is a convex polygon. A closed chain that only turns left winds around as often
+  /// as it has local minima in any direction. The direction used here is the lexicographic order of
+  /// coordinates.
   bool is_convex_polygon(std::size_t f) const {
     std::size_t least = 0;
     for (std::size_t a = m_.begin_of(f); a < m_.begin_of(f + 1); ++a) {
@@ -242,9 +243,9 @@ class StarTest {
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   }
 
-  /// Whether no edge is reflex; no value if the surface is not a closed 2-manifold. Half-edges are
-  /// sorted by the lesser end of their edge with a counting sort. There each waits, in the slot of
-  /// the other end, for its reverse, so the pass is O(n) without hashing.
+  /// Whether no edge is reflex; no value if the surface is not a closed 2-manifold. A counting sort
+  /// sorts the half-edges by the lesser end of their edge. In the slot of its other end, each
+  /// half-edge waits for its reverse, so the pass takes O(n) without hashing.
   std::optional<bool> are_edges_convex() const {
     std::vector<std::uint32_t> begin(m_.point_count() + 1, 0);
     const auto least = [&](std::size_t c) { return std::min(m_.corners[c], m_.corners[next(c)]); };
@@ -276,9 +277,10 @@ class StarTest {
     return true;
   }
 
-  /// Whether the edge is convex or flat whose half-edges c and d run against each other.
+  /// Whether the edge is convex or flat. Its half-edges c and d have opposite directions.
   bool is_edge_convex(std::size_t c, std::size_t d) const {
-    std::size_t off = next(next(d));  // A corner of d's face that is not on the line.
+    // This is a corner of the face of d that is not on the line of the edge.
+    std::size_t off = next(next(d));
     while (next(off) != d && orient3d(at(d), at(next(d)), at(off), middle_) == Sign::Zero) {
       off = next(off);
     }
@@ -317,7 +319,7 @@ class StarTest {
   Point3 middle_{0, 0, 0};
   Sign behind_ = Sign::Zero;
   std::vector<std::uint32_t> face_;  // The face of each corner.
-  // Three corners of each face that are not on a line.
+  // For each face, three corners that are not collinear.
   std::vector<std::array<std::uint32_t, 3>> three_;
 };
 
@@ -332,8 +334,8 @@ bool is_plain(const MeshComplex& mesh) {
 
 // ---------------------------------------------------------------- edges
 
-/// Returns the edges with a reflex wedge inside the solid. A wedge is named by the edge use before
-/// it.
+/// Returns the edges at which the solid has a reflex wedge. A wedge is represented by the edge use
+/// before it.
 template <class IsInside>
 std::vector<EdgeId> wide_edges(const SpaceComplex& c, IsInside&& is_inside_after) {
   const SectorTest test(c);
@@ -359,7 +361,7 @@ std::vector<EdgeId> wide_edges(const SpaceComplex& c, IsInside&& is_inside_after
 /// that is outside.
 template <class Outer>
 std::vector<FailingFace> failing_facets(const SpaceComplex& c, Outer&& outer, Context& context) {
-  std::vector<VertexId> ends;  // Ends of edges that do not belong to the frame.
+  std::vector<VertexId> ends;  // The ends of edges that do not belong to the frame.
   IdVector<VertexId, std::uint8_t> is_end(c.vertex_count(), 0);
   for (std::size_t h = 0; h < c.origin.size(); ++h) {
     if (c.edge_mark[h / 2] != kBeyond) is_end[c.origin[h]] = 1;
@@ -380,10 +382,10 @@ std::vector<FailingFace> failing_facets(const SpaceComplex& c, Outer&& outer, Co
   return failing;
 }
 
-/// Replaces numbers of facets and vertices of the complex by those of the mesh. A face that was cut
-/// into triangles is listed once.
+/// Replaces the numbers of facets and vertices of the complex by those of the mesh. A face that was
+/// triangulated is listed once.
 void number_as_input(std::vector<FailingFace>& faces, const MeshView& mesh, const SpaceComplex& c) {
-  // The tables of the complex were filled in this order, too, so that equal points have equal ids.
+  // The tables of the complex were filled in the same order, so equal points have equal ids.
   SpaceTables tables;
   const MeshVertices vertices = merge_equal_points(mesh, tables);
   std::vector<std::pair<SpacePoint, std::uint32_t>> inputs;
@@ -416,7 +418,7 @@ ConvexityEvidence convexity_of_mesh(const MeshView& mesh, Context& context) {
   if (evidence.is_convex) return evidence;
   const MeshComplex m = complex_of_mesh(mesh, {.surface = true}, context);
   const SpaceComplex& c = m.complex;
-  const auto turned = [&](FacetId f) {  // The sign of the side that is inside.
+  const auto turned = [&](FacetId f) {  // The sign of the inner side.
     const bool is_out = !m.is_inside_out.empty() && m.is_inside_out[m.component[f.value()]] != 0;
     return (m.jump[f.value()] > 0) != is_out ? Sign::Positive : Sign::Negative;
   };

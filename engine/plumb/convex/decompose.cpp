@@ -18,7 +18,7 @@ void close(std::vector<Nef3>& pieces) {
   for (Nef3& piece : pieces) piece = piece.closure();
 }
 
-/// The convex pieces of a part of a set.
+/// Computes the convex pieces of a part of a set.
 struct PiecesOfPart {
   std::vector<Nef3> pieces;
   bool is_by_walls = false;
@@ -46,11 +46,11 @@ ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options,
   const std::vector<SetPart> parts = parts_of(whole, context);
   for (const SetPart& part : parts) memory.add(bytes_beside_tables(part.set), "parts of a set");
   std::vector<PiecesOfPart> of_part(parts.size());
-  std::deque<MemoryCharge> charges;  // One for each part. A deque does not move its elements.
+  std::deque<MemoryCharge> charges;  // One entry for each part. A deque does not move its elements.
   for (std::size_t i = 0; i < parts.size(); ++i) charges.emplace_back(context);
   run_jobs(context, parts.size(), [&](std::size_t i, Context& own) {
     of_part[i] = pieces_of(parts[i], options, own);
-    // A part that is convex is its own piece and shares its memory.
+    // A convex part is its only piece, and shares its memory.
     if (of_part[i].pieces.size() == 1) return;
     for (const Nef3& piece : of_part[i].pieces) {
       charges[i].add(bytes_beside_tables(piece), "convex pieces");

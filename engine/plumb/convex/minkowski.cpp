@@ -47,7 +47,7 @@ namespace plumb {
 namespace {
 
 constexpr unsigned kMaxRounds = 7;
-constexpr double kLeastRadius = 0x1p-900;  // Coordinates of such a ball keep all their bits.
+constexpr double kLeastRadius = 0x1p-900;  // The coordinates of such a ball are not rounded.
 
 /// An octahedron of radius 1 whose triangles are divided into four, again and again.
 class BallMesh {
@@ -122,7 +122,7 @@ Nef3 polyhedral_ball(double radius, unsigned rounds, Context& context) {
 
 namespace {
 
-/// A closed or relatively open convex part of an operand, by its closure.
+/// A closed or relatively open convex part of an operand, represented by its closure.
 struct ConvexPart {
   ConvexBody body;
   bool is_maximal = false;  ///< Whether the part is in the boundary of no other part of its set.
@@ -177,8 +177,8 @@ class OpenParts {
   }
 
  private:
-  /// Adds the open triangles of a facet and the open diagonals between them. Triangulation ignores
-  /// slits, so a facet with a slit is cut into convex pieces first.
+  /// Adds the open triangles of a facet and the open diagonals between them. The triangulation
+  /// ignores slits, so a facet with a slit is first cut into convex pieces.
   void add_facet(FacetId f, bool is_maximal) {
     if (has_slit(f)) return add_slit_facet(f, is_maximal);
     std::map<std::array<std::uint32_t, 2>, int> times;
@@ -249,8 +249,8 @@ Nef3 with_own_origins(const Nef3& set) {
   return Nef3::from_minimal_unchecked(std::move(c));
 }
 
-/// An operand of a sum of which at least one operand is not closed, in convex pieces. Those with
-/// interior points are bodies. The others are relatively open parts.
+/// An operand of a sum with at least one operand that is not closed, as convex pieces. Pieces with
+/// interior points are bodies. The other pieces are relatively open parts.
 class OpenOperand {
  public:
   OpenOperand(const Nef3& set, Context& context) : context_(context) {
@@ -296,8 +296,8 @@ class OpenOperand {
   std::vector<ConvexPart> thin_;
 };
 
-/// Decides which pairs matter. A sum with an open operand does not change when the other one is
-/// replaced by a dense part of it; an open body is such an operand.
+/// Decides which pairs matter. A sum with an open operand does not change if the other operand is
+/// replaced by a dense part of it. An open body is an open operand.
 class PairFilter {
  public:
   PairFilter(const Nef3& a, const Nef3& b) : is_open_{a.is_open(), b.is_open()} {}
@@ -315,7 +315,7 @@ class PairFilter {
   std::array<bool, 2> is_open_;
 };
 
-/// Step 2 of the main flow: the sums of pairs of parts. Reports one phase, not one for each pair.
+/// Step 2 of the main flow: the sums of pairs of parts. The class reports one phase for all pairs.
 class PairSums {
  public:
   explicit PairSums(Context& context)
@@ -342,21 +342,22 @@ class PairSums {
   std::size_t begun_ = 0, expected_ = 0;
 };
 
-/// A part of each operand.
+/// A pair of parts, one of each operand.
 using PartPair = std::pair<const ConvexPart*, const ConvexPart*>;
 
-/// Adds the parts of each pair. Each sum depends on its pair alone, and the sums come in the order
-/// of the pairs. What they occupy is charged to `charges`.
+/// Adds the parts of each pair. Each sum depends only on its pair, and the sums have the order of
+/// the pairs. Their memory is charged to `charges`.
 std::vector<Nef3> sums_of_pairs(std::span<const PartPair> pairs, std::deque<MemoryCharge>& charges,
                                 Context& context) {
-  constexpr std::size_t kLeastPairs = 4;  // So many pairs are worth a thread.
+  // From this number of pairs on, one more thread saves time.
+  constexpr std::size_t kLeastPairs = 4;
   std::vector<Nef3> sums(pairs.size());
   const std::size_t ranges = count_ranges(context, pairs.size(), kLeastPairs);
   const std::size_t first = charges.size();
   for (std::size_t i = 0; i < ranges; ++i) charges.emplace_back(context);
   run_ranges(context, pairs.size(), kLeastPairs,
              [&](std::size_t range, std::size_t begin, std::size_t end, Context& own) {
-               // Reports one phase, not one for each pair.
+               // Reports one phase for all pairs.
                Context quiet = Context::of_job(own, {}, own.threads(), JobProgress::Silent);
                for (std::size_t i = begin; i < end; ++i) {
                  own.checkpoint("sums of parts", i, pairs.size());
@@ -421,14 +422,15 @@ class OpenSums {
 
   void add_half_open(const HalfOpenBody& p, const HalfOpenBody& q) {
     const auto add_faces = [&](BodyFace f, BodyFace g, bool is_parallel) {
-      // Nearly all parallel faces are visited because one of them has no marked item.
+      // Most pairs of parallel faces are visited although one of the faces has no marked item. Such
+      // pairs are skipped.
       if (!p.has_part(f, is_parallel) || !q.has_part(g, is_parallel)) return;
       add_parts(parts_of(p, f, is_parallel), parts_of(q, g, is_parallel));
     };
     sums_.add(half_open_sum(p, q, add_faces, sums_.quiet()));
   }
 
-  /// Returns the marked parts of a face. None of them is dispensable, so all are maximal.
+  /// Returns the marked parts of a face. None of them can be omitted, so all are maximal.
   std::vector<ConvexPart> parts_of(const HalfOpenBody& body, BodyFace face, bool with_boundary) {
     std::vector<ConvexPart> parts;
     const Nef3 marked = body.part(face, with_boundary, sums_.quiet());
@@ -486,8 +488,8 @@ std::array<Rational, 2> range_of(const Nef3& set, std::size_t axis) {
   return {coordinate(low), coordinate(high)};
 }
 
-/// Returns a box around A that contains x + B for every x in the box of A - B, with a margin. The
-/// box is open if A is closed, so that the box without A is open; else it is closed.
+/// Returns a box around A that contains x + B for every x in the box of A - B, with a margin. If A
+/// is closed, the box is open, so that the box without A is open. Otherwise, the box is closed.
 Nef3 room_around(const Nef3& a, const Nef3& b, Context& context) {
   const Boundary boundary = a.is_closed() ? Boundary::Open : Boundary::Closed;
   std::vector<HalfSpace3> sides;
@@ -511,7 +513,7 @@ Nef3 minkowski_sum(const Nef3& a, const Nef3& b, Context& context) {
   if (a.is_empty() || b.is_empty()) return Nef3::empty();
   require_bounded(a);
   require_bounded(b);
-  // What the sums occupy stays charged until they are united.
+  // The memory of the sums stays charged until they are united.
   std::deque<MemoryCharge> charges;
   std::vector<Nef3> sums;
   std::optional<OpenSums> open_sums;
@@ -543,8 +545,9 @@ Nef3 minkowski_erosion(const Nef3& a, const Nef3& b, Context& context) {
   const Nef3 mirrored = b.transformed(scaling(-1));
   if (!a.is_bounded()) return !minkowski_sum(!a, mirrored, context);
   if (a.is_empty()) return a;
-  // If x + B lies in A, then x is in the translate of A by minus one point of B. For such x, x + B
-  // stays within the box, so the sum with the rest of the box finds all x that are lost.
+  // If x + B is contained in A, then x is in the translate of A by minus one point of B. For such
+  // x, the set x + B is contained in the box, so the sum with the rest of the box finds all x that
+  // are removed.
   const Nef3 lost = minkowski_sum(boolean_op(room_around(a, b, context), a, kDifference, context),
                                   mirrored, context);
   const Nef3 candidates = minkowski_sum(a, mirrored, context);

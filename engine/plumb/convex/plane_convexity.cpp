@@ -91,8 +91,8 @@ std::optional<RationalPoint2> reflex_corner(const PlaneRegion& region) {
   return std::nullopt;
 }
 
-/// Whether a side ends at the start of h: at infinity, or at a corner of less than half a turn.
-/// Requires a corner that is not reflex.
+/// Whether a side ends at the start of h: at infinity, or at a corner with an angle of less than a
+/// half turn. Requires that the corner is not reflex.
 bool is_side_end(const PlaneRegion& region, HalfedgeId h) {
   if (region.is_at_infinity(region.start(h))) return true;
   return region.cross(region.heading(region.before(h)), region.heading(h)) != Sign::Zero;

@@ -28,9 +28,10 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kCornersPerSumCheckpoint = 256;
-constexpr std::uint64_t kBytesPerSumCorner = 120;  // Exact coordinates and an index.
+constexpr std::uint64_t kBytesPerSumCorner = 120;  // The point has exact coordinates and an index.
 
-using ConvexRing = std::vector<RationalPoint2>;  // One corner: a point; two corners: a segment.
+// A ring with one corner is a point. A ring with two corners is a segment.
+using ConvexRing = std::vector<RationalPoint2>;
 
 /// Returns the corners of a closed convex set.
 ConvexRing ring_of(const Nef2& convex, Context& context) {
@@ -127,7 +128,7 @@ class Convolution {
       end_chain();
     }
   }
-  /// Follows the ring at the origin of h, from `at` to the support of h, which is returned.
+  /// Follows the ring at the origin of h, from `at` to the support of h. Returns this support.
   std::size_t turn_at(HalfedgeId h, std::size_t at) {
     const VertexId v = set_.dcel.origin(h);
     const Direction out = direction(h);

@@ -28,8 +28,9 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kHalfBytes = 64;    // Bytes of a region for each half-edge.
-constexpr std::uint64_t kPieceBytes = 700;  // Bytes of a piece, and of each of its sides.
+constexpr std::uint64_t kHalfBytes = 64;  // The memory of a region in bytes, for each half-edge.
+// The memory of a piece and of each of its sides, in bytes.
+constexpr std::uint64_t kPieceBytes = 700;
 constexpr std::uint64_t kSideBytes = 150;
 // Largest product of reflex corners and half-edges.
 constexpr std::uint64_t kAffordableCuts = 100'000'000;
@@ -57,8 +58,8 @@ class PlanePartition {
   }
 
  private:
-  /// Charges the memory that regions need of the whole set; the pieces are charged as they are
-  /// made.
+  /// Charges the memory that the regions of the whole set need. Memory for the pieces is charged
+  /// when they are made.
   static const PlaneComplex& charged(const PlaneComplex& c, MemoryCharge& memory) {
     memory.add(8 * c.dcel.vertex_count() + 4 * c.dcel.edge_count() + 4 * c.points.size(),
                kPartitionPhase);
@@ -69,7 +70,7 @@ class PlanePartition {
     PlaneRegion region = regions_.region(f);
     MemoryCharge memory(context_);
     memory.add(2 * kHalfBytes * region.halfedge_count(),
-               kPartitionPhase);  // Method Best holds two regions.
+               kPartitionPhase);  // The method Best stores two regions.
     const std::uint64_t reflex = region.count_reflex_corners();
     result_.reflex_corners += reflex;
     if (reflex > 0) cut(region, reflex);
@@ -109,7 +110,8 @@ class PlanePartition {
     } else {
       cut_by_diagonals(region, context_);
     }
-    // No method makes fewer parts than r / 2 + 1, so two loops cannot be improved on.
+    // A cut resolves at most two reflex corners, so every method makes at least r / 2 + 1 parts.
+    // Two loops are therefore optimal.
     if (region.count_loops() <= 2 || reflex * other.halfedge_count() > kAffordableCuts) return;
     cut_by_sides(other, context_);
     if (other.count_loops() < region.count_loops()) region = std::move(other);
@@ -122,14 +124,14 @@ class PlanePartition {
 
   // ---------------------------------------------------------------- what has no face
 
-  /// Whether the edge borders a marked face, whose piece may own it.
+  /// Whether the edge is on the border of a marked face, whose piece may own it.
   bool has_face(EdgeId e) const {
     const HalfedgeId h = first_half(e);
     return c_.mark(c_.dcel.face(h)) || c_.mark(c_.dcel.face(twin(h)));
   }
 
-  /// Makes each marked edge without a marked face a piece. A vertex that is the end of several goes
-  /// to the first.
+  /// Makes each marked edge that is not beside a marked face a piece. If a vertex is the end of
+  /// several such edges, it goes to the first one.
   void add_edges() {
     PieceMaker maker(c_.points);
     is_taken_.assign(c_.vertex_count(), 0);
@@ -151,7 +153,7 @@ class PlanePartition {
     }
   }
 
-  /// Makes each marked vertex that no piece owns yet a piece.
+  /// Makes each marked vertex a piece if no piece owns it.
   void add_points() {
     for (std::uint32_t i = 0; i < c_.vertex_count(); ++i) {
       const VertexId v(i);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kTriangulationPhase = "triangulation";
 constexpr std::uint32_t kSignsPerCheckpoint = 4096;
-constexpr std::uint64_t kBytesPerCorner = 300;  // The sweep and the flips.
+constexpr std::uint64_t kBytesPerCorner = 300;  // The memory of the sweep and of the flips.
 
 /// Points of a table, with exact predicates. The context is asked whether to stop.
 // NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): final
@@ -68,7 +68,7 @@ void add_triangles(const PlanarPoints& points, const std::vector<IndexEdge>& edg
 
 // --- points -----------------------------------------------------------------------------------
 
-/// Returns the points in lexicographic order, each place once.
+/// Returns the points in lexicographic order, without duplicates.
 std::vector<std::uint32_t> places_of(const PointTable2& points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -82,7 +82,7 @@ std::vector<std::uint32_t> places_of(const PointTable2& points) {
   return order;
 }
 
-/// Appends the chain of the hull that turns left only, through all points on it.
+/// Appends the chain of the hull that only turns left, through all points on it.
 template <class Range>
 void add_chain(const PointTable2& points, const Range& order, std::vector<std::uint32_t>& hull) {
   const std::size_t fixed = hull.size();

@@ -41,7 +41,7 @@ void add_corner(Polygon& polygon, RationalPoint2 p) {
   if (polygon.empty() || !(polygon.back() == p)) polygon.push_back(std::move(p));
 }
 
-/// Ends a polygon. What has fewer than three corners has no area.
+/// Ends a polygon. A polygon with fewer than three corners has no area and is dropped.
 Polygon closed(Polygon polygon) {
   while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
   if (polygon.size() < 3) polygon.clear();
@@ -106,7 +106,7 @@ class Voronoi {
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  /// Charges the points of the layer, whose array grows by doubling.
+  /// Charges memory for the points of the layer. Their array grows by doubling.
   void charge(std::size_t bytes) {
     memory_.add(2 * (bytes - charged_), "voronoi");
     charged_ = bytes;
@@ -183,14 +183,15 @@ class Voronoi {
     return clipped(closed(std::move(polygon)));
   }
 
-  /// Returns the corners at a site, counter-clockwise around it; on the convex hull, the first one
-  /// follows the gap.
+  /// Returns the corners at a site, counter-clockwise around it. If the site is on the convex hull,
+  /// the first corner follows the gap.
   std::vector<std::uint32_t> corners_around(std::uint32_t site) const {
     std::vector<std::uint32_t> around(corners_.begin() + begin_[site],
                                       corners_.begin() + begin_[site + 1]);
     if (around.empty()) return around;
-    // The corner whose first neighbour is the last neighbour of no other corner.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_first;  // First neighbour, corner.
+    // Finds the corner whose first neighbour is not the last neighbour of any other corner.
+    // The first neighbour and the corner.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> by_first;
     std::vector<std::uint32_t> lasts;
     for (const std::uint32_t corner : around) {
       by_first.emplace_back(after(corner), corner);
@@ -258,9 +259,9 @@ class Voronoi {
   MemoryCharge memory_;
   std::size_t charged_ = 0;
   PlaneTriangulation triangulation_;
-  std::vector<RationalPoint2> centres_;               // Of each triangle.
-  std::vector<std::uint32_t> begin_, corners_;        // Corners of triangles at each site.
-  std::vector<std::vector<std::uint32_t>> straight_;  // Neighbours, if all sites are on a line.
+  std::vector<RationalPoint2> centres_;               // The centre of each triangle.
+  std::vector<std::uint32_t> begin_, corners_;        // The corners of triangles at each site.
+  std::vector<std::vector<std::uint32_t>> straight_;  // The neighbours, if all sites are collinear.
   std::vector<std::uint8_t> is_repeated_;
 };
 

@@ -50,15 +50,18 @@ VerticalChoice choose_vertical(const SpaceComplex& complex, Context& context);
 
 namespace {
 
-constexpr std::size_t kMaxEdges = 1500;     // Most edges that are compared with each other.
-constexpr std::size_t kMaxCandidates = 12;  // Most candidates besides the axes.
-// Most bits of a direction's coordinates: they lengthen the numbers of every wall.
+// The number of edges that are compared with each other is at most this.
+constexpr std::size_t kMaxEdges = 1500;
+// At most so many candidates are tried in addition to the axes.
+constexpr std::size_t kMaxCandidates = 12;
+// The greatest number of bits of a direction's coordinates, because they lengthen the numbers of
+// every wall.
 constexpr unsigned kMaxBits = 64;
 
 using Vector2 = std::array<double, 2>;
 
-/// Makes the coordinates coprime and the first that is not zero positive. Returns false if all are
-/// zero or one is too long.
+/// Divides the coordinates by their gcd and makes the first nonzero coordinate positive. Returns
+/// false if all are zero, or if one has too many bits.
 bool normalise(VerticalDirection& v) {
   Integer common = gcd(gcd(v[0], v[1]), v[2]);
   if (common == 0) return false;
@@ -129,7 +132,7 @@ class DirectionChoice {
     return counts;
   }
 
-  /// Adds the directions that occur more than once, the most frequent first.
+  /// Adds the directions that occur more than once, in the order of their frequency.
   static void add_shared(const Counts& counts, std::vector<VerticalDirection>& candidates) {
     std::vector<std::pair<std::size_t, const VerticalDirection*>> order;
     for (const auto& [direction, count] : counts) {
@@ -182,7 +185,7 @@ class DirectionChoice {
     return pieces;
   }
 
-  /// Whether the edge is parallel to `up`: both its planes hold that direction.
+  /// Whether the edge is parallel to `up`, that is, whether both its planes contain that direction.
   bool is_along(EdgeId e, const VerticalDirection& up) const {
     const auto holds = [&](PlaneId p) {
       const IntegerRow n = c_.planes().coefficients(p);
@@ -214,8 +217,8 @@ namespace {
 
 constexpr int kMaxWallRounds = 64;
 
-/// Whether a marked volume spans more than half a turn around some edge, or a point has been
-/// removed from one. The complex need not be minimal.
+/// Whether a marked volume has an angle of more than a half turn around some edge, or lacks a
+/// single point. The complex need not be minimal.
 bool has_reflex_items(const SpaceComplex& complex) {
   for (const VolumeId around : complex.vertex_volume) {
     if (around.is_valid() && complex.volume_mark[around] == 1) return true;
@@ -232,8 +235,8 @@ bool has_reflex_items(const SpaceComplex& complex) {
 
 using Step = std::vector<WallPolygon> (*)(const SpaceComplex&, SpaceTables&, Vertical&, Context&);
 
-// Returns the complex overlaid with the walls of one step. Walls make new planes and points, so it
-// gets tables of its own.
+// Returns the overlay of the complex with the walls of one step. Walls make new planes and points,
+// so the overlay gets new tables.
 SpaceComplex after(Step step, SpaceComplex complex, const VerticalDirection& up, Context& context) {
   MemoryCharge memory(context);
   memory.add(memory_bytes(complex), "a set with its walls");
@@ -244,7 +247,8 @@ SpaceComplex after(Step step, SpaceComplex complex, const VerticalDirection& up,
   return with_walls(std::move(complex), tables, walls, context);
 }
 
-/// Gives walls, which carry kBeyond as a mark of their own until now, the mark 1.
+/// Sets the marks of walls to 1. Until now, they had the mark kBeyond, which distinguishes them
+/// from other facets.
 void mark_walls(SpaceComplex& complex) {
   for (std::vector<Mark>* marks : std::initializer_list<std::vector<Mark>*>{
            &complex.vertex_mark, &complex.edge_mark, &complex.facet_mark}) {
@@ -252,11 +256,11 @@ void mark_walls(SpaceComplex& complex) {
   }
 }
 
-/// Returns the subdivided complex, or no value if reflex edges are left after kMaxRounds rounds.
+/// Returns the subdivided complex, or no value if reflex edges remain after kMaxRounds rounds.
 std::optional<SpaceComplex> subdivided(SpaceComplex complex, const VerticalDirection& up,
                                        Context& context) {
-  // One round is enough unless a cell winds around and lies above itself: then walls may have ended
-  // too early.
+  // One round is enough unless a cell winds around and lies above itself. In that case, walls may
+  // have ended too early.
   for (int round = 0; has_reflex_items(complex); ++round) {
     if (round == kMaxWallRounds) return std::nullopt;
     complex = after(sight_walls, std::move(complex), up, context);
@@ -283,9 +287,9 @@ SpaceComplex wall_subdivision(const Nef3& set, const std::optional<VerticalDirec
 }
 
 std::vector<Nef3> fewer_pieces_by_walls(const Nef3& volume, std::size_t most, Context& context) {
-  // Up to so many reflex edges walls cost little and are always tried.
+  // If there are at most so many reflex edges, walls take little time and are always tried.
   constexpr std::size_t kFew = 32;
-  // Factor by which the expected number, and the number before merging, may be too large.
+  // The expected number, and the number before merging, may be too large by this factor.
   constexpr double kOverrated = 1.25;
   const SpaceComplex& c = volume.complex();
   if (most < 3 || !volume.is_bounded()) return {};

@@ -1,9 +1,9 @@
-// Choice of the planes that cut pieces. The score of a plane estimates how many cuts it makes and
-// causes: one cut (or one for each stretch of the section, if the plane enters the solid on both
-// sides of its edge), plus one for each reflex edge it divides, less what each resolved edge would
-// have cost. Scores are computed in doubles, only from the ends of reflex edges, with a tolerance
-// relative to their coordinates. A wrong sign costs at most one piece, because the cut itself uses
-// exact signs.
+// Choice of the planes that cut pieces. The score of a plane estimates the number of cuts that it
+// makes and causes. It counts one cut, or one for each stretch of the section if the plane enters
+// the solid on both sides of its edge. It adds one for each reflex edge that the plane divides, and
+// subtracts the cuts of the edges that it resolves. Scores are computed in doubles, only from the
+// ends of reflex edges, with a tolerance relative to their coordinates. A wrong sign costs at most
+// one piece, because the cut itself uses exact signs.
 //
 // Numbers stay short because a plane is only proposed if it can be written with input data: through
 // an input edge and an input vertex, or c1 r1 + c2 r2 with factors |c| <= 16 and the primitive rows
@@ -35,11 +35,14 @@ Vector operator-(const Vector& a, const Vector& b) {
 }
 
 constexpr std::size_t kMostKept = 6;
-constexpr std::size_t kLarge = 500;  // Above so many reflex edges balance is worth pieces,
-constexpr int kWorthOnePiece = 16;   // One piece for so many edges on the lesser side.
+// If there are more reflex edges, balance is worth additional pieces.
+constexpr std::size_t kLarge = 500;
+// Balance is worth one piece for so many edges on the smaller side.
+constexpr int kWorthOnePiece = 16;
 constexpr std::size_t kAllVertices =
-    48;                          // Pieces with no more reflex edges try all their vertices.
-constexpr int kMostFactor = 16;  // Largest factor of a pencil.
+    // If a piece has at most so many reflex edges, all its vertices are tried.
+    48;
+constexpr int kMostFactor = 16;  // The greatest factor of a pencil.
 constexpr double kNearFactor = 1e-9;
 
 }  // namespace
@@ -56,7 +59,7 @@ PlaneId intern_pencil(PlaneTable& planes, PlaneId p, PlaneId q, std::array<int, 
   return plane.is_valid() ? plane.plane() : PlaneId();
 }
 
-/// Returns the index of the vertex in ends_, added if it is new in this gathering.
+/// Returns the index of the vertex in ends_. Appends the vertex if it is new in this search.
 std::uint32_t CutChooser::end_of(VertexId v) {
   if (end_stamp_[v] != stamp_) {
     end_stamp_[v] = stamp_;
@@ -108,8 +111,8 @@ void CutChooser::gather(std::span<const FaceId> faces, std::span<const HalfedgeI
   tolerance_ = size * 1e-11;
 }
 
-// Counts what the plane does to each reflex edge. A plane that holds an edge spares its cut and the
-// edges that this cut would have crossed (Edge::alone).
+// Counts the effect of the plane on each reflex edge. A plane that contains an edge makes its cut
+// unnecessary, and the cuts of the edges that this cut would have crossed (Edge::alone).
 CutCandidate CutChooser::judged(const Row& row, CutCandidate candidate) {
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     const double at = row[0] * ends_[i][0] + row[1] * ends_[i][1] + row[2] * ends_[i][2] + row[3];
@@ -126,8 +129,8 @@ CutCandidate CutChooser::judged(const Row& row, CutCandidate candidate) {
     spared += 1 + edge.alone;
   }
   candidate.lesser = std::min(below, above);
-  // With the plane on both sides of its edges, each stretch of the section between two of them is a
-  // cut.
+  // If the plane enters the solid on both sides of its edges, each stretch of the section between
+  // two of them is a cut.
   const int cuts = candidate.sheets == 1 ? 1 : candidate.resolved + 1;
   candidate.score = cuts + candidate.crossed - spared;
   if (edges_.size() > kLarge) candidate.score -= candidate.lesser / kWorthOnePiece;
@@ -176,7 +179,7 @@ void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factor
   if (!(length > 0)) return;
   for (double& x : m) x /= length;
   const double c2 = -dot(cross(m, edge.n1), w), c1 = dot(cross(m, edge.n2), w);
-  if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) return;  // The plane of a face.
+  if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) return;  // Marks the plane of a face.
   CutCandidate candidate{edge.half, {}, {}, {}, c1 * c2 > 0 ? 2 : 1};
   if (by_factors) {
     const std::optional<std::array<int, 2>> factors = small_factors(edge, at);
@@ -208,7 +211,7 @@ std::optional<std::array<int, 2>> CutChooser::small_factors(const Edge& edge, co
   const double h1 = height(edge.half), h2 = height(s_.half(edge.half).twin);
   const double larger = std::max(std::abs(h1), std::abs(h2));
   for (int q = 1; q <= kMostFactor; ++q) {
-    // The larger of both as q.
+    // The larger of the two heights becomes q.
     const double p1 = h1 / larger * q, p2 = h2 / larger * q;
     if (!(std::abs(p1 - std::round(p1)) + std::abs(p2 - std::round(p2)) < kNearFactor)) continue;
     return std::array<int, 2>{-static_cast<int>(std::round(p2)), static_cast<int>(std::round(p1))};
@@ -220,8 +223,8 @@ std::span<const CutCandidate> CutChooser::candidates(std::span<const FaceId> fac
                                                      std::span<const HalfedgeId> reflex) {
   gather(faces, reflex);
   best_.clear();
-  // The number of candidates times the number of ends is bounded, and shared between seeds, which
-  // are spread evenly over the edges.
+  // The product of the numbers of candidates and of ends is bounded. The candidates are divided
+  // among the seeds, which are distributed evenly over the edges.
   const std::size_t affordable = 60000 / (ends_.size() + 8);
   const std::size_t seeds = std::min(edges_.size(), std::max<std::size_t>(4, affordable / 8));
   const std::size_t budget = std::max<std::size_t>(4, affordable / seeds);
@@ -287,7 +290,7 @@ void FixedPlanes::find_tips(std::span<const HalfedgeId> reflex) {
 
 Sign FixedPlanes::side_of(VertexId v, PlaneId p) const { return side(s_.points(), s_.point[v], p); }
 
-/// Whether all edges of some tip in p lead to one side of p. Tips on the line are not tested.
+/// Whether all edges of some tip in p lead to the same side of p. Tips on the line are not tested.
 bool FixedPlanes::may_touch(PlaneId p, std::array<PlaneId, 2> line) const {
   for (std::size_t i = 0; i < spokes_.size();) {
     const VertexId tip = spokes_[i][0];

@@ -45,19 +45,19 @@ class SolidCutter {
         cut_(surface),
         chooser_(surface) {}
 
-  /// Cuts depth first over a stack of pieces, which keeps few of them open.
+  /// Cuts depth first with a stack of pieces, so that only few pieces are incomplete at any time.
   SolidPieces run() {
     std::vector<FaceId> all;
     for (std::size_t f = 0; f < s_.faces.size(); ++f) all.push_back(FaceId(f));
     std::vector<std::vector<FaceId>> left{std::move(all)};
     SolidPieces done;
-    // The number of cuts is limited. Every cut takes from the angle at its edge and few planes go
-    // through it, so the limit has never been reached.
+    // The number of cuts is limited. Every cut reduces the angle at its edge, and few planes
+    // contain the edge, so the limit has never been reached.
     std::size_t cuts = 0;
     find_reflex(left[0]);
     done.reflex_edges = reflex_.size();
     if (rule_ == CutRule::Fixed) planes_.emplace(s_, reflex_, context_);
-    // Faces of pieces; every cut adds some.
+    // The number of faces of the pieces, which every cut increases.
     std::size_t faces_done = 0, faces_left = s_.faces.size();
     const std::size_t most = 64 + 4 * (reflex_.size() + 1) * (reflex_.size() + 1);
     while (!left.empty()) {
@@ -87,7 +87,7 @@ class SolidCutter {
   }
 
  private:
-  /// Charges the growth of the pool, with the notes that cuts keep for each of its cells.
+  /// Charges memory for the growth of the pool, and for the notes of the cuts on each cell.
   void charge_growth() {
     constexpr std::size_t kNotes = 16;
     const std::size_t bytes = s_.halves.capacity() * (sizeof(CutSurface::Half) + kNotes) +
@@ -120,7 +120,8 @@ class SolidCutter {
     return {};
   }
 
-  /// Cuts through the first edge. If a tip is in the way, its edges are tried first.
+  /// Cuts through the first edge. If a tip obstructs this cut, the edges of the tip are tried
+  /// first.
   CutPieces cut_first(std::span<const FaceId> piece) {
     const auto edge = [this](HalfedgeId h) { return s_.half(h).edge; };
     std::ranges::sort(reflex_, {}, edge);
@@ -157,11 +158,11 @@ SolidPieces cut_solid(CutSurface& surface, CutRule rule, Context& context) {
   return SolidCutter(surface, rule, context).run();
 }
 
-// Cuts of sets that no surface can hold, by Booleans with half-spaces.
+// Cuts sets that a surface cannot represent, by Booleans with half-spaces.
 
 namespace {
 
-/// Returns the relative interior of a part: its facet or volume alone.
+/// Returns the relative interior of a part: its facet or its volume.
 Nef3 relative_interior(const SetPart& part, Context& context) {
   if (part.dimension == 3) return part.set.interior();
   const SpaceComplex& c = part.set.complex();
@@ -170,14 +171,13 @@ Nef3 relative_interior(const SetPart& part, Context& context) {
                              context);
 }
 
-/// A plane that divides a set which is not convex: one of the planes of the cells that are in the
-/// way.
+/// Finds a plane that divides a set that is not convex: a plane of a cell that violates convexity.
 class DividingPlane {
  public:
   DividingPlane(const SpaceComplex& complex, int dimension, Context& context)
       : c_(complex), dimension_(dimension), context_(context) {}
 
-  /// Returns a plane, or no value if only points are removed that no planes define
+  /// Returns a plane, or no value if the set only lacks points that are not defined by planes
   /// (plane_through_lone_vertex()).
   std::optional<Plane3> find() {
     if (dimension_ == 3) {
@@ -195,8 +195,8 @@ class DividingPlane {
   }
 
  private:
-  /// Every plane of a facet at a reflex edge divides the set; a free edge has the planes of its
-  /// line.
+  /// Every plane of a facet at a reflex edge divides the set. For a free edge, every plane through
+  /// its line does.
   void gather_in_space() {
     for (const EdgeId e : reflex_edges(c_)) {
       edges_.push_back(e);
@@ -254,8 +254,8 @@ class DividingPlane {
     if (p != flat_ && !c_.planes().is_frame(p)) planes_.push_back(p);
   }
 
-  /// Returns the plane that crosses the fewest of the edges in the way, less those it holds. Of
-  /// many planes a sample is judged.
+  /// Returns the plane that crosses the fewest edges that violate convexity, where edges in the
+  /// plane count negatively. If there are many planes, a sample is examined.
   PlaneId best_of(const std::vector<PlaneId>& planes) const {
     constexpr std::size_t kMost = 64, kEdgesPerCheckpoint = 4096;
     PlaneId best;
@@ -306,7 +306,7 @@ std::optional<Plane3> plane_through_lone_vertex(const SetPart& part) {
   return std::nullopt;
 }
 
-/// Marks facets that a half-space made as walls. All facets of the set have ids (decompose()).
+/// Marks the facets that a half-space made as walls. All facets of the set have ids (decompose()).
 Nef3 with_walls_named(const Nef3& cut) {
   const SpaceComplex& c = cut.complex();
   std::vector<std::uint32_t> origins = c.facet_origin;
@@ -343,14 +343,15 @@ class SetCutter {
     return std::move(done_);
   }
 
-  /// Returns the most pieces that a solid may give whose surface is a 2-manifold; the largest
-  /// number for any other set.
+  /// Returns the greatest number of pieces that a solid may have if its surface is a 2-manifold.
+  /// For any other set, returns the greatest number of the type.
   std::size_t most() const { return most_; }
 
  private:
-  /// Cuts the part as a solid. Returns false if nothing was done. A surface that touches itself
-  /// along an edge is not cut unless all pieces come out convex: cuts make points of their own in
-  /// each wedge, so that a stuck piece no longer knows its own contacts (touches_itself()).
+  /// Cuts the part as a solid. Returns false if the part was not cut. If a surface touches itself
+  /// along an edge, the result is used only if all pieces are convex. In such a surface, cuts make
+  /// separate points in each wedge, so a stuck piece would not know where it touches itself
+  /// (touches_itself()).
   bool cut_as_solid(const SetPart& part) {
     MemoryCharge memory(context_);
     memory.add(part.set.bytes(), "the surface of a solid");
@@ -391,7 +392,7 @@ class SetCutter {
   }
 
   /// Divides the part by a plane. The lower side keeps the points of the plane that are in the
-  /// closure of its own interior. Parts of lower dimension that remain of the plane go to the upper
+  /// closure of its interior. The remaining parts of lower dimension in the plane go to the upper
   /// side.
   void divide(const SetPart& part, const Plane3& plane) {
     const auto cut = [&](MarkFunction f) {
@@ -399,7 +400,7 @@ class SetCutter {
     };
     const Nef3 low = cut(kIntersection);
     Nef3 high = cut(kDifference);
-    // The pieces keep the tables of both halves.
+    // The pieces use the tables of both halves.
     memory_.add(low.bytes() + high.bytes(), "convex pieces");
     std::vector<SetPart> below = parts_of(low, context_);
     for (const SetPart& p : below) {

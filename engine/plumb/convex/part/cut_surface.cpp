@@ -29,7 +29,7 @@
 
 namespace plumb {
 
-// With d the direction of h, (n1 x n2) . d is positive if the edge is convex.
+// If d is the direction of h, (n1 x n2) . d is positive if the edge is convex.
 bool CutSurface::is_reflex_at(HalfedgeId h) const {
   const Half& at = half(h);
   const OrientedPlane n1 = plane_of(h), n2 = plane_of(at.twin);
@@ -107,8 +107,8 @@ class SurfaceReader {
     surface_.faces.push_back(face);
   }
 
-  /// A use seen from behind runs the other way, so next and previous are exchanged and its origin
-  /// is the other end.
+  /// Seen from behind, a use has the opposite direction. Therefore next and previous are exchanged,
+  /// and the origin is the other end.
   void add_half(UseId u, FaceId face, bool is_positive) {
     CutSurface::Half& h = surface_.halves[u.value()];
     const HalfedgeId run = c_.use_halfedge[u];
@@ -125,8 +125,9 @@ class SurfaceReader {
               SpaceComplex::is_reverse(seen) ? Sign::Negative : Sign::Positive);
   }
 
-  // Names the line by the face's own plane and a second one. If the complex names the edge by two
-  // other planes p and q, `other` is q and the sign compares the directions n x q and p x q.
+  // Represents the line by the plane of the face and a second plane. If the complex represents the
+  // edge by two other planes p and q, `other` is q, and the sign compares the directions n x q and
+  // p x q.
   void name_line(CutSurface::Half& h, PlaneId plane, EdgeId e, Sign runs) {
     const auto& [p, q] = c_.edge_planes[e];
     h.other = plane == p ? q : p;
@@ -196,18 +197,19 @@ class SurfaceReader {
 
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part) {
   const auto& marks = part.volume_mark;
-  if (has_frame(part) || part.volume_mark[0] == 1) return std::nullopt;  // Not bounded.
+  // The piece is not bounded.
+  if (has_frame(part) || part.volume_mark[0] == 1) return std::nullopt;
   if (std::count(marks.begin(), marks.end(), Mark{1}) != 1) return std::nullopt;
   const auto body = std::find(marks.begin(), marks.end(), Mark{1});
   return SurfaceReader(part, VolumeId(static_cast<std::size_t>(body - marks.begin()))).run();
 }
 
-// A piece of a surface as a set of its own.
+// Makes a set from a piece of a surface.
 
 namespace {
 
-/// Writes a complex with two volumes, the outer one and the piece; each half-edge becomes the edge
-/// use of a facet.
+/// Writes a complex with two volumes, the outer volume and the piece. Each half-edge becomes the
+/// edge use of a facet.
 class PieceWriter {
  public:
   PieceWriter(CutSurface& surface, std::span<const FaceId> faces, bool closed)
@@ -237,7 +239,7 @@ class PieceWriter {
         s_.half_number[h] = static_cast<std::uint32_t>(halves_.size());
         halves_.push_back(h);
         const VertexId v = s_.half(h).origin;
-        // A number that may be of another piece.
+        // A number that may belong to another piece.
         const std::uint32_t known = s_.vertex_number[v];
         if (known < vertices_.size() && vertices_[known] == v) return;
         s_.vertex_number[v] = static_cast<std::uint32_t>(vertices_.size());
@@ -257,8 +259,8 @@ class PieceWriter {
     for (const VertexId v : vertices_) c_.vertex_point.push_back(s_.point[v]);
   }
 
-  /// Each pair of twins becomes one edge, whose half-edge 2e runs along the cross product of the
-  /// canonical normals that name its line.
+  /// Each pair of twins becomes one edge. Half-edge 2e has the direction of the cross product of
+  /// the canonical normals that represent its line.
   void write_edges() {
     c_.use_halfedge.resize(halves_.size());
     for (std::size_t i = 0; i < halves_.size(); ++i) {
@@ -277,7 +279,7 @@ class PieceWriter {
     }
     c_.edge_volume.resize(c_.edge_planes.size());
   }
-  /// Sets the half-edge of a use. `run` runs along h as seen from outside.
+  /// Sets the half-edge of a use. `run` has the direction of h, seen from outside.
   void set_use(HalfedgeId h, HalfedgeId run) {
     const bool is_seen_from_behind = s_.plane_of(h).is_opposite();
     c_.use_halfedge[use_of(h)] = is_seen_from_behind ? SpaceComplex::twin(run) : run;
@@ -295,7 +297,7 @@ class PieceWriter {
     }
   }
 
-  /// Returns the cycles with the outer one first; cuts leave them in any order.
+  /// Returns the cycles, the outer cycle first. Cuts leave them in any order.
   std::vector<HalfedgeId> cycles_of(const CutSurface::Face& face) const {
     std::vector<HalfedgeId> cycles;
     for (HalfedgeId h = face.cycle; h.is_valid(); h = s_.half(h).next_cycle) cycles.push_back(h);

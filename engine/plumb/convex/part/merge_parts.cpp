@@ -47,7 +47,8 @@ class SetMerger {
   };
   struct Polygon {
     std::vector<std::size_t> pieces;  // Pieces whose facet this polygon is or was.
-    bool is_refused = false;          // Whether the pieces on both sides cannot be merged.
+    // Whether it is known that the pieces on both sides cannot be merged.
+    bool is_refused = false;
   };
 
   static bool is_body(const Nef3& piece) {
@@ -76,7 +77,7 @@ class SetMerger {
     }
   }
 
-  /// Tries the polygons of a piece until one has a convex union with the piece behind it.
+  /// Tries the polygons of a piece until the union with the piece on the other side is convex.
   std::optional<Match> match_of(std::size_t i) {
     if (!is_body(pieces_[i])) return std::nullopt;
     const SpaceComplex& c = pieces_[i].complex();
@@ -84,7 +85,7 @@ class SetMerger {
       Polygon& polygon = facets_[key_of(c, FacetId(f))];
       for (const std::size_t j : polygon.pieces) {
         if (polygon.is_refused) break;
-        // The piece has been merged, or its facet has.
+        // One of the two pieces was merged, or the facet was removed.
         if (j == i || !is_body(pieces_[j])) continue;
         if (std::optional<Nef3> both = union_of(i, j)) return Match{j, *std::move(both)};
         polygon.is_refused = true;
@@ -103,8 +104,8 @@ class SetMerger {
   }
 
   /// Returns the number of facets that have vertices of the other set before them, counted up to 2.
-  /// For neighbours whose union is convex only the facet between them is one. Returns 0 if the
-  /// tables differ.
+  /// If the union of two neighbours is convex, only the facet between them is such a facet. Returns
+  /// 0 if the tables differ.
   static int count_before(const SpaceComplex& c, const SpaceComplex& other) {
     if (c.tables != other.tables) return 0;
     int count = 0;
@@ -201,8 +202,8 @@ class Merger {
     return p;
   }
 
-  /// Pairs the half-edges of both faces, which run against each other. Returns false if the
-  /// polygons differ, or belong to one piece already.
+  /// Pairs the half-edges of both faces, which have opposite directions. Returns false if the
+  /// polygons differ, or if they already belong to the same piece.
   bool match(FaceId low, FaceId high) {
     rim_.clear();
     if (find(piece_of_[low]) == find(piece_of_[high])) return false;
@@ -223,7 +224,8 @@ class Merger {
     return true;
   }
 
-  /// Whether every edge between the neighbours of the two faces is convex once these are gone.
+  /// Whether all edges between the neighbours of the two faces are convex after the faces are
+  /// removed.
   bool is_rim_convex() {
     for (const auto& [h, k] : rim_) {
       const HalfedgeId a = s_.half(h).twin, b = s_.half(k).twin;
@@ -235,8 +237,8 @@ class Merger {
     return true;
   }
 
-  /// Links the neighbours of both faces across the rim. The larger list of faces takes the smaller
-  /// one, so all joins together cost O(n log n).
+  /// Links the neighbours of both faces across the rim. The shorter list of faces is appended to
+  /// the longer one, so all merges together take O(n log n).
   void join(FaceId low, FaceId high) {
     for (const auto& [h, k] : rim_) {
       const HalfedgeId a = s_.half(h).twin, b = s_.half(k).twin;
@@ -259,7 +261,8 @@ class Merger {
   /// Makes the ring of half-edges around a corner of the rim leave one vertex. One of the two
   /// pieces owned it, so the marks are joined.
   void join_rings(VertexId v, HalfedgeId h) {
-    const HalfedgeId first = s_.half(s_.half(h).prev).twin;  // Leaves v in the low piece.
+    // The vertex v of the low piece remains.
+    const HalfedgeId first = s_.half(s_.half(h).prev).twin;
     Mark mark = 0;
     HalfedgeId at = first;
     do {

@@ -8,12 +8,11 @@
 // at each vertex, the next one clockwise; nesting of cycles by exact winding numbers gives the
 // outer cycle and the holes of the seed's component.
 //
-// Invariant: events of a face alternate between start and end, which PLUMB_CHECK asserts. The find
-// fails, and nothing is cut, where the surface touches the component in a single point: a wall with
-// such a point would touch itself in a vertex that it does not know. Argument:
-// docs/design/walls.md, section Cuts; B. Chazelle, SIAM Journal on Computing 13 (1984).
-// Declared in part/surface_cut.h.
-// Tested by tests/convex/cut_surface_test.cpp.
+// Invariant: events of a face alternate between start and end, which PLUMB_CHECK asserts. The
+// section is refused, and no cut is made, if the surface touches the component in a single point. A
+// wall with such a point would touch itself in a vertex that is missing in its boundary. Argument:
+// docs/design/walls.md, section Cuts; B. Chazelle, SIAM Journal on Computing 13 (1984). Declared in
+// part/surface_cut.h. Tested by tests/convex/cut_surface_test.cpp.
 #include <algorithm>
 #include <utility>
 
@@ -40,7 +39,7 @@ bool PlaneSection::find(std::span<const FaceId> faces, PlaneId plane, HalfedgeId
 
 // ---------------------------------------------------------------- sides
 
-/// Takes the side of every vertex of the piece once.
+/// Computes the side of every vertex of the piece once.
 void PlaneSection::find_sides() {
   side_.resize(s_.point.size());
   vertex_stamp_.resize(s_.point.size(), 0);
@@ -50,7 +49,7 @@ void PlaneSection::find_sides() {
     side_[v] = sign;
     vertex_stamp_[v] = stamp_;
   };
-  // All corners of faces in T are on T; this spares their exact signs.
+  // All corners of faces in T are on T, so their exact signs are not computed.
   for (const FaceId f : faces_) {
     if (s_.face(f).plane.plane() != plane_) continue;
     s_.for_each_half(f, [&](HalfedgeId h) { set(s_.half(h).origin, Sign::Zero); });
@@ -83,7 +82,7 @@ void PlaneSection::find_segments() {
   }
 }
 
-/// Finds the events of a face along u, and pairs them to chords.
+/// Finds the events of a face along u, and pairs them to form chords.
 void PlaneSection::find_chords(FaceId f) {
   const std::size_t first = events_.size();
   s_.for_each_half(f, [&](HalfedgeId h) {
@@ -121,15 +120,15 @@ void PlaneSection::add_corner(FaceId f, HalfedgeId h) {
   const auto turn = [out](std::uint8_t to) { return (to + 4U - out) % 4U; };
   unsigned sector = turn(in);
   if (sector == 0 && s_.turn_at(h) != Sign::Positive)
-    // There is no turn at the tip of an edge inside the face; the sector is a whole turn.
+    // At the tip of an edge that ends inside of the face, the sector is a full turn.
     sector = 4;
   const auto holds = [&](std::uint8_t to) { return turn(to) > 0 && turn(to) < sector; };
   const bool starts = holds(0), ends = holds(2);
   if (starts || ends) events_.push_back({h, half.origin, false, starts, ends, out, {}});
 }
 
-// At one vertex the end of a chord sorts before the start of the next. Up to two events need no
-// exact comparison.
+// At a vertex, the end of a chord precedes the start of the next chord. Up to two events are sorted
+// without exact comparisons.
 void PlaneSection::pair_events(FaceId f, std::size_t first) {
   const OrientedPlane n = s_.face(f).plane;
   const auto begin = events_.begin() + static_cast<std::ptrdiff_t>(first);
@@ -147,7 +146,8 @@ void PlaneSection::pair_events(FaceId f, std::size_t first) {
   } else if (events_.size() - first == 2 && begin->ends) {
     std::swap(begin[0], begin[1]);
   }
-  // Chords run along u with the lower part to the left; the section looks the other way.
+  // Chords have the direction u with the lower part on their left. The section has the opposite
+  // direction.
   const CirclePlace against_u{n.plane(), n.is_opposite()};
   std::uint32_t open = kNone;
   for (std::size_t i = first; i < events_.size(); ++i) {
@@ -173,7 +173,7 @@ void PlaneSection::pair_events(FaceId f, std::size_t first) {
   PLUMB_CHECK(open == kNone);
 }
 
-/// Returns the vertex where the edge of h crosses T, made once for both halves.
+/// Returns the vertex where the edge of h crosses T. Both half-edges share this vertex.
 VertexId PlaneSection::crossing(HalfedgeId h) {
   const HalfedgeId key = std::min(h, s_.half(h).twin);
   if (half_stamp_[key] != stamp_) {
@@ -196,8 +196,8 @@ Sign PlaneSection::lean(HalfedgeId h) const {
          n.orientation();
 }
 
-/// Adds a segment for each side of the edge on which T runs strictly inside the solid. A direction
-/// is inside if it is behind both faces, or at a reflex edge behind one of them.
+/// Adds a segment for each side of the edge on which T is strictly inside of the solid. A direction
+/// is inside if it is behind both faces or, at a reflex edge, behind one of them.
 void PlaneSection::add_edge(HalfedgeId h) {
   const HalfedgeId t = s_.half(h).twin;
   const Sign first = lean(h), second = lean(t) * Sign::Negative;
@@ -230,8 +230,8 @@ void PlaneSection::add_edge_segment(HalfedgeId h) {
 
 // ---------------------------------------------------------------- cycles
 
-/// Segments are sorted by where they leave. Most vertices of the section have one segment out;
-/// where several meet, the turn on T decides.
+/// Segments are sorted by the vertices at which they start. At most vertices of the section, one
+/// segment starts. If several segments start, the turn on T decides.
 void PlaneSection::link_cycles() {
   outgoing_.resize(segments_.size());
   for (std::uint32_t i = 0; i < segments_.size(); ++i) outgoing_[i] = i;
@@ -257,8 +257,8 @@ void PlaneSection::link_cycles() {
   }
 }
 
-/// Returns the next segment of a cycle. The section lies clockwise of where the segment came from,
-/// up to the first segment that leaves.
+/// Returns the next segment of a cycle. The section lies clockwise from the reverse of the segment
+/// to the first segment that starts at the vertex.
 std::uint32_t PlaneSection::clockwise_next(const Segment& in,
                                            std::span<const std::uint32_t> out) const {
   const CirclePlace back = in.place.opposite();
@@ -295,8 +295,8 @@ bool PlaneSection::select(HalfedgeId seed) {
   return first_of_cycle_.size() == 1 || select_part(found->cycle);
 }
 
-/// Selects the cycle around the seed's component and the holes directly inside it. Returns false if
-/// rings lie on each other, so that nesting is not clear.
+/// Selects the cycle around the seed's component and the holes directly inside of it. Returns false
+/// if rings overlap, because their nesting is then not clear.
 bool PlaneSection::select_part(std::uint32_t seed_cycle) {
   const std::size_t count = first_of_cycle_.size();
   std::vector<std::vector<RingSide>> rings(count);
@@ -329,8 +329,8 @@ bool PlaneSection::select_part(std::uint32_t seed_cycle) {
   return is_clear;
 }
 
-/// Whether the surface touches the plane in a single point of the component. What is cut there
-/// would touch itself in a point that one of its faces does not know.
+/// Whether the surface touches the plane in a single point of the component. A cut would make a
+/// piece that touches itself in a point that is missing in one of its faces.
 bool PlaneSection::is_punctured() {
   const auto is_on_segment = [this](VertexId v) {
     const auto at =

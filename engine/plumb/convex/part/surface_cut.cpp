@@ -45,13 +45,14 @@ bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const Rin
       least = side.from;
     }
   }
-  // A ring may pass the vertex several times; it is a hole if one of its corners there turns right.
+  // A ring may pass through the vertex several times. It is a hole if it turns right at one of its
+  // corners there.
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (ring[i].from != least) continue;
     const RingSide& before = ring[i == 0 ? ring.size() - 1 : i - 1];
     const Sign turn = det3_sign(surface.planes(), plane.plane(), before.other, ring[i].other) *
                       before.along * ring[i].along * plane.orientation();
-    // Zero: the ring runs there and back, inside another ring.
+    // If the turn is Zero, the ring runs back along itself, inside of another ring.
     if (turn != Sign::Positive) return true;
   }
   return false;
@@ -59,8 +60,7 @@ bool is_hole(const CutSurface& surface, OrientedPlane plane, std::span<const Rin
 
 namespace {
 
-/// Returns an axis that the plane is not perpendicular to: that of the least component of the
-/// normal.
+/// Returns the axis of the smallest component of the normal. The plane is not perpendicular to it.
 std::size_t level_axis(const PlaneRow& row) {
   const std::array<double, 3> n{std::abs(row.n[0]), std::abs(row.n[1]), std::abs(row.n[2])};
   if (n[0] <= n[1] && n[0] <= n[2]) return 0;
@@ -82,8 +82,8 @@ RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const Rin
     if (a == b && a != Sign::Zero) continue;
     const Sign left = plumb::side(points, x, side.other) * side.along * Sign::Negative;
     if (left == Sign::Zero && (a != b || a == Sign::Zero)) {
-      // The vertex is on the side's line: between the ends, or level with both on the same level
-      // line.
+      // The vertex is on the line of the side: either between the ends, or on the level line of a
+      // side that is level.
       if (a != Sign::Zero || b != Sign::Zero) return RingPlace::On;
       const std::size_t second = (axis + 1) % 3, third = (axis + 2) % 3;
       for (const std::size_t k : {second, third}) {
@@ -110,8 +110,8 @@ RingPlace place_in(const CutSurface& surface, PlaneId plane, std::span<const Rin
   return RingPlace::On;
 }
 
-/// No half-edge or face is changed before the section has been found and accepted, so a refused
-/// plane leaves nothing but unused points.
+/// No half-edge or face changes before the section has been found and accepted. Therefore a plane
+/// that is refused leaves only unused points.
 CutPieces PlaneCut::run(std::span<const FaceId> faces, PlaneId plane, HalfedgeId seed) {
   plane_ = plane;
   new_faces_.clear();
@@ -124,8 +124,8 @@ CutPieces PlaneCut::run(std::span<const FaceId> faces, PlaneId plane, HalfedgeId
 
 // ---------------------------------------------------------------- split
 
-/// Splits the edges that selected chords end in. An edge may be shared by two chords, one in each
-/// face beside it; the second finds that it ends in the vertex already.
+/// Splits the edges in which selected chords end. Two chords may end in the same edge, one in each
+/// face beside it. The second chord then already ends in the new vertex.
 void PlaneCut::split_edges() {
   for (const Segment& segment : section_.segments()) {
     if (segment.half.is_valid() || !section_.is_selected(segment)) continue;
@@ -138,8 +138,8 @@ void PlaneCut::split_edges() {
   }
 }
 
-/// Splits an edge. h: a -> b becomes a -> x, followed by a new half x -> b; the same on the other
-/// side.
+/// Splits an edge. Half-edge h from a to b now leads from a to x, and a new half-edge leads from x
+/// to b. The other side is split in the same way.
 void PlaneCut::split_edge(HalfedgeId h, VertexId at) {
   const HalfedgeId t = s_.half(h).twin;
   const HalfedgeId h2(s_.halves.size()), t2(s_.halves.size() + 1);
@@ -158,8 +158,8 @@ void PlaneCut::split_edge(HalfedgeId h, VertexId at) {
   }
 }
 
-/// Returns the half-edge at the corner from whose sector a direction leaves; the first chord may
-/// have divided it.
+/// Returns the half-edge at the corner in whose sector a direction begins. An earlier chord may
+/// have divided the sector.
 HalfedgeId PlaneCut::corner_of(const Event& event, std::uint8_t direction) const {
   if (event.is_crossing) return s_.half(event.at).next;
   if (!event.first_out.is_valid()) return event.at;
@@ -167,8 +167,8 @@ HalfedgeId PlaneCut::corner_of(const Event& event, std::uint8_t direction) const
   return turn(direction) < turn(event.first_class) ? event.at : event.first_out;
 }
 
-// Inserts the chord as a pair of half-edges. This joins two cycles of the face or divides one;
-// share_cycles() sorts that out when all chords are in.
+// Inserts the chord as a pair of half-edges. This joins two cycles of the face or divides one. When
+// all chords are inserted, share_cycles() assigns faces to the cycles.
 void PlaneCut::insert_chord(Segment& segment) {
   Event& from = section_.events()[segment.start];
   Event& to = section_.events()[segment.end];
@@ -202,7 +202,7 @@ void PlaneCut::insert_chord(Segment& segment) {
   segment.high = d;
 }
 
-/// Segments of one face are consecutive, because faces were searched one by one.
+/// The segments of one face are consecutive, because the faces were searched one by one.
 void PlaneCut::split_faces() {
   std::vector<Segment>& segments = section_.segments();
   std::vector<HalfedgeId> chords;
@@ -244,8 +244,8 @@ void PlaneCut::set_cycle(FaceId f, HalfedgeId first) {
   s_.half(first).next_cycle = {};
 }
 
-/// Collects the cycles that a face has after chords were inserted, each once, and gives each a face
-/// of its own. A cleared `face` marks half-edges as visited.
+/// Collects the cycles that a face has after chords were inserted, each cycle once, and gives each
+/// a face of its own. A half-edge without a face counts as visited.
 void PlaneCut::share_cycles(FaceId f, std::span<const HalfedgeId> chords) {
   std::vector<HalfedgeId> firsts(chords.begin(), chords.end()), cycles;
   const bool has_holes = s_.half(s_.face(f).cycle).next_cycle.is_valid();
@@ -271,7 +271,8 @@ void PlaneCut::share_cycles(FaceId f, std::span<const HalfedgeId> chords) {
   for (const HalfedgeId c : std::span(cycles).subspan(1)) set_cycle(new_face(s_.face(f)), c);
 }
 
-/// Does the same if some cycles may be holes: each hole goes to the innermost ring around it.
+/// Assigns faces to cycles if some cycles may be holes. Each hole goes to the innermost ring around
+/// it.
 void PlaneCut::share_holes(FaceId f, std::span<const HalfedgeId> cycles) {
   const OrientedPlane plane = s_.face(f).plane;
   std::vector<std::vector<RingSide>> rings;
@@ -304,8 +305,8 @@ void PlaneCut::share_holes(FaceId f, std::span<const HalfedgeId> cycles) {
 
 // ---------------------------------------------------------------- wall
 
-/// The low wall looks along the canonical normal of T, out of what lies below, and owns the points
-/// of T; the high wall looks the other way and has mark 0.
+/// The low wall faces the direction of the canonical normal of T, away from the part below, and
+/// owns the points of T. The high wall faces the opposite direction and has mark 0.
 void PlaneCut::make_walls() {
   const std::vector<Segment>& segments = section_.segments();
   wall_low_.assign(segments.size(), {});
@@ -352,8 +353,8 @@ HalfedgeId PlaneCut::add_wall_half(const Segment& segment, FaceId face, bool is_
   half.along = segment.place.sign() * (is_low ? Sign::Positive : Sign::Negative);
   half.edge = s_.half(like).edge;
   half.line = s_.half(like).line;
-  // If both faces rise from T no half-edge of the surface stays below; this one carries the mark of
-  // that ring.
+  // If both faces rise from T, no half-edge of the surface is below T. In this case, this half-edge
+  // has the mark of that ring.
   if (is_low && segment.half.is_valid()) half.origin_mark = s_.half(segment.half).origin_mark;
   s_.halves.push_back(half);
   return HalfedgeId(s_.halves.size() - 1);
@@ -368,8 +369,8 @@ void PlaneCut::join(HalfedgeId a, HalfedgeId b, Mark mark) {
   s_.half(a).is_reflex = s_.half(b).is_reflex = s_.is_reflex_at(a);
 }
 
-/// Joins the walls to the chords at once. Edges in T are collected first, because both of their
-/// sides may be segments, and these must be joined together.
+/// Joins the walls to the chords immediately. Edges in T are collected first. Both of their sides
+/// may be segments, and these must be joined together.
 void PlaneCut::join_walls() {
   const std::vector<Segment>& segments = section_.segments();
   std::vector<std::pair<HalfedgeId, std::uint32_t>> edges;
@@ -397,9 +398,9 @@ void PlaneCut::join_walls() {
   }
 }
 
-/// Joins the walls at an edge in T with the section to its left, to its right, or on both sides.
-/// Sheets are joined in the order in which they are met inside the solid: what runs along h meets
-/// what runs the other way.
+/// Joins the walls at an edge in T with the section on its left, on its right, or on both sides.
+/// Sheets are joined in the order in which they are met inside of the solid. A sheet with the
+/// direction of h is joined to a sheet with the opposite direction.
 void PlaneCut::join_edge(HalfedgeId h, const Segment* left, const Segment* right) {
   const HalfedgeId t = s_.half(h).twin;
   const Mark mark = s_.half(h).mark;
@@ -427,8 +428,8 @@ void PlaneCut::join_edge(HalfedgeId h, const Segment* left, const Segment* right
   }
 }
 
-/// Decides which ring owns each vertex: of the rings that a ring was divided into, one on the lower
-/// side.
+/// Decides which ring owns each vertex. If a ring was divided, one of its parts on the lower side
+/// becomes the owner.
 void PlaneCut::give_vertices() {
   given_.clear();
   for (const bool is_low : {true, false}) {
@@ -451,9 +452,9 @@ void PlaneCut::set_origin_marks(HalfedgeId first, Mark mark) {
   } while (h != first);
 }
 
-/// Walks around the ring that the wall half-edge is in. The vertex's mark is found on some
-/// half-edge of the ring that had it before; the ring keeps it if it is on the low side and no
-/// other ring has got it.
+/// Walks around the ring that contains the wall half-edge. One of the half-edges of the ring that
+/// had the vertex before carries its mark. The ring keeps the mark if the ring is on the lower
+/// side, and no other ring has received the mark.
 void PlaneCut::give_vertex(HalfedgeId wall_half, bool is_low) {
   constexpr Mark kSeen = 4;
   if ((s_.half(wall_half).origin_mark & kSeen) != 0) return;
@@ -472,8 +473,8 @@ void PlaneCut::give_vertex(HalfedgeId wall_half, bool is_low) {
 
 // ---------------------------------------------------------------- flood
 
-// Collects the faces of one or two pieces, the one below first. If the cut does not separate the
-// piece, the first flood reaches the other wall as well.
+// Collects the faces of one or two pieces, those of the lower piece first. If the cut does not
+// separate the piece, the first flood also reaches the other wall.
 CutPieces PlaneCut::flood(std::span<const FaceId> faces) {
   face_stamp_.resize(s_.faces.size(), 0);
   ++stamp_;

@@ -29,7 +29,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kStride = 4096;  // Steps between checkpoints.
+constexpr std::uint32_t kStride = 4096;  // This is the number of steps between checkpoints.
 
 /// The vertices of a region without cuts, all of them input points. Every kStride signs the context
 /// is asked whether to stop.
@@ -93,8 +93,8 @@ std::vector<HalfedgeId> halves_of_sides(PlaneRegion& region, std::vector<Triangl
 }  // namespace
 
 void triangulate(PlaneRegion& region, Context& context) {
-  // With n corners there are at most n triangles, apart from holes, whose corners count twice.
-  // Charged are their sides and the half-edges of diagonals.
+  // A region with n corners has at most n triangles, if the corners of holes count twice. The sides
+  // of the triangles and the half-edges of the diagonals are charged.
   constexpr std::uint64_t kHalfBytes =
       2 * sizeof(TriangleSide) * 3 + sizeof(IndexEdge) + 2 * sizeof(IndexTriangle) + 64;
   MemoryCharge memory(context);
@@ -155,7 +155,8 @@ class CornerSight {
   }
 
  private:
-  /// What is seen through a side of a triangle, between the rays to two vertices.
+  /// A window: the region that is visible through a side of a triangle, between the rays to two
+  /// vertices.
   struct Window {
     HalfedgeId side;  ///< Side of the triangle on the viewer's side, from right to left.
     VertexId right, left;
@@ -163,7 +164,7 @@ class CornerSight {
 
   bool is_boundary(HalfedgeId h) const { return r_.is_cut[edge_of(h)] == 0; }
 
-  /// Numbers all half-edges that leave a corner by that corner.
+  /// Gives each half-edge the number of the corner that it leaves.
   void number_corners() {
     corner_.assign(r_.halfedge_count(), 0);
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
@@ -189,9 +190,9 @@ class CornerSight {
     }
   }
 
-  // Depth-first walk through triangles. Across a side the apex of the next triangle either lies
-  // between the two rays, is seen, and divides the window; or it lies beyond one of them, and only
-  // one side of the triangle is looked through.
+  // Walks depth first through triangles. If the apex of the next triangle lies between the two
+  // rays, it is visible and divides the window. If it lies beyond one of the rays, the window
+  // continues only through one side of the triangle.
   void look_through(const Window& first) {
     windows_.push_back(first);
     while (!windows_.empty()) {
@@ -203,8 +204,8 @@ class CornerSight {
       const Sign from_right = turn(right, top), to_left = turn(top, left);
       const bool is_seen = from_right == Sign::Positive && to_left == Sign::Positive;
       if (is_seen) see(from_top);
-      // twin(side) runs from left to right: to_top starts at the right end, and from_top ends at
-      // the left one.
+      // The half-edge twin(side) leads from left to right. Therefore to_top starts at its right
+      // end, and from_top ends at its left end.
       if (from_right == Sign::Positive) windows_.push_back({to_top, right, is_seen ? top : left});
       if (to_left == Sign::Positive) windows_.push_back({from_top, is_seen ? top : right, left});
     }
@@ -244,13 +245,15 @@ std::vector<std::vector<std::uint32_t>> lesser_corners_seen(const PlaneRegion& r
 
 namespace {
 
-constexpr std::uint32_t kNever = 1U << 30U;  // A cost larger than any; two of them do not overflow.
+// This cost is larger than any real cost. The sum of two of them does not overflow.
+constexpr std::uint32_t kNever = 1U << 30U;
 
 /// A convex chain from i to j.
 struct Chain {
   std::uint32_t first;  ///< Its first corner after i.
   std::uint32_t last;   ///< Its last corner before j.
-  /// The chain from i to `last`; kNone if that is a link, or links in a row.
+  /// The chain from i to `last`. It is kNone if that chain is a single link, or a sequence of
+  /// collinear links.
   std::uint32_t before;
 };
 
@@ -282,10 +285,10 @@ class Dissection {
   }
 
  private:
-  /// What is known of two corners i < j.
+  /// The data about two corners i < j.
   struct Cell {
     std::uint32_t cost = kNever;  ///< Cost of the best chains.
-    /// Those of the best chains that are kept, as a range of chains_.
+    /// The best chains that are stored, as a range of chains_.
     std::uint32_t begin = 0, end = 0;
     std::uint32_t link = kNever;     ///< Cost of the link.
     std::uint32_t row = kNever;      ///< Cost of the link, or of links in a row.
@@ -297,7 +300,7 @@ class Dissection {
   Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     return orient2d(r_.points.inputs, point(i), point(j), point(k));
   }
-  /// Whether corner j lies between i and k. Requires three corners on a line.
+  /// Whether corner j lies between i and k. Requires that the three corners are collinear.
   bool is_between(std::uint32_t j, std::uint32_t i, std::uint32_t k) const {
     const PointTable2& p = r_.points.inputs;
     return compare_xy(p, point(i), point(j)) == compare_xy(p, point(j), point(k));
@@ -322,8 +325,7 @@ class Dissection {
     at.row_last = kNone;
   }
 
-  /// Extends chains from i to j by the link (j, k), if the corner at j and the one at i stay
-  /// convex.
+  /// Extends the chains from i to j by the link (j, k), if the corners at j and at i remain convex.
   void extend(std::uint32_t i, std::uint32_t j, std::uint32_t k, Cell& at) {
     const Cell &way = cell(i, j), &link = cell(j, k);
     if (link.link >= kNever) return;
@@ -346,8 +348,8 @@ class Dissection {
       offer(at, way.row + link.link, {j, j, kNone});
     }
   }
-  /// Returns the last chain to j that may go on to k, or kNone. The chains turn less and less
-  /// there, so binary search finds it.
+  /// Returns the last chain to j that can be extended to k, or kNone. The turns of the chains
+  /// decrease along the list, so binary search finds the chain.
   std::uint32_t steepest(const Cell& way, std::uint32_t j, std::uint32_t k) const {
     const auto begin = chains_.begin() + way.begin, end = chains_.begin() + way.end;
     const auto stop = std::partition_point(
@@ -355,8 +357,9 @@ class Dissection {
     return stop == begin ? kNone : static_cast<std::uint32_t>(stop - chains_.begin() - 1);
   }
 
-  // Keeps the chain if it costs less than those found, or as much with a greater first corner;
-  // chains arrive with greater last corners, so any other is beaten at both ends.
+  // Stores the chain if it costs less than the chains so far, or if it costs the same and has a
+  // greater first corner. Chains arrive in the order of their last corners, so every other chain is
+  // worse at both ends.
   void offer(Cell& at, std::uint32_t cost, const Chain& chain) {
     if (cost > at.cost) return;
     if (cost < at.cost) found_.clear();
@@ -394,8 +397,8 @@ class Dissection {
     const HalfedgeId from = corner_towards(i, along), to = corner_towards(k, along.reversed());
     r_.add_edge(from, to, along);
   }
-  /// Returns the half-edge of a corner into whose wedge a heading leads; diagonals may have divided
-  /// the corner by now.
+  /// Returns the half-edge of a corner whose wedge contains a heading. Diagonals may have divided
+  /// the corner.
   HalfedgeId corner_towards(std::uint32_t corner, Heading x) const {
     HalfedgeId h = corners_[corner];
     while (!r_.leads_into(h, x)) h = twin(r_.before(h));

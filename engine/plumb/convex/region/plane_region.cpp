@@ -30,8 +30,8 @@ bool PlaneRegion::is_bounded() const {
   return std::ranges::find(vertex_point, kAtInfinity) == vertex_point.end();
 }
 
-/// Headings along one line are parallel without arithmetic; lines themselves run upwards, so `back`
-/// turns the sign.
+/// Headings along one line are parallel, which needs no arithmetic. All lines point upwards, so
+/// `back` flips the sign.
 Sign PlaneRegion::cross(Heading x, Heading y) const {
   if (x.line == y.line) return Sign::Zero;
   const Sign s = cross_sign(points.inputs, x.line.a, x.line.b, y.line.a, y.line.b);
@@ -46,8 +46,8 @@ Sign PlaneRegion::ahead(Heading x, std::uint32_t point, std::uint32_t of) const 
   return oriented(compare_xy(points, point, of), x.back);
 }
 
-/// A turn of exactly half a turn has cross product Zero and opposite directions; a full turn, from
-/// a half-edge to itself, is not convex.
+/// If the angle is exactly a half turn, the cross product is Zero and the directions are opposite.
+/// A full turn, from a half-edge to itself, is not convex.
 bool PlaneRegion::is_convex_turn(HalfedgeId from, HalfedgeId to) const {
   if (from == to) return false;
   const Heading x = heading(from), y = heading(to);
@@ -60,10 +60,10 @@ bool PlaneRegion::is_reflex(HalfedgeId corner) const {
   return !is_convex_turn(corner, twin(before(corner)));
 }
 
-/// The wedge runs counter-clockwise from `first` to `last`. If it is less than half a turn the
-/// heading must lie left of the first and right of the last side; if it is more, one of both
-/// suffices; if it is exactly half a turn, the first side decides; a whole turn holds every heading
-/// but that of its only side.
+/// The wedge extends counter-clockwise from `first` to `last`. If its angle is less than a half
+/// turn, the heading must lie left of the first side and right of the last side. If the angle is
+/// more, one of the two conditions is enough. If it is exactly a half turn, the first side decides.
+/// A full turn contains every heading except that of its only side.
 bool PlaneRegion::leads_into(HalfedgeId corner, Heading x) const {
   const Heading first = heading(corner), last = heading(before(corner)).reversed();
   const Sign from_first = cross(first, x), to_last = cross(x, last);
@@ -121,8 +121,8 @@ HalfedgeId PlaneRegion::new_edge(VertexId from, VertexId to, Heading along) {
   return HalfedgeId(2 * (line.size() - 1) + (along.back ? 1 : 0));
 }
 
-/// Links a new edge between two corners. At an isolated vertex the edge comes back to itself; at a
-/// corner it goes between the half-edge that arrives and the one that leaves.
+/// Links a new edge between two corners. At an isolated vertex, the edge returns to itself. At a
+/// corner, it lies between the half-edge that arrives and the half-edge that leaves.
 HalfedgeId PlaneRegion::add_edge(Corner from, Corner to, Heading along) {
   const HalfedgeId h = new_edge(vertex_at(from), vertex_at(to), along);
   const auto attach = [this](HalfedgeId leaving, Corner at) {
@@ -143,7 +143,8 @@ HalfedgeId PlaneRegion::split_edge(HalfedgeId h, VertexId at) {
   edge_mark.back() = edge_mark[old];
   is_cut.back() = is_cut[old];
   is_frame.back() = is_frame[old];
-  // If both sides are inside, the far end comes first: there one half-edge may follow the other.
+  // If both sides are inside, the far end is linked first, because one of the half-edges may follow
+  // the other there.
   if (is_inside(back)) {
     const HalfedgeId arriving = before(back);
     link(arriving, twin(on));
@@ -156,7 +157,7 @@ HalfedgeId PlaneRegion::split_edge(HalfedgeId h, VertexId at) {
   return on;
 }
 
-/// Links around the edge on both sides. Its half-edges count as outside afterwards.
+/// Unlinks the edge on both sides. Its half-edges count as outside afterwards.
 void PlaneRegion::remove_edge(HalfedgeId h) {
   const HalfedgeId back = twin(h);
   const HalfedgeId after_h = after(h), after_back = after(back);
@@ -168,7 +169,8 @@ void PlaneRegion::remove_edge(HalfedgeId h) {
 
 // ---------------------------------------------------------------- making
 
-/// Finds the owner of every vertex once, for all regions: the marked face with the least id at it.
+/// Finds the owner of every vertex once for all regions. The owner is the marked face at the vertex
+/// that has the least id.
 RegionMaker::RegionMaker(const PlaneComplex& complex)
     : c_(complex),
       owner_(complex.vertex_count()),
@@ -224,7 +226,7 @@ void RegionMaker::add_loop(LoopId l) {
   region_.loops.push_back(local(first.halfedge()));
 }
 
-/// Adds a frame of one vertex and one edge, with the region to the left of its first half-edge.
+/// Adds a frame of one vertex and one edge. The region is to the left of its first half-edge.
 void RegionMaker::add_frame() {
   const VertexId v = region_.add_vertex(PlaneRegion::kAtInfinity, false);
   const HalfedgeId h = region_.new_edge(v, v, {{0, 0}, false});

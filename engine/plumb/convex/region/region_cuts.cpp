@@ -24,7 +24,7 @@
 namespace plumb {
 namespace {
 
-/// The rule of a sweep over curves and points that have marks of their own. The label is 1 inside.
+/// The rule of a sweep over curves and points that have their own marks. The label is 1 inside.
 class PieceRule {
  public:
   using Label = std::int8_t;
@@ -40,7 +40,8 @@ class PieceRule {
         bottom_(is_bottom_inside ? 1 : 0) {}
 
   Label bottom() const { return bottom_; }
-  void start(const SweepCurves&) {}  // Sides run along their lines, and lines run upwards.
+  // Sides have the direction of their lines, and lines point upwards.
+  void start(const SweepCurves&) {}
   void begin_change() const {}
   void join(Value& value, SegmentId s) const { value.join(s); }
   void leave(Value& value, SegmentId s) const { value.leave(s); }
@@ -87,7 +88,8 @@ std::uint32_t PieceMaker::input(std::uint32_t point) {
   return local_[point];
 }
 
-/// Numbers a point: inputs at once, crossings after all inputs; until then these are only listed.
+/// Numbers a point. Input points get their numbers immediately. Crossings are only listed at first,
+/// and are numbered after all input points.
 std::uint32_t PieceMaker::dense(std::uint32_t point, std::vector<std::uint32_t>& crossings) {
   const PlanePointsView all(points_);
   if (point == SweepCurve::kUnbounded) return point;
@@ -101,12 +103,14 @@ std::uint32_t PieceMaker::dense(std::uint32_t point, std::vector<std::uint32_t>&
   return kNone;
 }
 
-/// Copies the points that the sides use into a table of its own size, inputs before crossings, and
-/// sweeps. So a part costs time of its own size, not of the whole region.
+/// Copies the points of the sides to a new table, input points before crossings, and sweeps.
+/// Therefore the time for a part depends on the size of the part, not on the size of the whole
+/// region.
 Nef2 PieceMaker::build(Context& context) {
   if (sides_.empty()) return Nef2::whole();
   std::vector<std::uint32_t> crossings;
-  // A convex part contains the lower end of the plane if all its sides have it on the inner side.
+  // A convex part contains the lower end of the plane if its interior is on that side of all its
+  // sides.
   bool is_bottom_inside = true;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     const SweepCurve& s = sides_[i];
@@ -193,7 +197,7 @@ class SideCutter {
 
   void run() {
     join_loops();
-    // New edges are appended; a corner that is not reflex never becomes so.
+    // New edges are appended. A corner that is not reflex never becomes reflex.
     for (std::uint32_t i = 0; i < r_.halfedge_count(); ++i) {
       const HalfedgeId h(i);
       if (!r_.is_inside(h) || !r_.is_reflex(h)) continue;
@@ -203,7 +207,7 @@ class SideCutter {
   }
 
  private:
-  /// What a ray meets: a corner, or a crossing with an edge.
+  /// The point where a ray ends: a corner, or a crossing with an edge.
   struct Hit {
     Corner at;
     std::uint32_t vertex_point = kCrossing;  ///< Point of a corner.
@@ -214,7 +218,7 @@ class SideCutter {
 
   // ---------------------------------------------------------------- rays
 
-  /// Returns the side of the ray on which a half-edge starts (ends), even at infinity.
+  /// Returns the side of the ray on which a half-edge starts (ends), even if this is at infinity.
   Sign start_side(Heading ray, HalfedgeId h) const {
     const VertexId v = r_.start(h);
     if (!r_.is_at_infinity(v)) return r_.side(ray, r_.point(v));
@@ -246,15 +250,16 @@ class SideCutter {
     best_ = hit;
   }
 
-  /// Offers a corner on the ray, if it is ahead and the ray arrives within its wedge.
+  /// Tries a corner on the ray. The corner is used if it is ahead and the ray arrives within its
+  /// wedge.
   void try_corner(Heading ray, std::uint32_t from, HalfedgeId h) {
     const std::uint32_t p = r_.point(r_.start(h));
     if (r_.ahead(ray, p, from) != Sign::Positive || !r_.leads_into(h, ray.reversed())) return;
     offer(ray, {h, p, {}});
   }
 
-  /// Offers the crossing with a half-edge. Requires that it starts right of the ray and ends left
-  /// of it.
+  /// Tries the crossing with a half-edge. Requires that the half-edge starts right of the ray and
+  /// ends left of it.
   void try_edge(Heading ray, std::uint32_t from, HalfedgeId h) {
     const Heading x = r_.heading(h);
     if (r_.side(x, from) != Sign::Positive) return;
@@ -262,7 +267,7 @@ class SideCutter {
                 make_crossing(r_.points.inputs, ray.line.a, ray.line.b, x.line.a, x.line.b)});
   }
 
-  /// Returns the first thing of a loop that a ray meets, or no value if it reaches infinity.
+  /// Returns the first point of a loop that a ray meets, or no value if the ray reaches infinity.
   std::optional<Hit> shoot(Heading ray, std::uint32_t from, HalfedgeId loop) {
     best_.reset();
     HalfedgeId h = loop;
@@ -279,8 +284,8 @@ class SideCutter {
 
   // ---------------------------------------------------------------- infinity
 
-  /// Whether the ray ends on this edge of the frame. The edge's ends are those of the sides before
-  /// and after, and counter-clockwise.
+  /// Whether the ray ends on this edge of the frame. The ends of the edge are those of the sides
+  /// before and after it, counter-clockwise.
   bool ends_on(Heading ray, std::uint32_t from, HalfedgeId frame) const {
     if (r_.before(frame) == frame) return true;
     const Heading first = r_.heading(r_.before(frame));
@@ -290,7 +295,7 @@ class SideCutter {
     };
     const bool is_left = r_.side(first, from) == Sign::Positive;
     const bool is_right = r_.side(last, from) == Sign::Negative;
-    // Between two parallel ends lies a strip, or everything but one.
+    // Two parallel ends bound either a strip, or the rest of the plane.
     const bool is_strip = r_.side(first, last.line.a) == Sign::Positive;
     if (is_equal(ray, first) && is_equal(ray, last)) {
       return is_strip ? is_left && is_right : is_left || is_right;
@@ -333,8 +338,8 @@ class SideCutter {
 
   // ---------------------------------------------------------------- steps
 
-  /// Resolves a reflex corner by the side whose ray reaches another reflex corner, if one does,
-  /// else by the first one.
+  /// Resolves a reflex corner. If the ray of one side reaches another reflex corner, this side is
+  /// prolonged; otherwise, the first side.
   void resolve(HalfedgeId h) {
     const std::uint32_t from = r_.point(r_.start(h));
     const auto gets_to_corner = [this](const std::optional<Hit>& hit) {
@@ -363,7 +368,7 @@ class SideCutter {
   }
 
   /// Loops are joined in the order of their least vertices. The ray from such a vertex leads to
-  /// lesser points, where only loops that have been joined are, or infinity.
+  /// lesser points. There it meets only loops that were joined before, or infinity.
   void join_loops() {
     struct Loop {
       Corner at;
@@ -376,7 +381,7 @@ class SideCutter {
       loops.push_back({c, least_vertex(c), level_point});
       level_point += c.is_other() ? 1 : 0;
     }
-    // The outer ring, or what leads to infinity, comes first.
+    // The outer ring comes first, or the part of it that leads to infinity.
     std::ranges::sort(loops,
                       [this](const Loop& x, const Loop& y) { return is_less(x.least, y.least); });
     for (std::size_t i = 1; i < loops.size(); ++i) {

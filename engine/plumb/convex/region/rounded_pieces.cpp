@@ -68,7 +68,7 @@ Nef2 set_of_feature(const Layer& layer, std::size_t feature, Context& context) {
                         context);
 }
 
-/// Adds what was changed in another part of the plane.
+/// Adds the changes in another part of the plane.
 void add_to(PlaneRoundingReport& sum, const PlaneRoundingReport& report) {
   sum.vertices_moved += report.vertices_moved;
   sum.vertices_merged += report.vertices_merged;

@@ -73,8 +73,8 @@ class BodyReader {
     }
   }
 
-  /// Whether the outer side of the facet is the positive side of its plane. For a polygon this is
-  /// the front.
+  /// Whether the outer side of the facet is the positive side of its plane. For a polygon, this
+  /// means that the facet is its front.
   bool is_outer_side_positive(FacetId f) const {
     return c_.volume_mark[c_.facet_volume[f][0]] == 0;
   }
@@ -122,8 +122,8 @@ class BodyReader {
     for (std::uint32_t e = 0; e < c_.edge_count(); ++e) add_edge(e, is_flat);
   }
 
-  /// Adds an edge with the facets beside it. The left one is that which runs forward along it, seen
-  /// from outside; a flat body has its back as the other one.
+  /// Adds an edge with the facets beside it. Seen from outside, the left facet is the one that runs
+  /// forward along the edge. The other facet of a flat body is its back.
   void add_edge(std::uint32_t e, bool is_flat) {
     ConvexBody::Edge edge{{c_.origin[2 * e].value(), c_.origin[2 * e + 1].value()}, {kNone, kNone}};
     const UseId any = c_.edge_use[e];
@@ -159,7 +159,8 @@ void add_polygon_facets(ConvexBody& body) {
 ConvexBody convex_body_of(const SpaceComplex& complex) { return BodyReader(complex).run(); }
 
 std::size_t memory_bytes(const ConvexBody& body) {
-  constexpr std::size_t kLimbBytes = 6 * 32;  // Bytes of the numbers of a point.
+  // This is the memory for the numbers of a point, in bytes.
+  constexpr std::size_t kLimbBytes = 6 * 32;
   const auto bytes = [](const auto&... arrays) {
     return ((arrays.capacity() * sizeof(arrays[0])) + ...);
   };
@@ -208,7 +209,7 @@ class SumBuilder {
     const Rational offset = -(dot(d.normal, a_.point[i]) + dot(d.normal, b_.point[j]));
     const OrientedPlane plane = tables_->planes.intern(d.normal.x, d.normal.y, d.normal.z, offset);
     PLUMB_CHECK(plane.is_valid() && cycle_.size() >= 3);
-    // Cycles are kept as seen from the positive side of the plane.
+    // Cycles are stored as seen from the positive side of the plane.
     if (plane.is_opposite()) std::reverse(cycle_.begin(), cycle_.end());
     std::rotate(cycle_.begin(), std::min_element(cycle_.begin(), cycle_.end()), cycle_.end());
     facets_.corner.insert(facets_.corner.end(), cycle_.begin(), cycle_.end());
@@ -219,8 +220,8 @@ class SumBuilder {
     outer_side_.push_back(plane.is_opposite() ? 1 : 0);
   }
 
-  /// Links the facets by the names of their corners. The complex is minimal as it is made: no two
-  /// facets share a plane, and every vertex is extreme.
+  /// Links the facets by the pairs that represent their corners. The complex is already minimal: no
+  /// two facets share a plane, and every vertex is extreme.
   Nef3 finish(bool is_flat, SumMarks marks) {
     SpaceComplex c = linked(is_flat);
     const Mark boundary = marks == SumMarks::Closed ? 1 : 0;
@@ -230,8 +231,8 @@ class SumBuilder {
     return Nef3::from_minimal_unchecked(std::move(c));
   }
 
-  /// The same for a sum of dimension 3, with the given marks of its facets. `mark_of` gives the
-  /// marks of its edges and vertices.
+  /// Makes a sum of dimension 3, with the given marks of its facets. `mark_of` returns the marks of
+  /// its edges and vertices.
   Nef3 finish(std::span<const Mark> facet_mark, const FaceMarker& mark_of) {
     SpaceComplex c = linked(false);
     std::copy(facet_mark.begin(), facet_mark.end(), c.facet_mark.begin());
@@ -266,7 +267,8 @@ class SumBuilder {
     return c;
   }
 
-  /// Charges memory for more facets, as many as there are: amortised doubling.
+  /// Charges memory for more facets. Each charge doubles the number of facets, so the cost is
+  /// amortised.
   void charge() {
     constexpr std::size_t kFew = 64, kBytesPerFacet = 400;
     const std::size_t more = std::max(kFew, charged_);
@@ -285,8 +287,8 @@ class SumBuilder {
 
   // ---- merging two cycles
 
-  /// Returns the lexicographically least corner. Both cycles begin with the same direction there,
-  /// so the merge can start.
+  /// Returns the lexicographically least corner. At this corner, both cycles begin with the same
+  /// direction, so the merge can start there.
   static std::size_t least(const ConvexBody& body, std::span<const std::uint32_t> cycle) {
     const auto is_less = [&](std::uint32_t v, std::uint32_t w) {
       const RationalPoint3 &p = body.point[v], &q = body.point[w];
@@ -297,8 +299,8 @@ class SumBuilder {
                                     cycle.begin());
   }
 
-  /// Merges the two cycles: corners in order, counter-clockwise seen along the normal. Each step
-  /// takes the edge that comes first by angle, or both if they are parallel.
+  /// Merges the two cycles. The corners are counter-clockwise, seen along the normal. Each step
+  /// takes the edge that comes first by angle, or both edges if they are parallel.
   void merge(const FacetDirection& direction) {
     const std::span<const std::uint32_t> a = direction.face_a, b = direction.face_b;
     const std::size_t first_a = least(a_, a), first_b = least(b_, b);
@@ -359,8 +361,8 @@ class SumBuilder {
     std::vector<std::uint32_t> begin_, facet_;
   };
 
-  /// Returns an input point if doubles hold the sum, else the common point of three facets around
-  /// the vertex.
+  /// Returns an input point if doubles can represent the sum. Otherwise, returns the common point
+  /// of three facets around the vertex.
   SpacePoint make_point(std::uint32_t v, std::span<const std::uint32_t> facets) {
     const auto [i, j] = names_[v];
     const RationalPoint3 &p = a_.point[i], &q = b_.point[j];
@@ -371,7 +373,7 @@ class SumBuilder {
     for (std::size_t k = 2; k < facets.size() && !x.is_valid(); ++k) {
       x = tables_->points.add(plane[facets[0]], plane[facets[1]], plane[facets[k]]);
     }
-    PLUMB_CHECK(x.is_valid());  // Three of the planes meet in the vertex alone.
+    PLUMB_CHECK(x.is_valid());  // The three planes meet only in the vertex.
     return x;
   }
 
@@ -383,15 +385,15 @@ class SumBuilder {
   const ConvexBody& a_;
   const ConvexBody& b_;
   std::shared_ptr<SpaceTables> tables_;
-  IdIndex number_;           // Index over names_.
+  IdIndex number_;           // An index of names_.
   std::vector<Name> names_;  // Pairs of vertices of a and b.
   std::vector<SpacePoint> point_;
   MeshFacets facets_;
-  // Side of each facet's plane that is outside; 0 is positive.
+  // The outer side of each facet's plane; 0 is the positive side.
   std::vector<std::uint32_t> outer_side_;
   std::vector<std::uint32_t> cycle_;
   MemoryCharge memory_;
-  std::size_t charged_ = 0;  // Number of facets charged.
+  std::size_t charged_ = 0;  // The number of facets for which memory was charged.
 };
 
 RationalPoint3 sum_of(const RationalPoint3& p, const RationalPoint3& q) {
@@ -417,8 +419,7 @@ Nef3 thin_sum(const ConvexBody& a, const ConvexBody& b, SumMarks marks) {
 
 bool is_zero(const RationalPoint3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-/// Returns the normal of the plane that holds both operands when they are moved there, or zero if
-/// there is none.
+/// Returns the normal of a plane that is parallel to both operands, or zero if there is none.
 RationalPoint3 common_normal(const ConvexBody& a, const ConvexBody& b) {
   if (a.dimension == 3 || b.dimension == 3) return {0, 0, 0};
   if (a.dimension < 2 && b.dimension < 2) {
@@ -434,8 +435,8 @@ RationalPoint3 common_normal(const ConvexBody& a, const ConvexBody& b) {
   return n;
 }
 
-/// Returns all of an operand in a plane, which is its face in the direction of the plane's normal,
-/// counter-clockwise about that normal.
+/// Returns the whole of an operand that is planar. It is its own face in the direction of the
+/// plane's normal. The corners are counter-clockwise about that normal.
 std::vector<std::uint32_t> flat_face(const ConvexBody& body, const RationalPoint3& normal) {
   if (body.dimension == 0) return {0};
   if (body.dimension == 1) return {0, 1};
@@ -475,10 +476,10 @@ Nef3 convex_sum(const ConvexBody& a, const ConvexBody& b, const FaceMarker& mark
   return builder.finish(facet_mark, mark_of);
 }
 
-// Directions of the facets of a sum (for_each_direction()).
+// The directions of the facets of a sum (for_each_direction()).
 namespace {
 
-/// A direction, exactly and in balls.
+/// A direction, as exact numbers and as balls.
 struct Heading {
   const RationalPoint3& exact;
   const BallVector& rough;
@@ -488,7 +489,7 @@ Heading normal_of(const ConvexBody& body, std::uint32_t f) {
   return {body.normal[f], body.rough_normal[f]};
 }
 
-/// The step between two vertices of a body; rationals are computed only on demand.
+/// The step between two vertices of a body. Its rationals are computed when they are needed.
 struct Step {
   const ConvexBody* body;
   std::uint32_t from;
@@ -511,15 +512,15 @@ Sign det_sign(const Step& d, const Step& v, const Step& w) {
   return is_decided(s) ? decided(s) : sign_of(dot(cross(d.exact(), v.exact()), w.exact()));
 }
 
-/// Returns the sign of det(d, n, w): Positive if w is ahead when a direction turns about d, leaving
-/// n.
+/// Returns the sign of det(d, n, w). It is Positive if w is ahead when a direction turns about d
+/// away from n.
 Sign ahead_sign(const Step& d, const Heading& n, const Step& w) {
   const FilteredSign s = dot(cross(d.rough, n.rough), w.rough).sign();
   return is_decided(s) ? decided(s) : sign_of(dot(cross(d.exact(), n.exact), w.exact()));
 }
 
-/// Returns a vertex that is greatest in the direction, reached by steps uphill. On a convex body a
-/// local maximum is a global one.
+/// Returns a vertex that is greatest in the direction. The function climbs from vertex to vertex.
+/// On a convex body, a local maximum is a global maximum.
 std::uint32_t climb(const ConvexBody& body, std::uint32_t v, const Heading& n) {
   for (;;) {
     std::uint32_t better = kNone;
@@ -533,8 +534,8 @@ std::uint32_t climb(const ConvexBody& body, std::uint32_t v, const Heading& n) {
   }
 }
 
-/// Visits the facets of a body, each after one beside it: visit(facet, vertex to start from)
-/// returns the vertex where it ended.
+/// Visits the facets of a body, each after a facet beside it. The call visit(facet, vertex to start
+/// from) returns the vertex where it ended.
 template <class Visit>
 void for_each_facet_nearby(const ConvexBody& body, const Visit& visit) {
   std::vector<std::vector<std::uint32_t>> beside(body.facet_count());
@@ -557,12 +558,13 @@ void for_each_facet_nearby(const ConvexBody& body, const Visit& visit) {
 /// The vertices of the other operand around which the walk about one edge turns.
 class EdgeWalk {
  public:
-  /// `d` is the edge walked about, and `body` the other operand.
+  /// `d` is the edge about which the walk turns, and `body` is the other operand.
   EdgeWalk(const ConvexBody& body, const Step& d, const Heading& from, const Heading& to)
       : body_(body), d_(d), from_(from), to_(to) {}
 
-  /// Calls visit(v, w) for every edge of the body, not parallel to d, that is extreme in a
-  /// direction strictly between. Requires v extreme in the first direction.
+  /// Calls visit(v, w) for every edge of the body that is not parallel to d and is extreme in a
+  /// direction strictly between the two directions. Requires that v is extreme in the first
+  /// direction.
   template <class Visit>
   void run(std::uint32_t v, const Visit& visit) {
     settle(v);
@@ -575,7 +577,8 @@ class EdgeWalk {
   }
 
  private:
-  /// Leaves the first direction: moves as far ahead as the extreme face there reaches.
+  /// Leaves the first direction, and moves as far ahead as the extreme face in that direction
+  /// allows.
   void settle(std::uint32_t v) {
     for (bool moves = true; moves;) {
       moves = false;
@@ -591,7 +594,7 @@ class EdgeWalk {
     stand_at(v);
   }
 
-  /// Stands at v, and at the other end of an edge parallel to d if there is one.
+  /// Sets the position to v, and to the other end of an edge parallel to d if there is one.
   void stand_at(std::uint32_t v) {
     at_ = {v, kNone};
     for (const std::uint32_t w : body_.star(v)) {
@@ -602,7 +605,8 @@ class EdgeWalk {
     }
   }
 
-  /// Collects the edges met next, all in one direction seen along d: gift wrapping.
+  /// Collects the edges that the walk meets next, which all have one direction seen along d (gift
+  /// wrapping).
   void gather_next() {
     next_.clear();
     for (const std::uint32_t v : at_) {
@@ -617,7 +621,7 @@ class EdgeWalk {
     }
   }
 
-  /// Goes to the far end of the edge or facet that holds next_, by steps uphill along it.
+  /// Moves to the far end of the edge or facet that contains next_, by climbing along it.
   void cross_over() {
     const Step first = next_[0];
     std::uint32_t v = first.to;
@@ -645,8 +649,8 @@ class EdgeWalk {
   std::vector<Step> next_;
 };
 
-/// The directions of a sum, seen from the operand `own`, which has facets. `is_swapped` says that
-/// it is the second one.
+/// The directions of a sum, seen from the operand `own`, which has facets. `is_swapped` states that
+/// `own` is the second operand.
 class Directions {
  public:
   Directions(const ConvexBody& own, const ConvexBody& other, bool is_swapped,
@@ -670,7 +674,7 @@ class Directions {
     });
   }
 
-  /// Visits the directions of pairs of edges. Requires facets() before.
+  /// Visits the directions of pairs of edges. Requires that facets() was called before.
   void edges(Context& context) {
     for (std::size_t e = 0; e < own_.edge.size(); ++e) {
       if (e % 1024 == 0) context.checkpoint("convex sum", e, own_.edge.size());
@@ -725,8 +729,8 @@ class Directions {
   const ConvexBody& other_;
   bool is_swapped_;
   const std::function<void(const FacetDirection&)>& visit_;
-  std::vector<std::vector<std::uint32_t>> facets_at_;  // Facets at each vertex of other_.
-  std::vector<std::uint32_t> extreme_;  // Extreme vertex of other_ for each facet of own_.
+  std::vector<std::vector<std::uint32_t>> facets_at_;  // The facets at each vertex of other_.
+  std::vector<std::uint32_t> extreme_;  // For each facet of own_, an extreme vertex of other_.
   std::vector<std::uint32_t> face_;
 };
 
@@ -738,7 +742,7 @@ void for_each_direction(const ConvexBody& a, const ConvexBody& b,
   Directions of_a(a, b, false, visit), of_b(b, a, true, visit);
   if (a.facet_count() > 0) of_a.facets(false);
   if (b.facet_count() > 0) of_b.facets(a.facet_count() > 0);
-  // Crossings of arcs are found from either operand, so one suffices.
+  // Both operands would find the same crossings of arcs, so one operand is enough.
   (a.facet_count() > 0 ? of_a : of_b).edges(context);
 }
 

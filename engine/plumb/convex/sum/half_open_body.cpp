@@ -158,7 +158,8 @@ class HalfOpenReader {
     return all == FaceMark::Uneven ? common_mark(items, true) : all;
   }
 
-  /// Returns the common mark of the items, or of those that are not inner.
+  /// Returns the common mark of the items. If they differ, returns the common mark of the items
+  /// that are not inner.
   FaceMark common_mark(Items items, bool skips_inner) const {
     std::array<bool, 2> has_mark{false, false};
     for (const auto& [face, item] : items) {
@@ -201,12 +202,14 @@ class HalfOpenReader {
   HalfOpenBody& out_;
   ConvexBody& body_;
   const SpaceComplex& c_;
-  SpaceComplex closed_;  // The closure of the piece, with the same tables.
+  SpaceComplex closed_;  // The closure of the piece. It has the same tables.
   const Nef3& hull_;
   Context& context_;
-  std::vector<std::pair<PlaneId, std::uint32_t>> facet_;      // Facets of the closure by plane.
-  std::vector<std::pair<SpacePoint, std::uint32_t>> vertex_;  // Its vertices by point.
-  std::vector<std::array<std::uint32_t, 3>> edge_;            // Its edges by their two facets.
+  std::vector<std::pair<PlaneId, std::uint32_t>> facet_;  // Facets of the closure by plane.
+  // The vertices of the closure, by point.
+  std::vector<std::pair<SpacePoint, std::uint32_t>> vertex_;
+  // The edges of the closure, by their two facets.
+  std::vector<std::array<std::uint32_t, 3>> edge_;
 };
 
 HalfOpenBody::HalfOpenBody(const Nef3& piece, const Nef3& hull, Context& context) : piece_(piece) {

@@ -13,7 +13,8 @@
 namespace plumb {
 namespace {
 
-/// A side of a facet, from the point with the lesser number to the other, counted `times` times.
+/// A side of a facet that occurs `times` times. It leads from the point with the lesser number to
+/// the other point.
 struct Side {
   const SpaceTables* tables;
   PlaneId plane;
@@ -82,8 +83,8 @@ class VolumeSum {
     sides_.resize(kept);
   }
 
-  /// Returns minus six times the volume of the cones from the origin over what the sides bound in
-  /// one plane: d / n_k times twice an area (volume_sum.h).
+  /// Returns minus six times the volume of the cones from the origin over the regions that the
+  /// sides bound in one plane. It is d / n_k times twice an area (volume_sum.h).
   static Rational volume_under(std::span<const Side> sides) {
     const SpaceTables& tables = *sides[0].tables;
     const IntegerRow row = tables.planes.coefficients(sides[0].plane);

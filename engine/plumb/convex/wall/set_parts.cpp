@@ -46,11 +46,11 @@ class Owners {
     return owners;
   }
 
-  /// Returns the mark of a cell in the part of the owner: 1 if the owner has it.
+  /// Returns the mark of a cell in the part of the owner. It is 1 if the owner owns the cell.
   Mark mark_for(SpaceItem owner, EdgeId e) const { return edge_[e] == owner ? 1 : 0; }
   Mark mark_for(SpaceItem owner, VertexId v) const { return vertex_[v] == owner ? 1 : 0; }
 
-  /// Returns the marks of the part that an owner makes up.
+  /// Returns the marks of the part of an owner.
   SpaceMarks marks_of(SpaceItem owner) const {
     SpaceMarks marks;
     const auto fill = [owner](std::vector<Mark>& to, const std::vector<SpaceItem>& of) {
@@ -65,7 +65,8 @@ class Owners {
   }
 
  private:
-  /// The best owner seen so far: volumes before facets before edges, then the least id.
+  /// The best owner so far. Volumes precede facets, facets precede edges, and within each kind the
+  /// least id is first.
   struct Best {
     SpaceItem item;
     void take(SpaceItem other) {
@@ -83,8 +84,8 @@ class Owners {
     for (const VolumeId v : c_.facet_volume[f]) take_volume(best, v);
     if (c_.facet_mark[f] == 1) best.take(f);
   }
-  /// An edge is beside its volume if it is free, else beside the facets around it and the volumes
-  /// beside these.
+  /// If an edge is free, it is beside its volume. Otherwise, it is beside the facets around it and
+  /// the volumes beside these facets.
   void take_edge(Best& best, EdgeId e) const {
     const UseId first = c_.edge_use[e];
     if (c_.edge_mark[e] == 1) best.take(e);
@@ -122,8 +123,8 @@ class Owners {
   IdVector<VertexId, SpaceItem> vertex_;
 };
 
-/// Copies single facets, edges and points of a bounded set's complex to complexes of their own.
-/// Scratch memory is kept.
+/// Copies single facets, edges and points of the complex of a bounded set to separate complexes.
+/// Scratch memory is reused.
 class ThinParts {
  public:
   ThinParts(const SpaceComplex& complex, const Owners& owners)
@@ -133,8 +134,9 @@ class ThinParts {
         edge_number_(complex.edge_count()),
         use_number_(complex.use_count()) {}
 
-  /// Returns the part of an owner as a set. A facet brings its edges and vertices along, marked
-  /// only if the facet owns them; the result is simplified, because such cells may not be needed.
+  /// Returns the part of an owner as a set. A facet is copied with its edges and vertices, which
+  /// are marked only if the facet owns them. The result is simplified, because some of these cells
+  /// may be superfluous.
   Nef3 set_of(SpaceItem owner, Context& context) {
     owner_ = owner;
     out_ = {};
@@ -158,7 +160,7 @@ class ThinParts {
   }
 
  private:
-  /// Returns the number of a cell in a list, and whether it was appended to it now.
+  /// Returns the number of a cell in a list, and whether the cell was appended by this call.
   template <class Id>
   static std::pair<std::uint32_t, bool> numbered(Id id, std::vector<Id>& list,
                                                  IdVector<Id, std::uint32_t>& number) {
@@ -217,7 +219,7 @@ class ThinParts {
     out_.inner_begin.push_back(static_cast<std::uint32_t>(out_.inner.size()));
   }
 
-  /// Links the edge uses around each edge. The facet is met there once, or twice at a slit.
+  /// Links the edge uses around each edge. The facet occurs there once, or twice at a slit.
   void link_uses() {
     for (std::uint32_t i = 0; i < uses_.size(); ++i) {
       const auto number = [&](UseId u) { return UseId(use_number_[u]); };

@@ -35,11 +35,11 @@
 
 namespace plumb {
 
-/// Returns pairs of facets, each once: all that meet outside of common vertices and sides, and
-/// possibly a few more, which is enough for layers. Requires facets in vertical planes, linked by
-/// their vertices. Seen along the vertical they are segments, so two in different planes can only
-/// meet on one vertical line; if both end there, they meet in common vertices only. Cost: O(n log
-/// n), and a sign for each corner of facets with common boxes.
+/// Returns pairs of facets, each pair once. The pairs include all pairs that meet outside of common
+/// vertices and sides, and possibly a few more. This is enough for layers. Requires facets in
+/// vertical planes, linked by their vertices. Seen along the vertical they are segments, so two in
+/// different planes can only meet on one vertical line; if both end there, they meet in common
+/// vertices only. Cost: O(n log n), and a sign for each corner of facets with common boxes.
 std::vector<std::pair<FacetId, FacetId>> find_wall_conflicts(const SpaceComplex& walls,
                                                              Context& context);
 
@@ -64,9 +64,9 @@ class ConflictSearch {
   }
 
  private:
-  /// How a facet lies with respect to the plane of another.
+  /// The position of a facet relative to the plane of another facet.
   struct Place {
-    // Whether a corner is strictly before, or strictly behind.
+    // Whether a corner is strictly before the plane, or strictly behind it.
     bool is_before = false, is_behind = false;
     std::vector<VertexId> on;
     bool crosses() const { return is_before && is_behind; }
@@ -94,8 +94,8 @@ class ConflictSearch {
     return result;
   }
 
-  /// Facets of one plane may overlap. Others meet on one vertical line at most; they conflict if
-  /// one crosses the plane of the other, or if they touch in different vertices.
+  /// Facets in the same plane may overlap. Other facets meet on at most one vertical line. They
+  /// conflict if one crosses the plane of the other, or if they touch in different vertices.
   bool may_conflict(FacetId f, FacetId g) const {
     const PlaneId p = c_.facet_plane[f], q = c_.facet_plane[g];
     if (p == q) return true;
@@ -121,7 +121,7 @@ namespace {
 
 // ---------------------------------------------------------------- walls as a surface
 
-/// Polygons over points that have ids of their own: equal points become one vertex.
+/// Polygons whose points have separate ids. Equal points become one vertex.
 class WallSurface {
  public:
   WallSurface(const std::vector<WallPolygon>& walls, const Point3Table& points) {
@@ -152,8 +152,8 @@ class WallSurface {
   }
 
  private:
-  /// Sorts points by fingerprint. Within a group of equal fingerprints each point is compared with
-  /// the earlier ones, exactly.
+  /// Sorts points by fingerprint. In a group of equal fingerprints, each point is compared exactly
+  /// with the earlier points.
   void unite(const Point3Table& points) {
     std::vector<std::pair<Fingerprint, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < corner_.size(); ++i) {
@@ -176,8 +176,8 @@ class WallSurface {
     }
   }
 
-  /// Adds a polygon without repeated corners. A wall whose vertical sides have no length may be
-  /// left with fewer than three, and is dropped.
+  /// Adds a polygon without repeated corners. If the vertical sides of a wall have no length, the
+  /// wall may have fewer than three corners, and is dropped.
   void add(PlaneId plane, std::vector<std::uint32_t> cycle) {
     cycle.erase(std::unique(cycle.begin(), cycle.end()), cycle.end());
     while (cycle.size() > 1 && cycle.front() == cycle.back()) cycle.pop_back();
@@ -190,7 +190,7 @@ class WallSurface {
     facets_.origin.push_back(kWallOrigin);
   }
 
-  /// Removes vertices of polygons that were left out.
+  /// Removes vertices that belong to no polygon after some were dropped.
   void drop_unused() {
     std::vector<std::uint32_t> number(vertex_.size(), 0);
     for (const std::uint32_t v : facets_.corner) number[v] = 1;
@@ -205,7 +205,7 @@ class WallSurface {
   }
 
   std::vector<SpacePoint> corner_;
-  std::vector<std::uint32_t> number_;  // Vertex of each corner.
+  std::vector<std::uint32_t> number_;  // The vertex of each corner.
   std::vector<SpacePoint> vertex_;
   MeshFacets facets_;
 };
@@ -242,7 +242,7 @@ class VolumeSplitter {
     return sets;
   }
 
-  /// Returns the marks of what no marked volume has.
+  /// Returns the marks of the cells that belong to no marked volume.
   SpaceMarks rest() const {
     SpaceMarks marks{c_.vertex_mark, c_.edge_mark, c_.facet_mark, {}};
     marks.volume.assign(c_.volume_count(), 0);
@@ -318,7 +318,7 @@ class VolumeSplitter {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
-  /// Restricts the sphere map at a vertex to the volume and what it owns.
+  /// Restricts the sphere map at a vertex to the volume and the cells that it owns.
   void mark(VolumeId volume, VertexId v) {
     SphereMap& map = local_.map;
     const auto keep = [volume](VolumeId owner, Mark& m) {
@@ -362,7 +362,7 @@ SpaceComplex with_walls(SpaceComplex complex, const std::shared_ptr<SpaceTables>
   cutters.facet_mark.assign(cutters.facet_count(), 1);
   cutters.volume_mark.assign(cutters.volume_count(), 0);
   complex.tables = cutters.tables;
-  // Where walls crossed, arrange() may have given them tables of their own.
+  // If walls crossed, arrange() may have given them new tables.
   const std::shared_ptr<SpaceTables> common =
       cutters.tables == tables ? tables : unite_tables(complex, cutters);
   memory.add(memory_bytes(complex) + array_bytes(cutters), "a set and its walls");

@@ -40,7 +40,7 @@ Vertical::Vertical(const std::array<Integer, 3>& direction, SpaceTables& tables)
   }
 }
 
-/// The sign of the scalar product of normal and direction, computed once for each plane.
+/// The sign of the scalar product of a normal and a direction, computed once for each plane.
 Sign Vertical::rise(PlaneId p) {
   if (p.value() >= rise_.size()) rise_.resize(tables_.planes.size(), FilteredSign::Unsure);
   FilteredSign& known = rise_[p];
@@ -50,8 +50,8 @@ Sign Vertical::rise(PlaneId p) {
   return decided(known);
 }
 
-/// The combination of the two planes whose normal is orthogonal to the direction: each row is
-/// weighted by the other's product with it.
+/// Returns the combination of the two planes whose normal is orthogonal to the direction. The
+/// weight of each row is the product of the direction with the other row.
 OrientedPlane Vertical::through(const std::array<PlaneId, 2>& line) {
   const Integer first = dot(tables_.planes.coefficients(line[0]), direction_);
   const Integer second = dot(tables_.planes.coefficients(line[1]), direction_);
@@ -73,7 +73,7 @@ PlaneId Vertical::through(SpacePoint x, PlaneId avoided) {
     const OrientedPlane plane = tables_.planes.intern(n[0], n[1], n[2], offset);
     if (plane.is_valid() && plane.plane() != avoided) other = plane.plane();
   }
-  // At least two vertical planes of this form go through every point.
+  // At every point, there are at least two vertical planes of this form.
   PLUMB_CHECK(other.is_valid());
   return other;
 }
@@ -105,8 +105,8 @@ Sign SectorTest::sine(EdgeId e, HalfPlane from, HalfPlane to) const {
   return turn_about_line(c_.planes(), p, q, from.plane, to.plane) * from.sense * to.sense;
 }
 
-/// Half-planes of one plane are equal or opposite; otherwise the sine decides, counter-clockwise
-/// about half-edge 2e.
+/// Two half-planes of one plane are equal or opposite. Otherwise, the sine decides,
+/// counter-clockwise about half-edge 2e.
 int SectorTest::turn(EdgeId e, HalfPlane from, HalfPlane to) const {
   const Sign s = sine(e, from, to);
   if (s == Sign::Zero) return from.sense == to.sense ? 0 : 2;
@@ -118,8 +118,8 @@ bool SectorTest::is_reflex(const Sector& s) const {
   return turn(s.edge, of_use(s.first), of_use(s.second)) == 3;
 }
 
-/// Compares turns from the first facet. Only if both are in the same half turn does a second sine
-/// decide.
+/// Compares the turns from the first facet. A second sine is needed only if both are in the same
+/// half turn.
 bool SectorTest::holds(const Sector& s, HalfPlane h) const {
   if (!s.first.is_valid()) return true;
   const int at = turn(s.edge, of_use(s.first), h);
@@ -149,8 +149,8 @@ void WallSection::add_edges() {
   for (const EdgeId e : edges_) obstacles_.push_back(obstacle(e));
 }
 
-/// A facet in a vertical plane other than W leaves nothing but vertical pieces. A facet in W itself
-/// contributes its edges only.
+/// If a facet lies in a vertical plane other than W, all its pieces are vertical. If a facet lies
+/// in W, only its edges are pieces.
 void WallSection::add(FacetId f) {
   const PlaneId plane = c_.facet_plane[f];
   const bool is_upright = vertical_.rise(plane) == Sign::Zero;
@@ -210,7 +210,7 @@ void WallSection::gather(UseId cycle) {
   } while (u != cycle);
 }
 
-/// Sorts the cuts by "ahead" along the line of the facet's plane and W.
+/// Sorts the cuts by the direction "ahead" along the line of W and the facet's plane.
 void WallSection::order(PlaneId plane) {
   const bool runs_back = vertical_.rise(plane) == Sign::Positive;
   std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& a, const Cut& b) {
@@ -238,8 +238,8 @@ Station WallSection::station(const Cut& cut) {
   return {cut.point, vertical_.through(c_.edge_planes[cut.item.index()]).plane()};
 }
 
-/// Looks for a vertical plane through the vertex that is already there: that of a vertical edge, or
-/// the wall of another edge. Only a vertex without such an edge needs a new plane.
+/// Searches for an existing vertical plane through the vertex: the plane of a vertical edge, or the
+/// wall of another edge. A new plane is needed only if the vertex has no such edge.
 Station WallSection::station(VertexId v) {
   const SpacePoint x = c_.vertex_point[v];
   for (const HalfedgeId h : c_.star_of(v)) {
@@ -285,7 +285,8 @@ Sign WallSection::above(const Obstacle& x, const Obstacle& y) const {
                                                    : -above(y.to.point, x.plane);
 }
 
-/// The point is the station's own if the plane goes through it, which avoids a new name for it.
+/// If the plane contains the station's own point, this point is used, so that the point does not
+/// get a second definition.
 SpacePoint WallSection::corner(const Station& s, PlaneId plane) {
   if (side(tables_.points, s.point, plane) == Sign::Zero) return s.point;
   return tables_.points.add(wall_, plane, s.cross);

@@ -69,8 +69,8 @@ class Shadows {
 
  private:
   std::size_t side_axis(std::size_t i) const { return (axis_ + 1 + i) % 3; }
-  /// Widens an interval by its error and by the rounding of both sums; an unknown value becomes all
-  /// of the axis.
+  /// Extends an interval by its error and by the rounding of both sums. An unknown value becomes
+  /// the whole axis.
   static void set(Box3& box, std::size_t i, Ball value) {
     if (!(value.error < Box3::kInfinity)) {
       box.low[i] = -Box3::kInfinity;
@@ -87,7 +87,7 @@ class Shadows {
   std::array<Ball, 2> slope_;
 };
 
-/// The obstacles that come first above a base, or below it.
+/// The obstacles that are first above a base, or below it.
 class Sight {
  public:
   Sight(WallSection& section, const Obstacle& base, bool is_up)
@@ -102,7 +102,8 @@ class Sight {
     }
   }
 
-  /// Returns the corners of the wall, or none if nothing is above (below) a part of the base.
+  /// Returns the corners of the wall, or no corners if there is nothing above (below) a part of the
+  /// base.
   std::vector<SpacePoint> polygon() const {
     std::vector<SpacePoint> corners{base_.to.point, base_.from.point};
     for (const Interval& i : seen_) {
@@ -111,8 +112,8 @@ class Sight {
       corners.push_back(section_.corner(i.from, plane));
       corners.push_back(section_.corner(i.to, plane));
     }
-    // The corners run back along the base and ahead above it: counter-clockwise (wall_section.h).
-    // For a wall below the base the order is reversed.
+    // The corners lead back along the base and ahead above it, which is counter-clockwise
+    // (wall_section.h). For a wall below the base, the order is reversed.
     if (!is_up_) std::reverse(corners.begin(), corners.end());
     return corners;
   }
@@ -236,7 +237,7 @@ class SightWalls {
     });
   }
 
-  /// Collects what is above or below the edge.
+  /// Collects the obstacles above or below the edge.
   void gather(EdgeId e, WallSection& section) {
     Box3 query = shadows_.of(e);
     query.low[2] = -Box3::kInfinity;
@@ -254,12 +255,12 @@ class SightWalls {
     section.add_edges();
   }
 
-  /// Cuts through the whole set at a point, or at a vertical line, that was removed from a volume
-  /// and has no edge to look from.
+  /// Cuts the whole set at a point, or at a vertical line, that was removed from a volume and at
+  /// which there is no edge.
   void cut_across(VertexId v) {
     const PlaneId wall = vertical_.through(c_.vertex_point[v], PlaneId());
     const PlaneId level = vertical_.level();
-    // The axis `across` is one whose coordinate grows or falls along the level lines of the wall.
+    // The coordinate of the axis `across` increases or decreases along the level lines of the wall.
     std::size_t across = (vertical_.axis() + 1) % 3;
     if (minor_sign(tables_.planes, wall, level, across) == Sign::Zero) {
       across = (vertical_.axis() + 2) % 3;

@@ -26,10 +26,10 @@ namespace {
 /// A vertical wall of a cell, seen along the vertical.
 struct Trace {
   PlaneId plane;
-  Station from, to;  // `from` is where the wall began.
+  Station from, to;  // The place `from` is where the wall began.
 };
 
-/// One volume: its facets, and the walls it has received.
+/// A volume with its facets and the walls that it has received.
 class Cell {
  public:
   Cell(const SpaceComplex& complex, SpaceTables& tables, Vertical& vertical, VolumeId volume,
@@ -46,20 +46,21 @@ class Cell {
     const Line line = line_of(sector);
     if (!line.is_topmost || is_resolved(sector, line)) return;
     if (!sector.first.is_valid()) {
-      // A line has been removed from the cell: walls run to both sides of it.
+      // If a line was removed from the cell, walls extend to both sides of it.
       const PlaneId plane = c_.edge_planes[sector.edge][0];
       run(plane, line, Sign::Positive, walls);
       run(plane, line, Sign::Negative, walls);
       return;
     }
     const HalfPlane facet = sector_test_.of_use(sector.first);
-    // The facet lies along sense (n x d), d along the edge; n x up is ahead (wall_section.h).
+    // The facet extends along sense (n x d), where d is the direction of the edge. The direction n
+    // x up is ahead (wall_section.h).
     const Sign facet_side = facet.sense * climb(sector.edge);
     run(facet.plane, line, -facet_side, walls);
   }
 
  private:
-  /// Edges one upon the other, as the vertices at their ends.
+  /// Edges that lie one upon the other, given by the vertices at their ends.
   struct Line {
     VertexId top, bottom;
     bool is_topmost;
@@ -69,7 +70,7 @@ class Cell {
 
   // ---- the line
 
-  /// Returns Positive if half-edge 2e runs up.
+  /// Returns Positive if half-edge 2e points upward.
   Sign climb(EdgeId e) const {
     const auto& [p, q] = c_.edge_planes[e];
     return det3_sign(tables_.planes, p, q, vertical_.level());
@@ -86,8 +87,8 @@ class Cell {
     return line;
   }
 
-  /// Returns the half-edge that ends where this one begins and runs the same way, if the cell is
-  /// reflex there, too; else an invalid id.
+  /// Returns the half-edge that ends at the start of this one and has the same direction, if the
+  /// cell is reflex there, too. Otherwise, returns an invalid id.
   HalfedgeId reflex_beyond(HalfedgeId h) {
     for (const HalfedgeId out : c_.star_of(c_.origin[h])) {
       const EdgeId e = SpaceComplex::edge_of(out);
@@ -106,7 +107,7 @@ class Cell {
     return std::any_of(traces_.begin(), traces_.end(), [&](const Trace& t) {
       if (side(tables_.points, x, t.plane) != Sign::Zero) return false;
       if (side(tables_.points, x, t.to.cross) != Sign::Zero) return false;
-      // The half-plane of the wall leads back to where it came from.
+      // The half-plane of the wall leads back to the start of the wall.
       const Sign ahead = side(tables_.points, t.from.point, t.to.cross) *
                          det3_sign(tables_.planes, t.to.cross, t.plane, vertical_.level());
       return sector_test_.is_resolved_by(sector, {t.plane, ahead * climb(sector.edge)});
@@ -115,8 +116,8 @@ class Cell {
 
   // ---- a wall
 
-  /// Makes one wall ahead of a line, between the chains of floor and ceiling, up to the nearest of
-  /// their ends and the earlier walls of the cell.
+  /// Makes one wall ahead of a line, between the chains of floor and ceiling. The wall ends at the
+  /// nearest of their ends and the earlier walls of the cell.
   void run(PlaneId plane, const Line& line, Sign heading, std::vector<WallPolygon>& walls) {
     WallSection section(c_, tables_, vertical_, plane);
     for (const FacetId f : facets_) section.add(f);
@@ -138,7 +139,8 @@ class Cell {
     std::vector<SpacePoint> above;
     add_corners(section, ceiling, end, heading, above);
     wall.corners.insert(wall.corners.end(), above.rbegin(), above.rend());
-    // The corners run ahead along the floor and back under the ceiling: clockwise (wall_section.h).
+    // The corners lead ahead along the floor and back under the ceiling, which is clockwise
+    // (wall_section.h).
     if (heading == Sign::Positive) std::reverse(wall.corners.begin(), wall.corners.end());
     walls.push_back(std::move(wall));
     traces_.push_back({plane, start, end});
@@ -156,7 +158,7 @@ class Cell {
     return section.ahead(a.point, b) * heading == Sign::Positive ? b : a;
   }
 
-  /// Returns the obstacles joined end to end, from the vertex on.
+  /// Returns the consecutive obstacles, beginning at the vertex.
   std::vector<std::uint32_t> follow(WallSection& section, VertexId from, Side side, Sign heading) {
     std::vector<std::uint32_t> chain;
     SpaceItem at = from;
@@ -174,7 +176,7 @@ class Cell {
     return heading == Sign::Positive ? obstacle.to_item : obstacle.from_item;
   }
 
-  /// Ends both chains at the first vertex in which floor and ceiling touch; the cell may go on
+  /// Ends both chains at the first vertex in which floor and ceiling touch. The cell may continue
   /// behind it.
   static void end_where_they_meet(const WallSection& section, Sign heading,
                                   std::vector<std::uint32_t>& ceiling,
@@ -220,8 +222,8 @@ class Cell {
     });
   }
 
-  /// Whether an edge of the cell's boundary leaves a vertex of the ceiling straight down, or a
-  /// vertex of the floor straight up.
+  /// Whether an edge of the boundary of the cell leads straight down from a vertex of the ceiling,
+  /// or straight up from a vertex of the floor.
   bool has_upright_edge(VertexId v, Side side) {
     for (const HalfedgeId h : c_.star_of(v)) {
       const EdgeId e = SpaceComplex::edge_of(h);
@@ -237,7 +239,7 @@ class Cell {
     return false;
   }
 
-  /// Returns where the wall from `start` meets an earlier one ahead, if it does.
+  /// If the wall from `start` meets an earlier wall ahead, returns the meeting place.
   std::optional<Station> crossing(WallSection& section, const Station& start, const Trace& t,
                                   Sign heading) {
     const PlaneId wall = section.wall();
@@ -278,7 +280,7 @@ class Cell {
   std::vector<Sector> sectors_;
 };
 
-/// Lists of some cells for each volume, in one array.
+/// For each volume, a list of cells. All lists are in one array.
 template <class T>
 struct ByVolume {
   std::vector<std::uint32_t> begin;
