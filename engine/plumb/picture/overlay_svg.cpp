@@ -28,9 +28,8 @@ constexpr double kMargin = 0.02;
 constexpr double kNear = 0.02;
 constexpr double kLeastAspect = 0.45;
 constexpr double kMostAspect = 1.15;
-constexpr double kLeastCore =
-    // A part of half the width. The coordinates of more distant points exceed the numbers of SVG.
-    0.03;
+// A part of half the width. The coordinates of more distant points exceed the numbers of SVG.
+constexpr double kLeastCore = 0.03;
 constexpr double kVisible = 1.2;
 constexpr std::size_t kMaxPoints = 600000;
 // The greatest number of cells that show their pair when the pointer is on them.

@@ -156,7 +156,8 @@ const SphereComplex& NefSphere::complex() const& { return *complex_; }
 SphereComplex NefSphere::complex() && {
   const std::shared_ptr<SphereComplex> own = std::move(complex_);
   if (own.use_count() > 1) return *own;
-  // use_count() does not synchronize: the fence orders reads by former owners before the move.
+  // use_count() does not synchronize, so the fence orders the reads of former owners before the
+  // move.
   std::atomic_thread_fence(std::memory_order_acquire);
   return std::move(*own);
 }
@@ -254,7 +255,7 @@ struct OneTable {
   SphereMap b;
 };
 
-/// Merges the tables of planes, unless both sets share one.
+/// Merges the tables of planes, unless both sets share a table.
 OneTable over_one_table(const NefSphere& a, const NefSphere& b) {
   const std::shared_ptr<const PlaneTable>& shared = a.complex().planes;
   if (shared == b.complex().planes) return {shared, a.map(), b.map()};
@@ -279,15 +280,15 @@ void select(const SphereSelector& selector, SphereMap& map) {
   select(selector.face, map.face_mark);
 }
 
-/// Returns the bytes that an overlay takes, without those for places where the maps meet, which
-/// SphereLimits charges.
+/// Returns the bytes that an overlay takes, except for the places where the maps meet. SphereLimits
+/// charges these.
 std::uint64_t memory_of_overlay(const SphereMap& a, const SphereMap& b) {
   const auto items = [](const SphereMap& m) { return m.point_count() + m.arc_count(); };
   return 400 * (items(a) + items(b));
 }
 
-/// Returns the set of a minimal map. Planes that no cell refers to any more are removed if they are
-/// many.
+/// Returns the set of a minimal map. If many planes are no longer used by any cell, they are
+/// removed.
 NefSphere with_few_planes(std::shared_ptr<const PlaneTable> planes, SphereMap map) {
   const std::size_t named = map.arc_count() + 2 * map.point_count();
   if (planes->size() > 2 * named + 64) planes = centred(*planes, map);

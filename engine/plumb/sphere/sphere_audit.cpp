@@ -24,7 +24,7 @@
 namespace plumb {
 namespace {
 
-/// One audit; keeps the first flaw that is found.
+/// One audit, which keeps the first flaw that it finds.
 class SphereAudit {
  public:
   SphereAudit(const PlaneTable& planes, const SphereMap& map) : planes_(planes), map_(map) {}
@@ -110,7 +110,8 @@ bool SphereAudit::has_ids_in_range() {
   return holds;
 }
 
-/// Compares normals exactly, as all other checks assume that different ids mean different normals.
+/// Compares normals exactly, because all other checks assume that different ids have different
+/// normals.
 bool SphereAudit::has_right_planes() {
   std::set<PlaneId> used(map_.circle.begin(), map_.circle.end());
   for (std::size_t v = 0; v < map_.point_count(); ++v) {
@@ -137,8 +138,8 @@ bool SphereAudit::has_right_planes() {
   return true;
 }
 
-/// Goes around the half-arcs of a point, of which there are at most as many as in the whole map, so
-/// that broken links cannot make the walk endless.
+/// Goes around the half-arcs of a point. The walk ends after as many half-arcs as the whole map
+/// has, so broken links cannot make it endless.
 bool SphereAudit::has_one_ring(std::uint32_t v, std::size_t& seen) {
   std::uint32_t h = map_.first_out[v];
   if (h == kNone) return true;
@@ -153,8 +154,8 @@ bool SphereAudit::has_one_ring(std::uint32_t v, std::size_t& seen) {
   return true;
 }
 
-/// With next a permutation that keeps points and faces, half-arcs lie in one ring around each point
-/// if the rings that first_out starts contain all of them.
+/// If next is a permutation that keeps points and faces, the half-arcs of each point lie in one
+/// ring if and only if the rings that start at first_out contain all half-arcs.
 bool SphereAudit::is_linked() {
   std::size_t seen = 0;
   std::vector<std::uint8_t> follows(map_.next.size(), 0);
@@ -176,8 +177,8 @@ bool SphereAudit::is_linked() {
   return require(seen == map_.origin.size(), "one ring of half-arcs around each point", "map");
 }
 
-/// Seen from the first half-arc, each next one clockwise must come before the one before it,
-/// counter-clockwise.
+/// Seen from the first half-arc, each half-arc of the clockwise order must precede the one before
+/// it in the counter-clockwise order.
 bool SphereAudit::turns_clockwise(std::uint32_t v) {
   const std::uint32_t first = map_.first_out[v];
   if (first == kNone) return true;
@@ -209,7 +210,8 @@ bool SphereAudit::turns_clockwise() {
   return true;
 }
 
-/// Laid over itself, a map whose arcs meet at points only has no contacts other than these points.
+/// In the overlay of the map with itself, a map whose arcs meet only at points has no contacts
+/// other than these points.
 bool SphereAudit::meets_at_points() {
   SphereContacts contacts;
   contacts.find(planes_, map_, map_);
@@ -228,9 +230,9 @@ bool SphereAudit::meets_at_points() {
   return require(loops <= 1, "there is at most one loop", "map");
 }
 
-/// On a sphere V - E + F = 1 + parts, where a loop counts as a point and an arc. If there are as
-/// many faces as that, each is used, and both ends of each link name one, then the faces are the
-/// classes of linked cycles.
+/// On a sphere, V - E + F = 1 + parts, where a loop counts as a point and an arc. If the number of
+/// faces satisfies this formula, each face is used, and both ends of each link have the same face,
+/// then the faces are the classes of linked cycles.
 bool SphereAudit::bounds_right_faces() {
   std::vector<std::uint8_t> is_used(map_.face_count(), 0);
   std::size_t loops = 0;

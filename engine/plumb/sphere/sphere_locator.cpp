@@ -39,7 +39,7 @@ namespace plumb {
 /// Memory that walks over one map reuse.
 struct WalkMemory {
   explicit WalkMemory(const SphereMap& map) : last_walk(map.point_count() + map.arc_count(), 0) {}
-  /// Begins a walk, for which no item has been asked yet.
+  /// Begins a walk, in which no item has been tested yet.
   void begin();
 
   std::vector<std::uint32_t> last_walk;  ///< The last walk that asked each point, then each arc.
@@ -58,8 +58,8 @@ class SphereWalk {
   SphereWalk(const PlaneTable& planes, const SphereMap& map, const SphereBoundTree& tree,
              WalkMemory& memory, OrientedPlane circle, CirclePlace from, const UnitBall& start);
 
-  /// Returns the next thing that is met, with entry and exit in the direction of the walk; nothing
-  /// after the last.
+  /// Returns the next cell that is met, with entry and exit in the direction of the walk. Returns
+  /// nothing after the last cell.
   std::optional<PathHit> next();
 
  private:
@@ -85,10 +85,12 @@ class SphereWalk {
 
 namespace {
 
-constexpr double kLongest = 1.5;     // Of a piece: less than a half-circle.
+// The greatest length of a piece, which is less than a half-circle.
+constexpr double kLongest = 1.5;
 constexpr double kShortest = 1e-10;  // Shorter pieces do not separate items.
 constexpr std::size_t kFew = 16;
-constexpr double kRound = 2 * std::numbers::pi + 1e-3;  // A turn, and more than all errors.
+// The value exceeds a full turn and all errors.
+constexpr double kRound = 2 * std::numbers::pi + 1e-3;
 
 UnitBall oriented(UnitBall normal, bool is_opposite) {
   if (is_opposite) {
@@ -144,8 +146,8 @@ bool SphereWalk::is_certain(const PathHit& hit) const {
   return angle + way_.slack(at) < done_;
 }
 
-/// Whether x is met before y. Against the canonical direction the order is the reverse one, except
-/// that what is met at the start stays first.
+/// Whether x is met before y. Against the canonical direction, the order is reversed, except that a
+/// hit at the start remains first.
 bool SphereWalk::is_before(const PathHit& x, const PathHit& y) const {
   const PlaneId c = circle_.plane();
   if (!circle_.is_opposite()) return is_before_on(planes_, c, from_, x.place, y.place);
@@ -155,15 +157,16 @@ bool SphereWalk::is_before(const PathHit& x, const PathHit& y) const {
   return is_before_on(planes_, c, from_, y.place, x.place);
 }
 
-/// Returns the next piece, of length step_; the whole circle if the errors are too large for
-/// pieces.
+/// Returns the next piece, whose length is step_. If the errors are too large for pieces, returns
+/// the whole circle.
 SphereBound SphereWalk::piece() const {
   if (!way_.is_sharp()) return {SphereBound::Kind::Circle, {}, {}, way_.normal};
   return {SphereBound::Kind::ShortArc, way_.at(done_), way_.at(std::min(done_ + step_, kRound)),
           way_.normal};
 }
 
-/// Halves the next piece until its items are few enough, and finds those not asked yet.
+/// Halves the next piece until it has few enough items, and finds the items that have not been
+/// tested yet.
 void SphereWalk::find_few() {
   std::vector<std::uint32_t>& found = memory_.found;
   for (;; step_ /= 2) {
@@ -178,7 +181,8 @@ void SphereWalk::find_few() {
   }
 }
 
-/// Searches one more piece. Items are asked over the whole circle, so each is asked once a walk.
+/// Searches one more piece. Items are tested over the whole circle, so each item is tested once in
+/// a walk.
 void SphereWalk::look_further() {
   find_few();
   done_ = std::min(done_ + step_, kRound);
@@ -207,8 +211,8 @@ void SphereWalk::look_further() {
 
 namespace {
 
-/// Returns a ball around a vector, from its coordinates: the planes that define the direction may
-/// be nearly parallel.
+/// Returns a ball around a vector, computed from its coordinates because the planes that define the
+/// direction may be nearly parallel.
 UnitBall ball_of(const SphereVector& v) {
   Rational largest;
   for (const Rational* x : {&v.x, &v.y, &v.z}) largest = std::max(largest, Rational(abs(*x)));
@@ -244,7 +248,7 @@ struct SphereLocator::State {
   WalkMemory memory;
 };
 
-/// Returns the point or arc on which the direction lies; not valid if there is none.
+/// Returns the point or arc that contains the direction, or an invalid cell if there is none.
 SphereCell SphereLocator::State::on_item(SphereDirection u, const UnitBall& ball) {
   const auto points = static_cast<std::uint32_t>(map.point_count());
   SphereCell found;
@@ -266,9 +270,9 @@ SphereCell SphereLocator::State::face_around(SphereDirection u, const UnitBall& 
   const PlaneId c = u.p;
   std::optional<PathHit> hit = walk({c, false}, {u.q, false}, ball).next();
   if (!hit) {
-    // All of c lies in the face. No arc runs along c, and none is a loop, as a loop would meet c.
-    // So a walk along the circle of any arc, from where it crosses c, meets the boundary of that
-    // face first.
+    // The whole circle c lies in the face. No arc lies on c, and no arc is a loop, because a loop
+    // would meet c. Therefore a walk along the circle of any arc, beginning where it crosses c,
+    // first meets the boundary of that face.
     const PlaneId r = map.circle[0];
     const CirclePlace corner{c, false};
     hit = walk({r, false}, corner, plumb::ball_of(planes, direction_of(r, corner))).next();

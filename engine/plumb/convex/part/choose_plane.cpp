@@ -39,9 +39,8 @@ constexpr std::size_t kMostKept = 6;
 constexpr std::size_t kLarge = 500;
 // Balance is worth one piece for so many edges on the smaller side.
 constexpr int kWorthOnePiece = 16;
-constexpr std::size_t kAllVertices =
-    // If a piece has at most so many reflex edges, all its vertices are tried.
-    48;
+// If a piece has at most so many reflex edges, all its vertices are tried.
+constexpr std::size_t kAllVertices = 48;
 constexpr int kMostFactor = 16;  // The greatest factor of a pencil.
 constexpr double kNearFactor = 1e-9;
 

@@ -1,7 +1,8 @@
 // Merging of convex neighbours. Two convex pieces with a common wall are one convex piece if no
-// edge of the wall's rim is reflex once the wall is gone: the union is closed, connected and
-// locally convex off the rim, and a closed connected set that is locally convex is convex (H.
-// Tietze, Mathematische Zeitschrift 28, 1928; docs/design/walls.md, section Cuts, "Merging").
+// edge of the wall's rim is reflex after the wall is removed. The reason: the union is closed,
+// connected and locally convex off the rim, and a closed connected set that is locally convex is
+// convex (H. Tietze, Mathematische Zeitschrift 28, 1928; docs/design/walls.md, section Cuts,
+// "Merging").
 //
 // Common polygons are found without geometry: a face's key is the sum of the fingerprints of its
 // corners, which does not depend on where the cycle begins or which way it runs. Merger, for pieces

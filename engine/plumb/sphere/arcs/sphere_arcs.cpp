@@ -41,15 +41,15 @@ Sign turn_between(const PlaneTable& planes, SphereDirection u, PlaneId m1, Plane
   return turn_about_line(planes, u.p, u.q, m1, m2);
 }
 
-/// Returns the half of the circle, seen from the first place, in which the second lies: Positive if
-/// the turn is less than half a circle, Negative if it is more, Zero if the places are equal or
-/// opposite.
+/// Returns the half of the circle, seen from the first place, that contains the second place:
+/// Positive if the turn is less than half a circle, Negative if it is more, Zero if the places are
+/// equal or opposite.
 Sign half_on(const PlaneTable& planes, PlaneId circle, CirclePlace from, CirclePlace to) {
   if (from.other == to.other) return Sign::Zero;
   return det3_sign(planes, circle, from.other, to.other) * from.sign() * to.sign();
 }
 
-/// Returns the same for two headings at u.
+/// Returns the same result for two headings at u.
 Sign half_at(const PlaneTable& planes, SphereDirection u, OrientedPlane from, OrientedPlane to) {
   return turn_between(planes, u, from.plane(), to.plane()) * from.orientation() * to.orientation();
 }
@@ -121,8 +121,8 @@ bool is_before_at(const PlaneTable& planes, SphereDirection u, OrientedPlane fro
 
 namespace {
 
-/// Going counter-clockwise on c one is on the positive side of d, at n_c x n_d, on the negative
-/// side, and at the opposite point: four stations in this order.
+/// A counter-clockwise walk on c is first on the positive side of d, then at n_c x n_d, then on the
+/// negative side, and then at the opposite point. These are the four stations.
 enum Station : unsigned { kPositive = 0, kAhead = 1, kNegative = 2, kBehind = 3 };
 
 /// Returns the station of the origin of a half-arc, which its side of d determines unless it lies
@@ -136,18 +136,20 @@ Station station(const PlaneTable& planes, const SphereMap& map, std::uint32_t ha
   return turn_on(planes, c, {d, false}, place) == TurnClass::None ? kAhead : kBehind;
 }
 
-/// Whether an arc whose ends are at one station goes once around and does not stay there.
+/// Whether an arc whose two ends are at the same station goes once around the circle, instead of
+/// staying at the station.
 bool goes_round(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc, Station at) {
   if (map.origin[2 * arc] == map.origin[2 * arc + 1]) return true;
-  if (at == kAhead || at == kBehind) return false;  // Two points are never at one of these.
+  // Two points are never at the same one of these stations.
+  if (at == kAhead || at == kBehind) return false;
   return turn_on(planes, map.circle[arc], origin_place(planes, map, 2 * arc),
                  origin_place(planes, map, 2 * arc + 1)) == TurnClass::Right;
 }
 
 }  // namespace
 
-/// Passes the stations from that of the start to that of the end. A station is strictly inside the
-/// arc unless it is the first or the last.
+/// Passes the stations from the start to the end. A station is strictly inside of the arc unless it
+/// is the first or the last station.
 ArcCrossings crossings(const PlaneTable& planes, const SphereMap& map, std::uint32_t arc, PlaneId d,
                        Sign from_side, Sign to_side) {
   if (map.is_loop(arc)) return {true, true};
@@ -193,7 +195,7 @@ std::uint32_t sector_at(const PlaneTable& planes, const SphereMap& map, std::uin
   std::uint32_t best = first;
   for (std::uint32_t h = first;;) {
     if (heading_of(map, h) == heading) return kNone;
-    // The last half-arc counter-clockwise from the heading is the next one clockwise of it.
+    // The last half-arc counter-clockwise from the heading is the first one clockwise from it.
     if (is_before_at(planes, u, heading, heading_of(map, best), heading_of(map, h))) best = h;
     h = map.clockwise(h);
     if (h == first) return best;
@@ -213,7 +215,7 @@ void Leg::add_point(std::uint32_t v, std::vector<PathHit>& hits) const {
   hits.push_back({place, SphereCell::point(v), slot_towards(v, true), slot_towards(v, false)});
 }
 
-/// Returns the slot of the face into which the leg runs at a point, or from which it came.
+/// Returns the slot of the face that the leg enters, or leaves, at a point.
 SphereSlot Leg::slot_towards(std::uint32_t v, bool backward) const {
   if (map_.first_out[v] == kNone) return {kNone, v};
   return {sector_at(planes_, map_, v, {circle_, backward}), kNone};
@@ -226,8 +228,9 @@ void Leg::add_arc(std::uint32_t a, std::vector<PathHit>& hits) const {
   if (on_leg.behind) add_crossing(a, true, hits);
 }
 
-/// At n_c x n_m the leg leaves the positive side of m, which is to the left of the even half-arc of
-/// the arc on m. So the entry is that half-arc there, and the odd one at the opposite point.
+/// At n_c x n_m, the leg leaves the positive side of m, which is to the left of the even half-arc
+/// of the arc on m. Therefore the entry is that half-arc at this point, and the odd half-arc at the
+/// opposite point.
 void Leg::add_crossing(std::uint32_t a, bool is_opposite, std::vector<PathHit>& hits) const {
   const CirclePlace place{map_.circle[a], is_opposite};
   if (!is_on(place)) return;
@@ -259,9 +262,9 @@ void walk_leg(const PlaneTable& planes, const SphereMap& map, PlaneId circle, Ci
 }
 
 /// The first leg follows u.p to the nearer of its two common points with the circle r of the arc,
-/// the corner; the second follows r. If u lies on r, there is no first leg. At the corner the walk
-/// turns, so that a hit there has no exit on the first leg and no entry on the second: what lies
-/// before it and after it need not be one face.
+/// the corner; the second follows r. If u lies on r, there is no first leg. At the corner, the walk
+/// turns. Therefore a hit at the corner has no exit on the first leg and no entry on the second
+/// leg, because the places before and after the corner may lie in different faces.
 void walk_to_arc(const PlaneTable& planes, const SphereMap& map, SphereDirection u,
                  std::uint32_t arc, std::vector<PathHit>& hits) {
   const PlaneId r = map.circle[arc];
@@ -315,9 +318,9 @@ void SphereParts::walk_from(const PlaneTable& planes, const SphereMap& map, std:
   }
 }
 
-/// Arcs that share a point are one part. No walk starts from a loop: two loops would cross, so
-/// there is one at most, and it is taken as the root arc. Each other part has points, and its least
-/// one is its root in the union-find.
+/// Arcs with a common point belong to the same part. No walk starts from a loop. There is at most
+/// one loop, because two loops would cross, and it is used as the root arc. Every other part has
+/// points, and its least point is its root in the union-find.
 void SphereParts::find(const PlaneTable& planes, const SphereMap& map,
                        const std::function<void()>& look) {
   point_count_ = static_cast<std::uint32_t>(map.point_count());

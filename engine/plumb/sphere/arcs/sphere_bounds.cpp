@@ -28,10 +28,10 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double kRounding = 1e-14;  // More than the roundings of any computation below.
+constexpr double kRounding = 1e-14;  // The value exceeds the roundings of any computation below.
 
-/// Returns how far the circle of a normal goes along a unit vector, at most: the sine of the angle
-/// between the two.
+/// Returns the greatest extent of the circle of a normal along a unit vector. It is the sine of the
+/// angle between the two.
 double reach(const UnitBall& normal, const Vector& n) {
   const double along = std::max(0.0, std::fabs(dot(normal.middle, n)) - normal.radius - kRounding);
   return std::sqrt(std::max(0.0, 1 - along * along)) + kRounding;

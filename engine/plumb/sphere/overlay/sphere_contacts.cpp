@@ -1,9 +1,10 @@
 // The contacts of two sphere maps: equal points, points on arcs, and crossings of arcs.
 //
-// Everything is read off the sides of the points of one map on the circles of the other. Small maps
-// tabulate these once, so that each det3 is computed at most once and nothing is allocated in later
-// calls; large maps ask for pairs of items whose bounds meet. The order of pairs does not depend on
-// the way they are found, so both ways give the same numbers to the points.
+// All contacts follow from the sides of the points of one map on the circles of the other. For
+// small maps, these sides are computed once and stored, so that each det3 is computed at most once
+// and later calls allocate no memory. For large maps, only pairs of items whose bounds meet are
+// tested. The order of pairs does not depend on the way they are found, so both ways give the same
+// numbers to the points.
 //
 // docs/design/sphere.md, Crossings from sides, proves that two arcs of different circles cross if
 // and only if both have the same one of the two common points of their circles inside (Lemma 1).
@@ -35,7 +36,7 @@ std::uint32_t SphereContacts::add(SphereDirection u, SphereCell in_a, SphereCell
   return static_cast<std::uint32_t>(direction.size() - 1);
 }
 
-/// Lists the circles of map k once each, and numbers those of its arcs.
+/// Lists the circles of map k, each once, and numbers the circles of its arcs.
 void SphereContacts::number_circles(const SphereMap& map, std::size_t k) {
   std::vector<PlaneId>& circles = circles_[k];
   circles = map.circle;
@@ -57,7 +58,8 @@ Sign SphereContacts::side(std::size_t k, std::uint32_t point, std::uint32_t circ
                     : compute_side(k, point, circle);
 }
 
-/// Arcs on the circle itself have no crossings with it; a loop on another circle has both.
+/// Arcs on the circle itself have no crossings with it. A loop on another circle has both
+/// crossings.
 ArcCrossings SphereContacts::compute_crossings(std::size_t k, std::uint32_t arc,
                                                std::uint32_t circle) const {
   const SphereMap& map = *map_[k];
@@ -74,7 +76,7 @@ ArcCrossings SphereContacts::crossings_of(std::size_t k, std::uint32_t arc,
                     : compute_crossings(k, arc, circle);
 }
 
-/// Computes each sign of the phase once, whichever pairs need it later.
+/// Computes each sign of the phase once, because several pairs may need it.
 void SphereContacts::make_tables() {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto count = static_cast<std::uint32_t>(circles_[1 - k].size());
@@ -135,7 +137,7 @@ void SphereContacts::for_each_pair(PairKind kind, Visit visit) const {
   }
 }
 
-/// Points are compared exactly only if the side of one on a circle through the other is zero.
+/// Points are compared exactly only if one of them lies on a circle through the other.
 void SphereContacts::join_points() {
   equal_.assign(map_[1]->point_count(), kNone);
   for_each_pair(PointPoint, [&](std::uint32_t v, std::uint32_t w) {
@@ -156,7 +158,8 @@ void SphereContacts::join_points() {
   }
 }
 
-/// Finds points of map k that lie strictly inside arcs of the other map, each inside one at most.
+/// Finds points of map k that lie strictly inside of arcs of the other map. Each point lies inside
+/// of at most one arc.
 void SphereContacts::add_points_on(std::size_t k) {
   const std::size_t other = 1 - k;
   const SphereMap& arcs = *map_[other];
@@ -185,7 +188,8 @@ void SphereContacts::add_crossing(std::uint32_t a, std::uint32_t b, bool is_oppo
   stops[1].push_back({b, p, on_b});
 }
 
-/// The two maps name the common points of two circles the other way round, hence swapped().
+/// In the two maps, the names of the common points of two circles are exchanged. Therefore
+/// swapped() is applied.
 void SphereContacts::add_crossings() {
   for_each_pair(ArcArc, [&](std::uint32_t a, std::uint32_t b) {
     const ArcCrossings on_a = crossings_of(0, a, circle_of_[1][b]);

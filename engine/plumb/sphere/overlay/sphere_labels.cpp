@@ -1,8 +1,8 @@
 // The phases "link" and "label" of an overlay of sphere maps.
 //
-// Linking: between two neighbouring stops of an arc there is nothing else of either map, so pieces
-// of one circle that leave one point in one direction are the same. Around a point where both maps
-// are present, half-arcs are sorted by heading.
+// Linking: between two neighbouring stops of an arc, there are no other cells of either map.
+// Therefore pieces of one circle that leave the same point in the same direction are equal. Around
+// a point where both maps are present, half-arcs are sorted by heading.
 //
 // Labelling: going clockwise around a point that lies on map k, the face to the right of a half-arc
 // of k contains what follows up to the next such half-arc. This face continues along pieces and
@@ -18,7 +18,8 @@
 
 namespace plumb {
 
-/// Sorts stops by arc, and those of one arc by place from its origin, or for a loop from any stop.
+/// Sorts stops by arc. The stops of one arc are sorted by their places from its origin; for a loop,
+/// from any stop.
 void SpherePieces::sort_stops(std::size_t k, SphereContacts& contacts) {
   using Stop = SphereContacts::Stop;
   std::vector<Stop>& stops = contacts.stops[k];
@@ -41,7 +42,7 @@ void SpherePieces::sort_stops(std::size_t k, SphereContacts& contacts) {
 }
 
 /// Appends the pieces of arc a of map k. The first piece of a loop with stops starts at its last
-/// stop; a loop without stops stays one.
+/// stop. A loop without stops remains one piece.
 void SpherePieces::cut_arc(std::size_t k, std::uint32_t a, const SphereContacts::Stop* first,
                            const SphereContacts::Stop* last, const SphereContacts& contacts) {
   const bool is_loop = map_[k]->is_loop(a);
@@ -68,7 +69,7 @@ void SpherePieces::cut_arcs(std::size_t k, const SphereContacts& contacts) {
   }
 }
 
-/// Sorts the pieces so that equal ones follow each other, and makes one of each run.
+/// Sorts the pieces such that equal pieces are consecutive, and replaces equal pieces by one.
 void SpherePieces::merge() {
   std::sort(pieces_.begin(), pieces_.end(), [](const Piece& p, const Piece& q) {
     if (p.circle != q.circle) return p.circle < q.circle;
@@ -89,8 +90,8 @@ void SpherePieces::merge() {
   pieces_.resize(count);
 }
 
-/// Notes the half-arc of a piece at its origin, if it is part of an arc of map k: the origin is an
-/// end of that arc, or a stop inside it.
+/// If a piece is part of an arc of map k, notes its half-arc at its origin. The origin is an end of
+/// that arc, or a stop inside of it.
 void SpherePieces::note_leaving(std::uint32_t half, std::size_t k, const SphereContacts& contacts) {
   const std::uint32_t a = arc[half / 2][k];
   const std::uint32_t point = map.origin[half];
@@ -138,7 +139,7 @@ void SpherePieces::add_ring(std::size_t k, std::uint32_t point, const SphereCont
   } while (h != first);
 }
 
-/// Sorts the half-arcs of both maps clockwise. Overlapping arcs gave one half-arc twice.
+/// Sorts the half-arcs of both maps clockwise. Where arcs overlap, one half-arc occurs twice.
 void SpherePieces::sort_ring(std::uint32_t point) {
   const SphereDirection u = map.direction[point];
   const OrientedPlane from = heading_of(map, ring_[0]);
@@ -148,7 +149,8 @@ void SpherePieces::sort_ring(std::uint32_t point) {
   ring_.erase(std::unique(ring_.begin(), ring_.end()), ring_.end());
 }
 
-/// The half-arc that arrives where g leaves is followed by the one that leaves next clockwise.
+/// The half-arc that arrives at the place where g leaves is followed by the next half-arc clockwise
+/// that leaves.
 void SpherePieces::link_rings(const SphereContacts& contacts) {
   map.next.resize(map.origin.size());
   for (std::uint32_t h = 0; h < map.origin.size(); ++h) {
@@ -225,7 +227,8 @@ void SphereLabels::take_known(const SphereContacts& contacts) {
   }
 }
 
-/// Gives the piece of a half-arc a face of map k, unless it is part of an arc of k or has one.
+/// Assigns a face of map k to the piece of a half-arc, unless the piece is part of an arc of k or
+/// already has a face.
 void SphereLabels::set_label(std::size_t k, std::uint32_t half, std::uint32_t face) {
   const std::uint32_t piece = half / 2;
   if (face == kNone || pieces_->arc[piece][k] != kNone || label_[k][piece] != kNone) return;
@@ -234,8 +237,8 @@ void SphereLabels::set_label(std::size_t k, std::uint32_t half, std::uint32_t fa
 }
 
 /// Labels the pieces around a point that lies on map k. Going clockwise, the face to the right of a
-/// half-arc of k contains what follows. If the point is isolated in k, its face contains all; else
-/// a second round is needed for what comes before the first half-arc of k.
+/// half-arc of k contains what follows. If the point is isolated in k, its face contains all
+/// pieces. Otherwise, a second round is needed for the pieces before the first half-arc of k.
 void SphereLabels::label_around(std::size_t k, std::uint32_t point) {
   const SphereMap& map = pieces_->map;
   const SphereCell cell = point_cell_[point][k];
@@ -308,7 +311,8 @@ std::uint32_t SphereLabels::face_at(std::size_t k, SphereSlot slot) const {
   return cell.kind() == SphereCell::Kind::Point ? map_[k]->point_face[cell.index()] : cell.index();
 }
 
-/// Gives the part at `to` the label of that at `from`, if it needs one. Returns whether it did.
+/// If the part at `to` needs a label, assigns the label of the part at `from` to it. Returns
+/// whether a label was assigned.
 bool SphereLabels::pass_label(std::size_t k, SphereSlot from, SphereSlot to) {
   std::uint32_t& label = part_label_[k][parts_.of(to)];
   if (label != kNone || face_at(k, to) != kNone) return false;
@@ -329,7 +333,8 @@ void SphereLabels::label_parts(std::size_t k, SphereLimits* limits) {
       if (pass_label(k, l.second, l.first)) goes_on = true;
     }
   }
-  // What is left lies in face 0: map k has no points and arcs, or there are only isolated points.
+  // The remaining parts lie in face 0, because map k has no points and arcs, or there are only
+  // isolated points.
   for (std::uint32_t& label : part_label_[k]) {
     if (label == kNone) label = 0;
   }

@@ -30,12 +30,12 @@
 
 namespace plumb {
 
-/// The overlay of lunes and a loop. Keeps its memory between calls.
+/// The overlay of lunes and a loop. The object keeps its memory between calls.
 class SphereLunes {
  public:
-  /// Fills `out`, except its marks, and `cells`, the pair of cells in which each of its cells lies.
-  /// Returns false, and leaves both as they are, if the maps are not lunes and a loop that crosses
-  /// them.
+  /// Fills `out`, except its marks, and `cells`, which has the pair of old cells that contains each
+  /// new cell. Returns false, and leaves both unchanged, if the maps are not lunes and a loop that
+  /// crosses them.
   bool build(const PlaneTable& planes, const SphereMap& a, const SphereMap& b, SphereMap& out,
              SphereOrigins& cells);
 
@@ -56,13 +56,14 @@ class SphereLunes {
 
   const SphereMap* lunes_ = nullptr;
   const SphereMap* circle_ = nullptr;
-  bool has_lunes_first_ = false;  // Whether the lunes are map a.
+  bool has_lunes_first_ = false;  // Whether map a has the lunes.
   Sign first_side_ = Sign::Zero;  // The side of the circle on which point 0 of the lunes lies.
   SphereMap* out_ = nullptr;
   SphereOrigins* cells_ = nullptr;
   std::vector<std::uint32_t>
-      lune_of_piece_;                  // The face of the lunes, for each piece of the circle.
-  std::vector<std::uint32_t> number_;  // The face, or kNone, for each face of the lunes and side.
+      lune_of_piece_;  // For each piece of the circle, the face of the lunes.
+  // For each face of the lunes and each side, the new face or kNone.
+  std::vector<std::uint32_t> number_;
 };
 
 namespace {
@@ -72,8 +73,8 @@ bool is_circle(const SphereMap& map) {
   return map.point_count() == 0 && map.arc_count() == 1 && map.is_loop(0);
 }
 
-/// Whether the map is two opposite points joined by half-circles. The points must be named as
-/// opposites; others take the general overlay.
+/// Whether the map consists of two opposite points that are joined by half-circles. The definitions
+/// of the points must show that they are opposite. All other maps use the general overlay.
 bool are_lunes(const SphereMap& map) {
   if (map.point_count() != 2 || map.arc_count() == 0) return false;
   if (map.direction[1] != map.direction[0].opposite()) return false;
@@ -84,7 +85,7 @@ bool are_lunes(const SphereMap& map) {
 }
 
 /// Half-circle i of the lunes becomes arcs 2i and 2i + 1, which have its direction. Returns the
-/// half-arc of these that leaves the same point as a half-arc of the lunes does.
+/// half-arc of these arcs that leaves the same point as the given half-arc of the lunes.
 std::uint32_t leaving_half(std::uint32_t half) { return 4 * (half / 2) + (half % 2 == 0 ? 0 : 3); }
 
 }  // namespace
@@ -93,18 +94,18 @@ SphereLunes::Pair SphereLunes::pair(SphereCell of_lunes, SphereCell of_circle) c
   return has_lunes_first_ ? Pair{of_lunes, of_circle} : Pair{of_circle, of_lunes};
 }
 
-/// Returns the face of the circle's map on a side of it.
+/// Returns the face of the circle's map on a side of the circle.
 SphereCell SphereLunes::face_on(Sign side) const {
   return SphereCell::face(circle_->face[side == Sign::Positive ? 0 : 1]);
 }
 
-/// Returns the side of the point where half-circle i starts, going counter-clockwise.
+/// Returns the counter-clockwise side of the point where half-circle i starts.
 Sign SphereLunes::start_side(std::uint32_t i) const {
   return lunes_->origin[2 * i] == 0 ? first_side_ : -first_side_;
 }
 
-/// Adds the ends of the half-circles, then the crossings. Going counter-clockwise on c from the
-/// positive side of q, one crosses q at n_c x n_q.
+/// Adds the ends of the half-circles, then the crossings. A counter-clockwise walk on c that comes
+/// from the positive side of q crosses q at n_c x n_q.
 void SphereLunes::add_points() {
   const PlaneId q = circle_->circle[0];
   const auto count = static_cast<std::uint32_t>(lunes_->arc_count());
@@ -138,8 +139,9 @@ void SphereLunes::cut_half_circles() {
   }
 }
 
-/// Goes clockwise around the point on the circle's positive side. Seen from there the circle runs
-/// counter-clockwise, so a piece runs from the half-circle after a lune to the one before it.
+/// Goes clockwise around the point on the circle's positive side. Seen from there, the circle is
+/// counter-clockwise, so a piece leads from the half-circle after a lune to the half-circle before
+/// it.
 void SphereLunes::cut_circle() {
   const auto first_piece = static_cast<std::uint32_t>(out_->circle.size());
   const auto last_piece = first_piece + static_cast<std::uint32_t>(lunes_->arc_count()) - 1;
@@ -159,7 +161,7 @@ void SphereLunes::cut_circle() {
 }
 
 /// Links the four half-arcs around the crossing with half-circle i, where one piece of the circle
-/// leaves and another arrives. The order is clockwise: the leaving piece, the half-arc to the
+/// leaves and another arrives. Their clockwise order is: the leaving piece, the half-arc to the
 /// negative side, the arriving piece backwards, the half-arc to the positive side.
 void SphereLunes::link_crossing(std::uint32_t i, std::uint32_t leaving, std::uint32_t arriving) {
   const std::uint32_t on = 2 * (2 * i + 1), back = 2 * (2 * i) + 1;
@@ -172,7 +174,7 @@ void SphereLunes::link_crossing(std::uint32_t i, std::uint32_t leaving, std::uin
   out_->first_out[2 + i] = clockwise[0];
 }
 
-/// Around the ends of the half-circles the order is that of the lunes.
+/// Around the ends of the half-circles, the order is the order of the lunes.
 void SphereLunes::link_ends() {
   for (std::uint32_t h = 0; h < lunes_->next.size(); ++h) {
     out_->next[SphereMap::twin(leaving_half(h))] = leaving_half(lunes_->clockwise(h));
@@ -248,7 +250,7 @@ void pick(const std::vector<std::uint32_t>& old, const std::vector<SphereOrigins
   for (const std::uint32_t i : old) to.push_back(from[i]);
 }
 
-/// Sets `to` to the old cells, alone in their pairs.
+/// Sets `to` to the old cells, each as a pair without a partner.
 void name(const std::vector<std::uint32_t>& old, SphereCell::Kind kind,
           std::vector<SphereOrigins::Pair>& to) {
   to.clear();
@@ -279,7 +281,7 @@ struct SphereOverlay::Work {
   SphereMap spare;
 };
 
-/// Lays the maps over each other; pieces.map and cells are the result, without marks.
+/// Computes the overlay of the maps. The result, without marks, is in pieces.map and cells.
 void SphereOverlay::Work::overlay(const SphereMap& a, const SphereMap& b, SphereLimits* limits) {
   if (lunes.build(planes, a, b, pieces.map, cells)) return;
   contacts.find(planes, a, b, SphereContacts::kMostTabled, limits);
@@ -352,8 +354,8 @@ bool is_parallel(const PlaneTable& planes, PlaneId p, PlaneId q) {
 }
 
 /// Returns the plane of the map that is parallel to `plane`, which need not contain the centre, or
-/// `plane` itself if there is none. Canonical planes that are parallel have normals of one
-/// direction, so either defines the same directions.
+/// `plane` itself if there is none. Canonical planes that are parallel have normals of the same
+/// direction, so both define the same directions.
 PlaneId plane_like(const PlaneTable& planes, const SphereMap& map, PlaneId plane) {
   PlaneId like = plane;
   const auto look_at = [&](PlaneId p) {
@@ -389,7 +391,7 @@ bool is_edge(const PlaneTable& planes, const SphereMap& map) {
 
 // Planes through the centre are distinguished by their ids, so the planes of the direction are
 // first replaced by parallel ones of the map. If the direction is on no point or arc, the first
-// thing met on the way to an arc bounds its face.
+// cell that is met on the way to an arc bounds its face.
 SphereCell locate(const PlaneTable& planes, const SphereMap& map, SphereDirection direction) {
   direction = {plane_like(planes, map, direction.p), plane_like(planes, map, direction.q)};
   for (std::uint32_t v = 0; v < map.point_count(); ++v) {

@@ -3,8 +3,8 @@
 // Which arcs are dropped does not depend on the order, because it depends on the marks of the old
 // faces, which are equal where faces are joined. Then each point is judged by the half-arcs that it
 // keeps. Arcs between dropped points form chains, each of which becomes one arc, or a loop if it is
-// closed. No sign is asked: two kept half-arcs of one circle that leave a point are opposite.
-// Source: docs/design/sphere.md, Minimal form; docs/design/boolean.md, Lemma 2.
+// closed. No sign is computed, because two kept half-arcs of one circle that leave the same point
+// are opposite. Source: docs/design/sphere.md, Minimal form; docs/design/boolean.md, Lemma 2.
 //
 // Tested by tests/sphere/sphere_overlay_test.cpp.
 
@@ -15,7 +15,7 @@
 
 namespace plumb {
 
-/// Returns the least face that was joined with the given one.
+/// Returns the least face of the class of joined faces.
 std::uint32_t SphereSimplifier::find(std::uint32_t face) {
   while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
   return face;
@@ -51,7 +51,7 @@ void SphereSimplifier::collect_kept(const SphereMap& in, std::uint32_t v) {
   } while (h != first);
 }
 
-/// Whether a point is no more than the arc or the face around it. Reads kept_here_.
+/// Whether a point can be merged into the arc or the face around it. Reads kept_here_.
 bool SphereSimplifier::is_mere(const SphereMap& in, std::uint32_t v) {
   const Mark mark = in.point_mark[v];
   if (kept_here_.empty()) {
@@ -64,7 +64,7 @@ bool SphereSimplifier::is_mere(const SphereMap& in, std::uint32_t v) {
   return in.circle[a] == in.circle[b] && in.arc_mark[a] == mark && in.arc_mark[b] == mark;
 }
 
-/// At a dropped point between two arcs, the one that arrives goes on in the one that leaves
+/// At a dropped point between two arcs, the arc that arrives continues in the arc that leaves
 /// forward.
 bool SphereSimplifier::judge_points(const SphereMap& in) {
   new_point_.assign(in.point_count(), kNone);
@@ -115,8 +115,7 @@ void SphereSimplifier::add_chain(const SphereMap& in, std::uint32_t first, Spher
   old_arc_.push_back(first);
 }
 
-/// Chains begin at points that stay. The arcs that are left then form closed chains, which become
-/// loops.
+/// Chains begin at points that are kept. The remaining arcs form closed chains, which become loops.
 void SphereSimplifier::chain_arcs(const SphereMap& in, SphereMap& out) {
   old_arc_.clear();
   is_chained_.assign(in.arc_count(), 0);
@@ -147,13 +146,13 @@ void SphereSimplifier::link_points(const SphereMap& in, SphereMap& out) {
   }
 }
 
-/// Replaces old faces, which out.face and out.point_face have had until here, by new numbers.
+/// Replaces the numbers of old faces in out.face and out.point_face by the numbers of new faces.
 void SphereSimplifier::number_faces(const SphereMap& in, SphereMap& out) {
   new_face_.resize(in.face_count());
   old_face_.clear();
   for (std::uint32_t f = 0; f < in.face_count(); ++f) {
     if (find(f) != f) {
-      new_face_[f] = new_face_[find(f)];  // The least of the class has come before.
+      new_face_[f] = new_face_[find(f)];  // The least face of the class was numbered before.
       continue;
     }
     new_face_[f] = static_cast<std::uint32_t>(old_face_.size());

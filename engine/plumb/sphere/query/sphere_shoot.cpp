@@ -37,7 +37,7 @@ bool SphereRound::is_at_start(const PathHit& hit) const {
   return turn_on(planes_, circle_.plane(), from_, hit.place) == TurnClass::None;
 }
 
-/// Returns the face or arc in which the shot goes on after a hit.
+/// Returns the face or arc in which the shot continues after a hit.
 SphereCell SphereRound::after(const PathHit& hit) const {
   if (hit.exit.is_valid()) return SphereCell::face(face_of(map_, hit.exit));
   std::uint32_t h = map_.first_out[hit.cell.index()];
@@ -49,15 +49,16 @@ SphereVector SphereRound::at(const PathHit& hit) const {
   return exact_direction(planes_, direction_of(circle_.plane(), hit.place));
 }
 
-// NefSphere: where directions lie, and what great circles meet.
+// NefSphere: location of directions, and shots along great circles.
 
 namespace {
 
-/// The number of directions from which on it pays to build a locator.
+/// From this number of directions on, building a locator saves time.
 constexpr std::size_t kMany = 16;
 
-/// Returns all that is met on a circle from a place on, in the direction of the circle. Against the
-/// canonical direction the order is reversed, except that a hit at the start stays first.
+/// Returns all cells that are met on a circle from a place on, in the direction of the circle.
+/// Against the canonical direction, the order is reversed, except that a hit at the start remains
+/// first.
 std::vector<PathHit> all_around(const PlaneTable& planes, const SphereMap& map,
                                 OrientedPlane circle, CirclePlace from) {
   std::vector<PathHit> hits;

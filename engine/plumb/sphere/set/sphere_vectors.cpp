@@ -33,7 +33,7 @@ SphereVector vector_of(const IntegerRow& row) {
   return {Rational(r[0]), Rational(r[1]), Rational(r[2])};
 }
 
-/// Moves planes of one table to the centre, into a table of their own.
+/// Moves planes of one table to the centre, into a new table.
 class Centring {
  public:
   explicit Centring(const PlaneTable& planes) : planes_(planes) {}
@@ -119,14 +119,14 @@ std::shared_ptr<const PlaneTable> centred(const PlaneTable& planes, SphereMap& m
   return centring.table();
 }
 
-// NefSphere: sets to start from.
+// NefSphere: basic sets.
 
 namespace {
 
 Mark mark_if(bool is_marked) { return is_marked ? 1 : 0; }
 
-/// Returns the set of one circle with the given marks of the circle and of the face on the side of
-/// the normal; the other face is not marked.
+/// Returns the set of one circle, with the given marks of the circle and of the face on the side of
+/// the normal. The other face is not marked.
 NefSphere loop(const SphereVector& normal, Mark circle, Mark inside) {
   auto planes = std::make_shared<PlaneTable>();
   const OrientedPlane plane = intern_circle(*planes, normal);
@@ -150,7 +150,7 @@ void require_on(const SphereVector& direction, const SphereVector& normal) {
   }
 }
 
-/// Returns the normal about which the shorter arc runs counter-clockwise.
+/// Returns the normal about which the shorter arc is counter-clockwise.
 SphereVector normal_of_shorter(const SphereVector& from, const SphereVector& to) {
   SphereVector normal = cross(from, to);
   if (normal.is_zero()) {
@@ -171,7 +171,7 @@ class Chain {
     return static_cast<std::uint32_t>(map_.point_count() - 1);
   }
 
-  /// Returns the half-arc that runs from `from` counter-clockwise about the normal.
+  /// Returns the half-arc that leads counter-clockwise about the normal, beginning at `from`.
   std::uint32_t add_arc(std::uint32_t from, std::uint32_t to, const SphereVector& normal,
                         Mark mark) {
     const OrientedPlane plane = intern_circle(*planes_, normal);
@@ -187,7 +187,7 @@ class Chain {
     return h;
   }
 
-  /// Links one half-arc to the next, and their twins the other way.
+  /// Links one half-arc to the next, and their twins in the other direction.
   void link(std::uint32_t h, std::uint32_t next) {
     map_.next[h] = next;
     map_.next[SphereMap::twin(next)] = SphereMap::twin(h);
@@ -228,7 +228,7 @@ NefSphere NefSphere::convex(std::span<const SphereVector> normals, Boundary boun
   return intersection_of(sides, context);
 }
 
-/// The chain bounds face 0 to the left of its half-arcs, which is marked, and face 1 to their
+/// The chain bounds face 0, which is marked, on the left of its half-arcs, and face 1 on their
 /// right.
 NefSphere NefSphere::region(std::span<const SphereSide> sides, Boundary boundary) {
   if (sides.empty()) return empty();
@@ -261,8 +261,8 @@ NefSphere NefSphere::polygon(std::span<const SphereVector> corners, Boundary bou
   return region(sides, boundary);
 }
 
-/// An arc from a point to itself is a whole circle with two faces; any other arc has one face,
-/// along which next leads from each half-arc to its twin.
+/// An arc from a point to itself is a whole circle with two faces. Any other arc has one face, and
+/// next leads from each half-arc to its twin.
 NefSphere NefSphere::arc(const SphereVector& from, const SphereVector& to,
                          const SphereVector& normal, Boundary boundary) {
   require_on(from, normal);
