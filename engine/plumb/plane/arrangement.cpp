@@ -28,7 +28,7 @@
 namespace plumb {
 namespace {
 
-// Returns the priority of a curve: the finisher of MurmurHash3 (A. Appleby), which is one to one,
+// Returns the priority of a curve by the last step of MurmurHash3 (A. Appleby). It is one to one,
 // so no two priorities are equal.
 std::uint32_t priority(SegmentId s) {
   std::uint32_t h = s.value();
@@ -60,22 +60,23 @@ SegmentSets::Set SegmentSets::make(SegmentId key, Set left, Set right) {
   return Set(curves_ + nodes_.size() - 1);
 }
 
-/// Returns the node with other halves: the same memory if the node is not shared, otherwise a copy.
+/// Returns the node with other halves. The same memory is used if the node is not shared; otherwise
+/// the node is copied.
 SegmentSets::Set SegmentSets::with_halves(Set set, Set left, Set right) {
   const SegmentId s = key(set);
   release(set);
   return make(s, left, right);
 }
 
-/// Puts a node that is not shared into the list of free nodes, which are linked by their left
-/// halves.
+/// Adds a node that is not shared to the list of free nodes, which are linked by their left halves.
 void SegmentSets::release(Set set) {
   if (!is_own(set)) return;
   node(set).left = free_;
   free_ = set;
 }
 
-/// Splits a set into the curves less than `at` and the others. Requires that `at` is not in it.
+/// Splits a set into the curves less than `at` and the other curves. Requires that the set does not
+/// contain `at`.
 SegmentSets::Halves SegmentSets::split(Set set, SegmentId at) {
   if (!set.is_valid()) return {};
   if (key(set) < at) {
@@ -86,7 +87,7 @@ SegmentSets::Halves SegmentSets::split(Set set, SegmentId at) {
   return {h.less, with_halves(set, h.greater, right(set))};
 }
 
-/// Joins two sets of which all curves of the first are less than those of the second.
+/// Joins two sets. Requires that all curves of the first set are less than those of the second set.
 SegmentSets::Set SegmentSets::join(Set less, Set greater) {
   if (!less.is_valid()) return greater;
   if (!greater.is_valid()) return less;
@@ -126,8 +127,8 @@ void SegmentSets::append(Set set, std::vector<SegmentId>& curves) const {
   }
 }
 
-// Scenes renumbered along the sweep. For 10^5 segments in random order this takes a sixth to a
-// third off the time of an arrangement.
+// Renumbering of scenes in the order of the sweep. For 10^5 segments in random order, this reduces
+// the time of an arrangement by a sixth to a third.
 
 /// A scene in the order of its sweep.
 struct OrderedInput {
@@ -136,10 +137,10 @@ struct OrderedInput {
   std::vector<SegmentId> curve;      ///< The former number of each curve of `scene`.
 };
 
-/// Returns a scene with its points in lexicographic order, equal ones by number, and its curves by
-/// their left ends, those of equal left ends by number. A sweep of either scene meets the same
-/// curves in the same order everywhere. Requires input points only, all of them doubles. O(n log
-/// n). Throws the errors of the Context.
+/// Returns a scene with its points in lexicographic order, where equal points are sorted by number,
+/// and its curves sorted by their left ends and then by number. A sweep of either scene meets the
+/// same curves in the same order everywhere. Requires input points only, all of them doubles. O(n
+/// log n). Throws the errors of the Context.
 OrderedInput in_sweep_order(const SweepInput& scene, const Context& context);
 
 namespace {
@@ -158,7 +159,7 @@ std::vector<std::uint32_t> left_ranks(const SweepInput& scene, const PointRanks&
   return left;
 }
 
-/// Returns the curves by the ranks of their left ends, those of equal ranks by number.
+/// Returns the curves sorted by the ranks of their left ends, and then by number.
 std::vector<SegmentId> curves_by(const std::vector<std::uint32_t>& left, const Context& context) {
   constexpr std::uint64_t kStepsPerCheck = std::uint64_t{1} << 16;
   std::uint64_t steps = 0;
@@ -185,7 +186,8 @@ OrderedInput in_sweep_order(const SweepInput& scene, const Context& context) {
   context.check_limits("sweep");
   ordered.point = std::move(ranks.order);
 
-  std::vector<std::uint32_t>& place = ranks.rank;  // From here on the new number of each point.
+  // From here on, the array has the new number of each point.
+  std::vector<std::uint32_t>& place = ranks.rank;
   ordered.scene.points.inputs.reserve(points.size());
   for (std::uint32_t i = 0; i < ordered.point.size(); ++i) {
     ordered.scene.points.inputs.push_back(points.approx(ordered.point[i]));
@@ -212,8 +214,8 @@ PlaneComplex arranged_in_order(SweepInput& scene, OrderedInput ordered, OriginsR
   return builder.build(std::move(scene.points));
 }
 
-/// Whether the points of a scene of bounded curves ascend, and its curves by their left ends, as
-/// those of a complex do. Requires input points only, all of them doubles.
+/// Whether the points of a scene of bounded curves ascend, and its curves ascend by their left
+/// ends, as those of a complex do. Requires only input points, all of them doubles.
 bool is_in_sweep_order(const SweepInput& scene) {
   const PointTable2& points = scene.points.inputs;
   for (std::uint32_t i = 1; i < points.size(); ++i) {
@@ -228,14 +230,14 @@ bool is_in_sweep_order(const SweepInput& scene) {
   return true;
 }
 
-// Whether a scene should be renumbered. Where some points are no doubles, exact arithmetic takes
-// more time than memory.
+// Whether a scene should be renumbered. If some points are not doubles, exact arithmetic dominates
+// the time, and the layout of memory does not matter.
 bool is_worth_ordering(const SweepInput& scene) {
   return scene.points.crossings.empty() && scene.points.inputs.all_double() &&
          !is_in_sweep_order(scene);
 }
 
-/// Throws Error{BadIndex} if an index of a scene names no point.
+/// Throws Error{BadIndex} if an index of a scene refers to no point.
 void require_points(const SweepInput& scene) {
   const auto require = [](std::uint32_t i, std::size_t count) {
     if (i < count) return;

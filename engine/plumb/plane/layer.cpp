@@ -33,15 +33,15 @@ namespace {
 
 constexpr std::uint32_t kNobody = LayerRegion::kNobody;
 constexpr double kGapsPerDiagonal = 1e-4;
-// Bounds that tell gaps from small lakes (LayerRepair::is_gap).
+// The bounds that distinguish gaps from small lakes (LayerRepair::is_gap).
 constexpr double kSlender = 1.0 / 100;
 constexpr double kRoundingPerDiagonal = 1e-9;
 constexpr std::size_t kCornerNeighbours = 3;
 
 using Numbers = FeatureList;
 
-// Up to this coordinate, products of four lengths are finite doubles, which crossings and areas
-// need. Layers with larger ones are measured in larger units.
+// Up to this coordinate, products of four lengths are finite doubles, as crossings and areas
+// require. Layers with larger coordinates are measured in larger units.
 constexpr double kMostMeasured = 1e75;
 constexpr double kLargeUnit = 0x1p520;
 
@@ -54,7 +54,7 @@ struct BorderPiece {
   double length;
 };
 
-/// Sums up the lengths of the pieces with the same region and feature. Sorts the pieces.
+/// Adds up the lengths of the pieces with the same region and the same feature. Sorts the pieces.
 void unite_pieces(std::vector<BorderPiece>& pieces) {
   std::stable_sort(pieces.begin(), pieces.end(), [](const BorderPiece& a, const BorderPiece& b) {
     return a.region != b.region ? a.region < b.region : a.feature < b.feature;
@@ -195,7 +195,8 @@ void LayerRepair::make_shapes() {
   report_.shapes = layer_of_labels(shapes.labelled, report_.regions.size(), nullptr, context_);
 }
 
-/// Numbers the regions of faces that not exactly one polygon covers. Face 0 belongs to none.
+/// Numbers the regions of faces that are not covered by exactly one polygon. Face 0 belongs to no
+/// region.
 void LayerRepair::find_regions() {
   UnionFind classes(complex_.face_count());
   for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
@@ -342,8 +343,8 @@ std::vector<BorderPiece> LayerRepair::borders(bool of_overlaps) const {
   return pieces;
 }
 
-/// Returns how much a feature deserves a region; the greatest value is selected. Requires borders
-/// that are sorted by feature.
+/// Returns how strongly a feature claims a region. The feature with the greatest value is selected.
+/// Requires borders that are sorted by feature.
 double LayerRepair::worth(std::uint32_t feature, std::span<const BorderPiece> borders) const {
   if (options_.rule == OwnerRule::First) {
     return options_.rank.empty() ? 0 : -static_cast<double>(options_.rank[feature]);
@@ -366,7 +367,8 @@ bool LayerRepair::is_beaten(std::uint32_t feature, Numbers candidates) const {
   return false;
 }
 
-/// Returns the candidates that lose against no other one, or all if every one loses.
+/// Returns the candidates that do not lose against any other candidate, or all candidates if each
+/// loses.
 Numbers LayerRepair::unbeaten(Numbers candidates, std::vector<std::uint32_t>& kept) const {
   if (preferences_.empty()) return candidates;
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(kept),
@@ -374,7 +376,7 @@ Numbers LayerRepair::unbeaten(Numbers candidates, std::vector<std::uint32_t>& ke
   return kept.empty() ? candidates : Numbers(kept);
 }
 
-/// Returns the best candidate; the first one if several are equal. Candidates ascend.
+/// Returns the best candidate. If several are equal, returns the first one. Candidates ascend.
 std::uint32_t LayerRepair::select(Numbers all, std::span<const BorderPiece> borders) const {
   std::vector<std::uint32_t> kept;
   const Numbers candidates = unbeaten(all, kept);
@@ -417,7 +419,8 @@ void LayerRepair::own_overlaps() {
   }
 }
 
-/// Tells gaps from holes, gives gaps to their neighbours, and names the neighbours of both.
+/// Distinguishes gaps from holes, assigns gaps to their neighbours, and names the neighbours of
+/// both.
 void LayerRepair::own_gaps() {
   const std::vector<BorderPiece> pieces = borders(false);
   for_each_region(report_.regions, pieces,
@@ -467,7 +470,8 @@ RepairedLayer repaired_once(const Layer& layer, const LayerRepairOptions& option
   return with_regions(layer, options, context, [](LayerRepair& repair) { return repair.repair(); });
 }
 
-/// Repairs a layer of which an open gap was filled. Returns nothing if nothing is left to do.
+/// Repairs a layer in which an open gap was filled. Returns nothing if there is nothing left to
+/// repair.
 std::optional<RepairedLayer> repaired_again(const Layer& layer, const LayerRepairOptions& options,
                                             Context& context) {
   return with_regions(layer, options, context, [](LayerRepair& repair) {
@@ -475,7 +479,7 @@ std::optional<RepairedLayer> repaired_again(const Layer& layer, const LayerRepai
   });
 }
 
-/// Appends feature f of another layer, with its points and without its id and its properties.
+/// Appends feature f of another layer with its points, without its id and its properties.
 void append_feature(Layer& layer, const Layer& other, std::size_t f) {
   for (std::size_t p = other.feature_begin[f]; p < other.feature_begin[f + 1]; ++p) {
     for (std::size_t r = other.polygon_begin[p]; r < other.polygon_begin[p + 1]; ++r) {
@@ -490,7 +494,7 @@ void append_feature(Layer& layer, const Layer& other, std::size_t f) {
   layer.end_feature("", "");
 }
 
-/// Appends what a later repair has changed.
+/// Appends the changes of a later repair.
 void append_changes(LayerReport& report, const LayerReport& later) {
   for (std::size_t i = 0; i < later.regions.size(); ++i) {
     LayerRegion region = later.regions[i];
@@ -569,12 +573,12 @@ RepairedLayer repair_layer(const Layer& layer, const LayerRepairOptions& options
   if (!has_open_gaps(repaired.report)) return repaired;
   LayerRepairOptions later = options;
   for (std::uint32_t round = 1;; ++round) {
-    // The last round leaves open gaps as they are, and needs no further one.
+    // The last round leaves open gaps unchanged, so no further round is needed.
     const bool is_last = round >= options.most_rounds;
     later.open_gaps = !is_last;
     std::optional<RepairedLayer> again = repaired_again(repaired.layer, later, context);
     if (again && have_same_polygons(again->layer, repaired.layer)) {
-      // The fillings vanish when they are rounded, and would do so in every further round.
+      // The fillings vanish when they are rounded. They would vanish in every further round, too.
       repaired.report.is_stopped = true;
       return repaired;
     }

@@ -80,12 +80,13 @@ std::vector<std::uint32_t> merge_equal_vertices(Map& map) {
 
 namespace {
 
-// Measured: edges, the sweep over them and orbits peak at 68 bytes a corner, the map included.
+// Measurements show that edges, the sweep over them and orbits take at most 68 bytes for each
+// corner, including the map.
 constexpr std::uint64_t kBytesPerCorner = 64;
 constexpr std::uint64_t kBytesPerVertex = 40;
 
-/// Throws Error{DegenerateFace} or Error{BadIndex} unless every cycle has three corners or more,
-/// existing vertices, and none twice in a row.
+/// Throws Error{DegenerateFace} or Error{BadIndex} unless every cycle has at least three corners,
+/// refers to existing vertices, and has no vertex twice in a row.
 void require_well_formed(const Map& map) {
   for (std::size_t c = 0; c < map.cycle_count(); ++c) {
     const auto cycle = map.cycle(c);
@@ -144,7 +145,8 @@ class MapChecker {
   MemoryCharge memory_;
   MapReport report_;
   MapFindings findings_;
-  std::vector<std::uint32_t> shells_;  // By settle_touching_rings(); empty if it was not needed.
+  // Set by settle_touching_rings(); empty if it was not needed.
+  std::vector<std::uint32_t> shells_;
 };
 
 MapReport MapChecker::run() {
@@ -177,14 +179,14 @@ void MapChecker::match() {
 
 void MapChecker::classify_open() {
   findings_.open_is_defect = !ignores_borders();
-  // With duplicate uses borders have no unique continuation; their hints stay general.
+  // If there are duplicate uses, borders have no unique continuation, and the hints remain general.
   if (!findings_.edges.extra_uses.empty() || ignores_borders()) return;
   findings_.chains = trace_open_chains(map(), findings_.edges);
   if (options_.outer == OuterRule::Infer) infer_outer_cycles();
 }
 
 // Whether the orbits of the rotation system are the faces of a plane graph. An edge between equal
-// points has no direction, so the order around its ends means nothing.
+// points has no direction, so the order around its ends has no meaning.
 bool MapChecker::knows_faces() const {
   const std::vector<std::uint32_t>& order = findings_.contacts.rotation.order;
   return findings_.contacts.count == 0 &&
@@ -192,8 +194,8 @@ bool MapChecker::knows_faces() const {
                               [&](const SweepSegment& e) { return order[e.from] == order[e.to]; });
 }
 
-// Returns the listed cycle that claims the face left of each half-edge, or kNone; nothing if faces
-// are not known. The outside of a component is claimed by the region around it.
+// Returns, for each half-edge, the listed cycle that claims the face on its left, or kNone. Returns
+// nothing if faces are not known. The outside of a component is claimed by the region around it.
 std::vector<std::uint32_t> MapChecker::claims() {
   if (!knows_faces()) return {};
   const MapEdges& edges = findings_.edges;
@@ -211,8 +213,8 @@ std::vector<std::uint32_t> MapChecker::claims() {
   return claims;
 }
 
-// Whether a chain runs inside of listed regions, and of more than one: it is the border of an
-// overlap, not of a component.
+// Whether a chain lies inside of listed regions, and of more than one. In this case, it is the
+// border of an overlap, not of a component.
 bool is_inside_of_regions(const OpenChain& chain, const std::vector<std::uint32_t>& claims) {
   if (claims.empty()) return false;
   const std::uint32_t first = claims[chain.halfedges.front()];
@@ -224,7 +226,7 @@ bool is_inside_of_regions(const OpenChain& chain, const std::vector<std::uint32_
 }
 
 // Adds a cycle for each chain that is a missing outer boundary, and pairs the edges again. The
-// undirected edges, and with them the results of the sweep, stay as they are.
+// undirected edges do not change, so the results of the sweep remain valid.
 void MapChecker::infer_outer_cycles() {
   const auto is_clockwise = [](const OpenChain& c) { return c.area == Sign::Negative; };
   if (std::ranges::none_of(findings_.chains, is_clockwise)) return;
@@ -263,8 +265,8 @@ void MapChecker::sweep_contacts() {
   report_.components = findings_.components.count;
 }
 
-// Finds what regions claim, for the hints. Where edges cross far more often than there are edges,
-// the pieces of all edges would take too much memory, and hints stay general.
+// Finds the claims of regions for the hints. If the crossings are far more than the edges, the
+// pieces of all edges would need too much memory, and the hints remain general.
 void MapChecker::find_claims() {
   constexpr std::uint64_t kMostContacts = 1024;
   if (options_.max_defects == 0) return;
@@ -272,7 +274,7 @@ void MapChecker::find_claims() {
   findings_.claims = MapClaims(map(), findings_.edges, context_);
 }
 
-// Finds the faces that the edges induce, and the regions if all is valid.
+// Finds the faces that the edges induce, and the regions if the map is valid.
 void MapChecker::trace_faces() {
   if (counts().duplicate + counts().open + counts().crossing > 0) return;
   context_.checkpoint("faces", 0, 1);
@@ -286,7 +288,7 @@ void MapChecker::trace_faces() {
   context_.checkpoint("faces", 1, 1);
 }
 
-// Counts mixed orbits. Most maps have none at first sight, and need no further look.
+// Counts mixed orbits. In most maps, the first test finds none, so no further test is needed.
 void MapChecker::settle_mixed(const std::vector<std::uint32_t>& parent) {
   const auto is_mixed = [](const MapOrbits::Orbit& o) { return o.mixed; };
   const auto& orbits = findings_.orbits.orbits;
@@ -297,7 +299,7 @@ void MapChecker::settle_mixed(const std::vector<std::uint32_t>& parent) {
   counts().mixed = static_cast<std::uint64_t>(std::ranges::count_if(orbits, is_mixed));
 }
 
-// Finds components whose outside is not all listed, and which lie in a listed face.
+// Finds components that lie in a listed face, and whose outside is not completely listed.
 void MapChecker::find_nested(const std::vector<std::uint32_t>& parent) {
   const MapOrbits& orbits = findings_.orbits;
   for (std::uint32_t c = 0; c < parent.size(); ++c) {
@@ -332,8 +334,8 @@ std::vector<std::uint32_t> MapChecker::shells_of_cycles(
   return shells;
 }
 
-// Collects the regions: region 0 is the unbounded one, then comes one for each counter-clockwise
-// cycle in the order of the input.
+// Collects the regions. Region 0 is the unbounded region. It is followed by a region for each
+// counter-clockwise cycle, in the order of the input.
 void MapChecker::collect_regions(const std::vector<std::uint32_t>& parent) {
   const std::vector<std::uint32_t> shells = shells_of_cycles(parent);
   std::vector<std::uint32_t> region_of(shells.size(), 0);

@@ -19,7 +19,7 @@
 namespace plumb {
 namespace {
 
-/// One or two maps as curves of a scene.
+/// One map or two maps as curves of a scene.
 struct MapsScene {
   SweepInput scene;
   std::vector<OverlayCurve> sides;
@@ -68,8 +68,8 @@ namespace {
 
 constexpr std::size_t kBetween = 1024;  // Areas from one checkpoint to the next.
 
-/// Returns the area of a region, and 0 for the unbounded one. Holes are listed clockwise, so their
-/// areas are negative.
+/// Returns the area of a region, or 0 for the unbounded region. Holes are listed clockwise, so
+/// their areas are negative.
 Rational area_of(const MapReport& report, const MapRegion& region) {
   if (!region.outer) return 0;
   const auto twice = [&report](std::uint32_t cycle) {

@@ -31,15 +31,16 @@
 
 namespace plumb {
 
-/// What the copies of a set share.
+/// The data that the copies of a set share.
 struct Nef2::State {
   explicit State(PlaneComplex c) : complex(std::move(c)) {}
 
-  /// Returns the complex of a state that a set gives up: moved if no copy shares it, copied
-  /// otherwise.
+  /// Returns the complex of a state that a set releases. The complex is moved if no copy shares it;
+  /// otherwise it is copied.
   static PlaneComplex taken(std::shared_ptr<State> state) {
     if (state.use_count() > 1) return state->complex;
-    // use_count() does not synchronize: the fence orders reads by former owners before the move.
+    // use_count() does not synchronize, so the fence orders the reads of former owners before the
+    // move.
     std::atomic_thread_fence(std::memory_order_acquire);
     return std::move(state->complex);
   }
@@ -79,7 +80,7 @@ PlaneMarks flipped(PlaneMarks marks) {
   return marks;
 }
 
-/// Returns the marks of the boundary: those of the closure without those of the interior.
+/// Returns the marks of the boundary, which is the closure without the interior.
 PlaneMarks boundary_marks(const PlaneComplex& complex) {
   PlaneMarks marks = closure_marks(complex);
   const PlaneMarks inner = interior_marks(complex);
@@ -96,7 +97,7 @@ PlaneMarks boundary_marks(const PlaneComplex& complex) {
 
 // ---------------------------------------------------------------- equality
 
-// Compares two minimal complexes with the same counts and marks, over one table of points.
+// Compares two minimal complexes with the same counts and marks, over the same table of points.
 class SameComplex {
  public:
   SameComplex(const PlaneComplex& a, const PlaneComplex& b)
@@ -123,7 +124,8 @@ class SameComplex {
     }
     return true;
   }
-  /// Whether unbounded edges have the same lines. Those of bounded edges follow from their ends.
+  /// Whether unbounded edges have the same lines. The lines of bounded edges follow from their
+  /// ends.
   bool have_same_lines() const {
     for (std::size_t i = 0; i < a_.edge_count(); ++i) {
       const HalfedgeId h = first_half(EdgeId(i));
@@ -199,7 +201,7 @@ std::size_t Nef2::bytes() const {
          c.line.size() * (sizeof(PlaneLine) + 1) + c.face_count();
 }
 
-/// Built by the first thread that asks; others wait for it.
+/// The first thread that needs the structure builds it, and other threads wait.
 const PlaneLocator& Nef2::locator() const {
   std::call_once(state_->locator_made,
                  [this] { state_->locator = std::make_unique<PlaneLocator>(state_->complex); });
@@ -239,7 +241,7 @@ bool Nef2::is_subset_of(const Nef2& other, Context& context) const {
 }
 
 bool Nef2::has_on_boundary(const RationalPoint2& p, Context& context) const {
-  // In minimal form every vertex and edge is on the boundary, and no face is.
+  // In the minimal form, every vertex and every edge is on the boundary, and no face is.
   return !locate(p, context).face.is_valid();
 }
 
@@ -293,7 +295,7 @@ std::optional<DcelFlaw> Nef2::audit(Context& context) const {
   return plumb::audit(complex(), AuditForm::Minimal, context);
 }
 
-// Ray shooting, from cell to cell (ray_walk.h).
+// Ray shooting by a walk from cell to cell (ray_walk.h).
 
 namespace {
 
@@ -356,7 +358,7 @@ class PartCollector {
       watch();
       if (c_.mark(FaceId(f))) add_face(FaceId(f));
     }
-    // Chains are followed from their ends first; the edges that are left form closed chains.
+    // Chains with ends are followed first, from their ends. The remaining edges form closed chains.
     for (std::size_t e = 0; e < c_.edge_count(); ++e) {
       watch();
       add_open_chain(EdgeId(e));
@@ -373,7 +375,7 @@ class PartCollector {
   }
 
  private:
-  /// Counts a step, and looks at the context after every 1024.
+  /// Counts a step, and checks the context after every 1024 steps.
   void watch() {
     constexpr std::size_t kStepsPerCheckpoint = 1024;
     if (++steps_ % kStepsPerCheckpoint == 0) context_.checkpoint("parts", 0, 1);
@@ -416,7 +418,7 @@ class PartCollector {
     return is_bounded;
   }
 
-  /// Returns the half-edge that leaves the target of h along its other edge; one that is not valid
+  /// Returns the half-edge that leaves the target of h along its other edge. The id is invalid
   /// unless the target has exactly two edges.
   HalfedgeId going_on(HalfedgeId h) const {
     const HalfedgeId n = c_.dcel.next(h);

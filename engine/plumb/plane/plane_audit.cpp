@@ -1,4 +1,4 @@
-// The audit of a PlaneComplex: its invariants, computed anew.
+// The audit of a PlaneComplex. It computes all invariants again.
 //
 // Sizes, the half-edge structure, the frame, points and the order around vertices are checked
 // first, so that links and ids can be followed safely. Then a sweep over the edges alone, with
@@ -19,7 +19,7 @@
 namespace plumb {
 namespace {
 
-/// One audit; keeps the first flaw that is found.
+/// One audit, which keeps the first flaw that it finds.
 class PlaneAudit {
  public:
   PlaneAudit(const PlaneComplex& complex, AuditForm form, Context& context)
@@ -132,8 +132,8 @@ class PlaneAudit {
     return cross_sign(c_.points.inputs, k.a, k.b, l.a, l.b) == Sign::Positive;
   }
 
-  /// Whether a sweep over the edges alone finds the same faces and links. It throws if edges meet
-  /// elsewhere than at vertices.
+  /// Whether a sweep over the edges alone finds the same faces and links. The sweep throws if edges
+  /// meet outside of vertices.
   bool is_rebuilt_alike() {
     try {
       const PlaneRecords records = to_records(c_);

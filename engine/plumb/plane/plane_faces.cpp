@@ -1,4 +1,4 @@
-// Faces as features. Tested by tests/plane/plane_faces_test.cpp.
+// Makes features of the faces of a complex. Tested by tests/plane/plane_faces_test.cpp.
 #include "plumb/plane/plane_faces.h"
 
 #include <vector>

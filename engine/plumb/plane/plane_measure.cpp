@@ -4,7 +4,7 @@
 // summed over vertices and not over edges (VertexAreas), so that the long numbers of a crossing
 // occur in one term, and the fractions are added in a balanced tree (rational_sum.h).
 //
-// The rings of a face pass over edges with the face on both sides, and are cut where they come to a
+// The rings of a face skip edges that have the face on both sides. A ring is cut where it reaches a
 // vertex again, so each ring is a simple cycle.
 //
 // Tested by tests/plane/nef2_test.cpp and tests/plane/map_overlay_test.cpp.
@@ -56,7 +56,8 @@ class VertexAreas {
 
  private:
   static constexpr std::size_t kEdgesPerCheckpoint = 64;
-  static constexpr std::uint64_t kVertexBytes = 512;  // Numbers, and their products on all levels.
+  // The memory of the numbers, and of their products on all levels.
+  static constexpr std::uint64_t kVertexBytes = 512;
 
   /// Returns t of p = a + t (b - a).
   static Rational place_between(const RationalPoint2& a, const RationalPoint2& b,
@@ -98,8 +99,8 @@ std::size_t index_in(const std::vector<Id>& sorted, Id id) {
                                   sorted.begin());
 }
 
-// The rings of one face. Edges with the face on both sides are skipped; a walk that comes to a
-// vertex again is cut there.
+// The rings of one face. Edges that have the face on both sides are skipped. If a walk reaches a
+// vertex again, the ring is cut there.
 class FaceRings {
  public:
   FaceRings(const PlaneComplex& complex, FaceId face) : complex_(complex), face_(face) {
@@ -160,12 +161,12 @@ class FaceRings {
   std::vector<std::uint8_t> is_walked_;
   std::vector<VertexId> corners_;  // Their origins, sorted, with repetitions.
   std::vector<std::size_t>
-      position_;  // Where a vertex is in walk_, by its first index in corners_.
+      position_;  // The place of each vertex in walk_, by its first index in corners_.
   std::vector<VertexId> walk_;
   std::vector<std::vector<VertexId>> rings_;
 };
 
-/// Whether a ring runs counter-clockwise: the turn at its least vertex decides.
+/// Whether a ring is counter-clockwise. The turn at its least vertex decides.
 bool is_counter_clockwise(const PlaneComplex& c, const std::vector<VertexId>& ring) {
   const auto least = std::min_element(ring.begin(), ring.end());
   const VertexId before = least == ring.begin() ? ring.back() : *(least - 1);

@@ -30,11 +30,11 @@
 namespace plumb {
 namespace {
 
-constexpr int kChordsPerCheckpoint = 1024;   // A chord costs some microseconds.
-constexpr double kChordsPerDistance = 1e-3;  // The default of OffsetOptions::chord_error.
+constexpr int kChordsPerCheckpoint = 1024;   // Computing a chord takes some microseconds.
+constexpr double kChordsPerDistance = 1e-3;  // This is the default of OffsetOptions::chord_error.
 constexpr std::size_t kCornersPerOffsetCheckpoint = 256;
-constexpr std::uint64_t kBytesPerOffsetCorner = 120;  // Exact coordinates and an index.
-// Two fractions, and their numerators and denominators of one or two limbs.
+constexpr std::uint64_t kBytesPerOffsetCorner = 120;  // A point has exact coordinates and an index.
+// A point has two fractions, with numerators and denominators of one or two limbs.
 constexpr std::uint64_t kBytesPerOutlineCorner = 240;
 
 using Vector = RationalPoint2;
@@ -58,7 +58,7 @@ Vector right_normal(const Vector& d, double distance) {
 }
 
 /// Returns the angle from a to b in (0, pi]. Requires cross(a, b) > 0, or that the vectors have
-/// opposite directions. Both vectors have about the length `distance`.
+/// opposite directions. Both vectors have approximately the length `distance`.
 double angle_between(const Vector& a, const Vector& b, double distance) {
   const Rational unit = exact_rational(distance);
   const double ax = nearest_double(a.x / unit), ay = nearest_double(a.y / unit);
@@ -70,7 +70,7 @@ double angle_between(const Vector& a, const Vector& b, double distance) {
 /// Makes the joins of convex corners as offsets from the corner.
 class Joiner {
  public:
-  /// `distance` is positive. `is_turned` tells whether the set is on the right of the edges.
+  /// `distance` is positive. `is_turned` states that the set is on the right of the edges.
   Joiner(double distance, bool is_turned, const OffsetOptions& options, Context& context)
       : distance_(distance),
         is_turned_(is_turned),
@@ -145,7 +145,7 @@ class Joiner {
       const Point2 unit = direction_at(angle_of(i));
       const Vector at =
           sum(scaled(from, exact_rational(unit.x)), scaled(up, exact_rational(unit.y)));
-      // Short numbers; half a unit in the last place does not matter on an arc.
+      // Short numbers are used, because half a unit in the last place does not matter on an arc.
       const Vector rounded{exact_rational(nearest_double(at.x)),
                            exact_rational(nearest_double(at.y))};
       const Vector& last = points.empty() ? from : points.back();
@@ -159,7 +159,8 @@ class Joiner {
   std::vector<Vector> mitre(const Vector& from, const Vector& to) const {
     const Rational area = cross(from, to);
     if (area.sign() <= 0) return square(from, to);
-    // The point whose products with the two normals are the squares of their lengths.
+    // The scalar product of the point with each of the two normals is the square of the length of
+    // this normal.
     const Rational a = dot(from, from), b = dot(to, to);
     const Vector tip{(a * to.y - b * from.y) / area, (b * from.x - a * to.x) / area};
     const Rational limit = exact_rational(options_.mitre_limit) * exact_rational(distance_);
@@ -197,7 +198,7 @@ class RawChains {
       for (const LoopId l : complex_.dcel.loops_of(FaceId(f))) add_loop(l);
     }
   }
-  /// Turns every chain round.
+  /// Reverses every chain.
   void reverse() {
     for (std::size_t c = 0; c + 1 < begin_.size(); ++c) {
       std::reverse(corners_.begin() + begin_[c], corners_.begin() + begin_[c + 1]);
@@ -310,7 +311,7 @@ Nef2 offset(const Nef2& set, double distance, const OffsetOptions& options, Cont
   RawChains chains(closed.complex(), distance, options, context);
   const bool shrinks = distance < 0;
   chains.add_faces(shrinks);
-  // The chains around the marked faces enclose the complement, which the set has to leave out.
+  // The chains around the marked faces bound the complement, which the set must not contain.
   if (shrinks) chains.reverse();
   return chains.enclosed().regularization(context);
 }

@@ -30,10 +30,11 @@
 namespace plumb {
 namespace {
 
-constexpr int kMostRounds = 12;  // Local rounds.
+constexpr int kMostRounds = 12;  // The number of local rounds.
 constexpr std::size_t kEdgesPerCheckpoint = 256;
 constexpr const char* kRoundingPhase = "round";
-// The scene, the arrangement and its pieces; the arrangement charges its own memory besides.
+// The memory of the scene, the arrangement and its pieces. The arrangement charges its own memory
+// separately.
 constexpr std::uint64_t kBytesPerEdge = 200;
 
 bool is_double(const PlaneComplex& complex, std::uint32_t p) {
@@ -69,7 +70,7 @@ RoundedSubdivision unchanged(const PlaneComplex& exact, Context& context) {
   return result;
 }
 
-/// Returns the vertex at a point, which may not exist. Requires vertices at doubles.
+/// Returns the vertex at a point, or an invalid id. Requires vertices at doubles.
 VertexId vertex_at(const PlaneComplex& complex, Point2 p) {
   const auto at = [&complex](std::uint32_t i) { return complex.points.inputs.approx(i); };
   const auto found = std::lower_bound(
@@ -81,7 +82,7 @@ VertexId vertex_at(const PlaneComplex& complex, Point2 p) {
                   : VertexId();
 }
 
-/// Returns pieces of which each edge of a complex has one.
+/// Returns the pieces of a complex, one for each edge.
 EdgePieces one_piece_each(std::vector<LabelledEdge> edges) {
   EdgePieces pieces;
   pieces.begin.resize(edges.size() + 1);
@@ -146,13 +147,13 @@ class PlaneRounder {
   LabelledEdges scene_;
   EdgeTrace trace_;
   std::vector<Point2> nearest_;  // The nearest doubles of each exact vertex.
-  std::vector<Point2> image_;    // The place of each exact vertex at present.
-  double drift_ = 0;             // Bound for the moves of all points in scenes before this one.
+  std::vector<Point2> image_;    // The current place of each exact vertex.
+  double drift_ = 0;             // A bound for the moves of all points in earlier scenes.
   int round_ = 0;
 };
 
-/// Arranges and repairs the scene until nothing crosses. After `most_rounds` rounds vertices are
-/// snapped to a grid, whose first step is `step` or one unit in the last place.
+/// Arranges and repairs the scene until there are no crossings. After `most_rounds` rounds,
+/// vertices are snapped to a grid. Its first step is `step`, or one unit in the last place.
 RoundedSubdivision PlaneRounder::repaired(int most_rounds, std::optional<Rational> step) {
   for (;;) {
     Arrangement arrangement = arrange_edges(scene_, context_);
@@ -183,7 +184,7 @@ void PlaneRounder::round_crossings(const EdgePieces& pieces, const PlaneComplex&
   repair_locally(scene_, std::move(moved), round_, most_rounds, trace_, context_);
 }
 
-/// Snaps the arrangement to the grid, and doubles the step for the next time.
+/// Snaps the arrangement to the grid, and doubles the step for the next round.
 void PlaneRounder::snap_again(const EdgePieces& pieces, const PlaneComplex& complex,
                               Rational& step) {
   const HotPixels pixels(complex, step, context_);
@@ -230,7 +231,7 @@ RoundedSubdivision PlaneRounder::finished(Arrangement arrangement) {
   const std::vector<std::uint8_t> is_kept = leave_out_folded(arrangement.complex, pieces, labels);
   context_.checkpoint(kRoundingPhase, 0, 0);
   if (scene_.edges.size() == arrangement.complex.edge_count()) {
-    // Nothing was left out.
+    // No edge was left out.
   } else if (scene_.lone.empty()) {
     const std::vector<std::uint8_t> all_corners(arrangement.complex.vertex_count(), 1);
     ReducedComplex reduced = without_edges(arrangement.complex, is_kept, all_corners);
@@ -254,9 +255,9 @@ RoundedSubdivision PlaneRounder::finished(Arrangement arrangement) {
   return result;
 }
 
-/// Makes the scene of the edges between different faces, and the lines. Each of them gets the
-/// labels of the faces beside it, so the labels of the scene are clear. Returns for each edge
-/// whether it is in the scene.
+/// Makes the scene of the edges between different faces, and of the lines. Each of them gets the
+/// labels of the faces beside it, so every face has one clear label. Returns for each edge whether
+/// it is in the scene.
 std::vector<std::uint8_t> PlaneRounder::leave_out_folded(const PlaneComplex& complex,
                                                          const EdgePieces& pieces,
                                                          const FaceLabels& labels) {

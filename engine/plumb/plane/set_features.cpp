@@ -1,6 +1,6 @@
-// The set is one more feature of the layer, after all sources: a face belongs to the set if its
-// list of features ends with this feature, and its list begins with the first source that covers
-// it.
+// The set is an additional feature of the layer, after all sources. A face belongs to the set if
+// its list of features ends with this feature, and its list begins with the first source that
+// covers it.
 //
 // Tested by tests/plane/set_features_test.cpp.
 #include "plumb/plane/set_features.h"
@@ -43,7 +43,8 @@ std::uint32_t append_points(Layer& to, const Layer& more) {
   return static_cast<std::uint32_t>(offset);
 }
 
-/// Returns the label of each face: its source, `rest` if it belongs to the set alone, or kNoLabel.
+/// Returns the label of each face: the source of the face, `rest` if only the set contains the
+/// face, or kNoLabel.
 std::vector<std::uint32_t> labels_of(const CoveredCells& cells, std::uint32_t rest) {
   std::vector<std::uint32_t> label(cells.complex().face_count(), kNoLabel);
   for (std::size_t f = 0; f < label.size(); ++f) {

@@ -15,7 +15,7 @@
 
 namespace plumb {
 
-// Collects what the arrangement says.
+// Collects the claims that follow from the arrangement.
 class MapClaims::Collector {
  public:
   Collector(const Map& map, const MapEdges& edges, Context& context, MapClaims& result)
@@ -36,7 +36,7 @@ class MapClaims::Collector {
   }
 
  private:
-  // A face or an edge, and what belongs to it.
+  // A face or an edge, and a region or edge that belongs to it.
   using Entry = std::pair<std::uint32_t, std::uint32_t>;
 
   void find_regions();
@@ -53,8 +53,8 @@ class MapClaims::Collector {
   Arrangement arrangement_;
   MapClaims& result_;
   std::vector<SegmentId> origins_;
-  std::vector<Entry> pieces_;  // Edges of the map, each with a half-edge of the arrangement.
-  std::vector<Entry> claims_;  // Faces, each with a region.
+  std::vector<Entry> pieces_;  // The edges of the map, each with a half-edge of the arrangement.
+  std::vector<Entry> claims_;  // The faces, each with a region.
 };
 
 void MapClaims::Collector::find_regions() {
@@ -64,7 +64,7 @@ void MapClaims::Collector::find_regions() {
   }
 }
 
-// Whether the first half-edge of an edge of the arrangement runs to a greater point.
+// Whether the first half-edge of an edge of the arrangement leads to a greater point.
 bool MapClaims::Collector::runs_right(std::uint32_t edge) const {
   const PlaneComplex& complex = arrangement_.complex;
   const HalfedgeId h = first_half(EdgeId(edge));
@@ -92,7 +92,7 @@ void MapClaims::Collector::visit(std::uint32_t edge) {
   }
 }
 
-// Notes who lists half-edge h of the map, one piece of which is a half-edge of the arrangement.
+// Notes which regions list half-edge h of the map. A half-edge of the arrangement is a piece of h.
 void MapClaims::Collector::visit_use(std::uint32_t h, std::uint32_t arranged) {
   if (edges_.cycle_of[h] == MapEdges::kNoCycle) return;
   if (result_.lister_[arranged] == kNoEdge) result_.lister_[arranged] = h / 2;
@@ -119,7 +119,7 @@ std::vector<std::uint32_t> MapClaims::Collector::begins(const std::vector<Entry>
   return begin;
 }
 
-// Pieces of an edge stay in the order of the arrangement.
+// The pieces of an edge remain in the order of the arrangement.
 void MapClaims::Collector::number_pieces() {
   std::stable_sort(pieces_.begin(), pieces_.end(),
                    [](const Entry& p, const Entry& q) { return p.first < q.first; });

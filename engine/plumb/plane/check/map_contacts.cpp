@@ -43,13 +43,13 @@ std::uint64_t pairs_in_runs(const Range& sorted, const Key& key) {
 // An edge at an event that is not plain.
 struct Member {
   std::uint32_t edge;
-  std::uint32_t incoming;  // The bundle in which it arrives, or kNone.
-  std::uint32_t outgoing;  // The bundle in which it leaves, or kNone.
+  std::uint32_t incoming;  // The bundle with which it arrives, or kNone.
+  std::uint32_t outgoing;  // The bundle with which it leaves, or kNone.
   std::uint32_t vertex;    // Its end point here, or kNone if it passes through.
   std::uint32_t second;    // The other end point of a zero-length edge, or kNone.
 };
 
-// An end point here, and the edge that has it.
+// An end point at the event, and its edge.
 struct EndHere {
   std::uint32_t vertex;
   std::uint32_t incoming;
@@ -63,9 +63,9 @@ bool share_vertex(const Member& p, const Member& q) {
          share_bundle(p.second, q.vertex) || share_bundle(p.second, q.second);
 }
 
-// Whether a pair is reported at this event, the first point that it has in common. A pair that
-// arrives in one bundle was reported before; a pair with a common vertex here is legal unless it
-// leaves in one bundle.
+// Whether a pair is reported at this event, that is, whether this event is the first common point.
+// A pair that arrives in one bundle was reported before. A pair with a common vertex here is legal
+// unless it leaves in one bundle.
 bool is_told_here(const Member& p, const Member& q) {
   if (share_bundle(p.incoming, q.incoming)) return false;
   return share_bundle(p.outgoing, q.outgoing) || !share_vertex(p, q);
@@ -139,7 +139,7 @@ class ContactCollector final : public SweepVisitor {
   MemoryCharge memory_;
   std::uint32_t events_ = 0;
   std::size_t members_since_checkpoint_ = 0;
-  std::vector<char> is_placed_;      // Whether each component's first vertex has been met.
+  std::vector<char> is_placed_;      // Whether the first vertex of each component has been reached.
   std::vector<std::uint32_t> ring_;  // Half-edges that leave a vertex, counter-clockwise.
   SweepMembers at_event_;
   std::vector<Member> members_;
@@ -155,9 +155,9 @@ void ContactCollector::place_component(const SweepEvent& event, std::uint32_t v)
   if (event.below.is_valid()) result_.rotation.edge_below[component] = event.below.value();
 }
 
-// Links the half-edges at a vertex counter-clockwise from straight down: outgoing edges bottom to
-// top, then incoming ones top to bottom. Zero-length edges have no direction, and may have any
-// place, as long as it is one place.
+// Links the half-edges at a vertex counter-clockwise from straight down: first the outgoing edges
+// from bottom to top, then the incoming edges from top to bottom. Zero-length edges have no
+// direction. They may have any place, if it is the same for all of them.
 void ContactCollector::link_around(const SweepEvent& event, std::uint32_t v) {
   ring_.clear();
   const auto add = [&](SegmentId s) {
@@ -187,7 +187,7 @@ void ContactCollector::collect_contacts(const SweepEvent& event) {
   note_vertices_on_edges(event);
 }
 
-// The sweep counts events, but one event may have every edge of the map in a bundle.
+// The sweep counts events, but a bundle of one event may contain every edge of the map.
 void ContactCollector::look_at_limits() {
   members_since_checkpoint_ += members_.size();
   if (members_since_checkpoint_ < kMembersPerCheckpoint) return;
@@ -235,8 +235,9 @@ void ContactCollector::gather_ends() {
   }
 }
 
-// Returns the number of pairs for which is_told_here() holds, by counting the others. Two edges
-// have at most one common vertex, so "a common vertex and no common bundle" is a sum over vertices.
+// Returns the number of pairs for which is_told_here() holds, by counting the other pairs. Two
+// edges have at most one common vertex, so the pairs with a common vertex and no common bundle are
+// a sum over vertices.
 std::uint64_t ContactCollector::count_contacts() {
   const auto arrival = [](const Member& m) { return m.incoming; };
   std::sort(members_.begin(), members_.end(),
@@ -250,8 +251,8 @@ std::uint64_t ContactCollector::count_contacts() {
   return pairs(members_.size()) - legal;
 }
 
-// Returns the number of pairs of edges that end here in one vertex and have the same bundle. An
-// edge without a bundle (kNone) is in no pair.
+// Returns the number of pairs of edges that end here in the same vertex and have the same bundle.
+// An edge without a bundle (kNone) belongs to no pair.
 template <class Bundle>
 std::uint64_t ContactCollector::pairs_with_common_end(const Bundle& bundle) {
   const auto key = [&](const EndHere& e) { return std::pair(bundle(e), e.vertex); };
@@ -264,8 +265,8 @@ std::uint64_t ContactCollector::pairs_with_common_end(const Bundle& bundle) {
 
 // ---------------------------------------------------------------- describing
 
-// Describes the same pairs one by one, without looking at the legal ones, of which there may be
-// very many.
+// Describes the same pairs one by one. The legal pairs, of which there may be very many, are not
+// visited.
 void ContactCollector::describe_contacts(const SweepEvent& event) {
   std::sort(members_.begin(), members_.end(), [](const Member& p, const Member& q) {
     return std::tie(p.second, p.vertex, p.edge) > std::tie(q.second, q.vertex, q.edge);
@@ -275,8 +276,8 @@ void ContactCollector::describe_contacts(const SweepEvent& event) {
   describe_zero_length(event);
 }
 
-// Describes pairs without a common vertex. Members without `second` come first, grouped by vertex;
-// those without a vertex are groups of their own.
+// Describes pairs without a common vertex. Members without `second` come first, grouped by vertex.
+// Each member without a vertex is a group of its own.
 void ContactCollector::describe_across_vertices(const SweepEvent& event) {
   std::size_t ordinary = 0;
   while (ordinary < members_.size() && members_[ordinary].second == kNone) ++ordinary;

@@ -1,7 +1,7 @@
 // The texts of defects and warnings, with exact places.
 //
-// Each defect names its faces and edges, the exact point with the nearest doubles, and a hint how
-// to mend it (map_hints.h). Faces and vertices are counted from 1 in texts. docs/maps.md describes
+// Each defect names its faces and edges, the exact point with the nearest doubles, and a hint about
+// its repair (map_hints.h). Faces and vertices are counted from 1 in texts. docs/maps.md describes
 // the kinds.
 //
 // Tested by tests/plane/map_describe_test.cpp and tests/plane/map_check_test.cpp.
@@ -18,9 +18,9 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kMaxListedCycles = 16;  // The most cycles in one mixed defect.
+constexpr std::size_t kMaxListedCycles = 16;  // The greatest number of cycles in one mixed defect.
 
-// Writes all defects, kind by kind, until there are as many as the report may have.
+// Writes all defects, kind by kind, until the report is full.
 class DefectWriter {
  public:
   DefectWriter(const MapFindings& findings, std::uint64_t max_defects, MapReport& report)

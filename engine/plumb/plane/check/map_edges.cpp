@@ -2,8 +2,8 @@
 //
 // Directed edges are bucketed by the lesser of their vertices and sorted within a bucket, so equal
 // edges come side by side, first forward, then backward, each in the order of the listing. A border
-// is followed through the faces beside it: from a missing half-edge one goes backwards around its
-// end, from listed half-edge to listed half-edge, until the next one is missing.
+// is followed through the faces beside it. From a missing half-edge, the walk turns around its end
+// from one listed half-edge to the next, until a half-edge is missing.
 //
 // Tested by tests/plane/map_check_test.cpp and tests/plane/map_check_property_test.cpp.
 
@@ -24,7 +24,7 @@ struct DirectedUse {
   std::uint32_t greater;
   std::uint32_t corner;
   std::uint32_t cycle;
-  bool backward;  // Whether it runs from the greater to the lesser vertex.
+  bool backward;  // Whether it leads from the greater to the lesser vertex.
 
   friend bool operator<(const DirectedUse& p, const DirectedUse& q) {
     return std::tie(p.greater, p.backward, p.corner) < std::tie(q.greater, q.backward, q.corner);
@@ -48,8 +48,9 @@ struct Buckets {
   std::vector<DirectedUse> uses;
 };
 
-// Buckets the directed edges by a counting sort: the counts are taken two places ahead, so that
-// after the summation each begin moves to its place while the bucket is filled.
+// Sorts the directed edges into buckets by a counting sort. The counts are stored two places ahead.
+// After the summation, the start of each bucket moves to its final place while the bucket is
+// filled.
 Buckets bucket_by_lesser_vertex(const Map& map) {
   Buckets buckets;
   buckets.begin.assign(map.vertex_count() + 2, 0);
@@ -166,7 +167,7 @@ MapComponents connect(const Map& map, const MapEdges& edges) {
 
 namespace {
 
-// Walks borders. For that it finds the half-edge before a listed one in its cycle.
+// Follows borders. For this purpose, it finds the half-edge before a listed half-edge in its cycle.
 class BorderWalker {
  public:
   BorderWalker(const Map& map, const MapEdges& edges) : map_(map), edges_(edges) {
@@ -176,8 +177,8 @@ class BorderWalker {
     }
   }
 
-  // The unlisted half-edge that follows `missing`: turn around its target through the listed faces
-  // until the next border.
+  // Returns the unlisted half-edge that follows `missing`. The walk turns around its target through
+  // the listed faces until it reaches the next border.
   std::uint32_t after(std::uint32_t missing) const {
     std::uint32_t h = missing ^ 1U;
     while (edges_.cycle_of[h] != MapEdges::kNoCycle) h = previous_in_cycle(h) ^ 1U;

@@ -4,11 +4,11 @@
 // way of other vertices, it is a T-junction, or vertices have equal coordinates. If another region
 // claims it, the regions overlap. If no region claims any place beside the chain of the border, the
 // orientation of the chain decides: the chain is a gap, or an outer boundary that is not listed.
-// The orientation alone says nothing: the border of an overlap of two neighbours runs clockwise,
-// too.
+// The orientation alone is not enough, because the border of an overlap of two neighbours is
+// clockwise, too.
 //
-// An overlap of two regions along one border is mended by a change of path: between two vertices of
-// both, one of them follows the other. In all other places of the texts the overlap is only named.
+// An overlap of two regions along one border is repaired by a change of path: between two common
+// vertices, one region follows the other. At all other places, the texts only name the overlap.
 //
 // Tested by tests/plane/map_hints_test.cpp, which follows the hints, and
 // tests/plane/map_describe_test.cpp.
@@ -29,8 +29,10 @@ std::string number(std::size_t index) { return std::to_string(index + 1); }
 namespace {
 
 constexpr std::uint32_t kNoCycle = MapEdges::kNoCycle;
-constexpr std::size_t kMaxSpelledVertices = 12;  // The most vertices of one list in a hint.
-// The most corners of two faces of which the paths are compared, for each pair of faces anew.
+// The greatest number of vertices in one list of a hint.
+constexpr std::size_t kMaxSpelledVertices = 12;
+// The greatest number of corners of two faces whose paths are compared. It applies to each pair of
+// faces.
 constexpr std::size_t kMaxCompared = 1000;
 
 const char* const kCut = "cut the overlap off one of them";
@@ -89,7 +91,7 @@ std::string MapHints::between_vertices(std::uint32_t p, std::uint32_t q) const {
   return " between vertices " + vertex_name(std::min(p, q)) + " and " + vertex_name(std::max(p, q));
 }
 
-// The change of path that lets a face follow the border of another one.
+// The change of path by which a face follows the border of another face.
 std::string MapHints::follow(std::span<const std::uint32_t> path,
                              std::span<const std::uint32_t> instead_of, std::uint32_t face) const {
   return "let both follow one line, for example " + spelled(path) + " instead of " +
@@ -110,8 +112,8 @@ bool MapHints::is_region(std::uint32_t cycle) {
   return found->second;
 }
 
-// Returns the corners of a cycle from one on to the one before `end`, but no more of them than one
-// above the number that is spelled.
+// Returns the corners of a cycle from one corner to the corner before `end`. At most one corner
+// more is returned than the text spells out.
 MapHints::Vertices MapHints::part_of_cycle(std::uint32_t cycle, std::size_t first,
                                            std::size_t end) const {
   const auto corners = map_.cycle(cycle);
@@ -123,7 +125,8 @@ MapHints::Vertices MapHints::part_of_cycle(std::uint32_t cycle, std::size_t firs
   return part;
 }
 
-// Names a path of a face that leads from a vertex back to itself, to be replaced by that vertex.
+// Describes a path of a face that leads from a vertex back to the same vertex, and is to be
+// replaced by this vertex.
 std::string MapHints::without_detour(std::uint32_t face, std::size_t first,
                                      std::size_t last) const {
   Vertices path = part_of_cycle(face, first, last);
@@ -153,7 +156,7 @@ std::string MapHints::duplicate(const MapEdges::ExtraUse& use) {
                                         : "run along it once, " + without_detour(first, i, j));
 }
 
-// Returns what to do about two faces at one side of an edge.
+// Returns the advice about two faces at one side of an edge.
 std::string MapHints::both_use(std::uint32_t a, std::uint32_t b) {
   const auto [found, is_new] = both_use_.try_emplace({a, b});
   if (!is_new) return found->second;
@@ -183,7 +186,8 @@ bool MapHints::is_same_cycle(std::uint32_t a, std::uint32_t b) const {
          std::equal(q.begin(), start, p.begin() + static_cast<std::ptrdiff_t>(tail));
 }
 
-// Whether others list every edge of a face as it does, and nobody the other way round.
+// Whether other faces list every edge of a face in the same direction, and no face lists any in the
+// opposite direction.
 bool MapHints::runs_wrong_way(std::uint32_t cycle) {
   const auto [found, is_new] = wrong_way_.try_emplace(cycle, false);
   if (is_new) {
@@ -194,8 +198,8 @@ bool MapHints::runs_wrong_way(std::uint32_t cycle) {
   return found->second;
 }
 
-// Divides a cycle into the path that it has in common with another one, and the rest, each with
-// both ends. Both are empty unless there is one such path.
+// Divides a cycle into the path that it has in common with another cycle, and the rest. Both have
+// their two ends. Both are empty unless there is exactly one such path.
 std::pair<MapHints::Vertices, MapHints::Vertices> MapHints::divided_at_common_path(
     std::uint32_t cycle, std::uint32_t other) const {
   const auto own = corner_halfedges(cycle);
@@ -219,8 +223,8 @@ std::pair<MapHints::Vertices, MapHints::Vertices> MapHints::divided_at_common_pa
   return parts;
 }
 
-// Two regions at one side of a common path, and of no other edge: the greater one can follow the
-// rest of the other one backwards.
+// For two regions at one side of a common path, and of no other edge: the region with the greater
+// number can follow the rest of the other region backwards.
 std::string MapHints::cut_along_common_edges(std::uint32_t a, std::uint32_t b) const {
   if (std::max(map_.cycle(a).size(), map_.cycle(b).size()) > kMaxCompared) return {};
   if (twice_polygon_area(map_.points, map_.cycle(a)) <
@@ -256,8 +260,8 @@ std::string MapHints::open(std::uint32_t h) {
   return lead + (at == place_.end() ? without_chain(h) : beside_chain(at->second));
 }
 
-// Returns the hint for a T-junction, where the other side of an edge is listed in pieces, by way of
-// vertices on the edge; empty if it is none.
+// Returns the hint for a T-junction: the other side of an edge is listed in pieces, by way of
+// vertices on the edge. Returns an empty text if it is not a T-junction.
 std::string MapHints::covered_by(std::uint32_t h) const {
   const std::uint32_t edge = h / 2;
   const auto& on_edge = findings_.contacts.on_edge;
@@ -279,7 +283,7 @@ std::string MapHints::covered_by(std::uint32_t h) const {
          "; insert the vertices between into face " + number(edges().cycle_of[h]);
 }
 
-// Returns the hint for an edge of which the other side is listed, by way of other vertices.
+// Returns the hint for an edge whose other side is listed by way of other vertices.
 std::string MapHints::part_of_edge(std::uint32_t h, std::uint32_t lister) const {
   const SweepSegment& whole = edges().ends[lister];
   const auto lies_between = [&](std::uint32_t v) {
@@ -301,8 +305,8 @@ std::string MapHints::part_of_edge(std::uint32_t h, std::uint32_t lister) const 
          "; insert vertex " + inserted + " into face " + number(face);
 }
 
-// Returns the hint for an open edge in a map in which borders have no unique continuation, because
-// of duplicate uses.
+// Returns the hint for an open edge in a map whose borders have no unique continuation because of
+// duplicate uses.
 std::string MapHints::without_chain(std::uint32_t h) {
   const std::uint32_t face = edges().cycle_of[h];
   if (runs_wrong_way(face)) return "face " + number(face) + " runs the wrong way; reverse it";
@@ -348,7 +352,7 @@ MapHints::Border& MapHints::border(std::uint32_t c) {
   return found->second;
 }
 
-// Joins the last part of a chain to the first one if they are alike.
+// Joins the last part of a chain to the first part if they are of the same kind.
 void MapHints::join_ends(Border& border) {
   auto& parts = border.parts;
   if (parts.size() > 1 && parts.front().owner == parts.back().owner &&
@@ -386,8 +390,9 @@ void MapHints::divide(std::uint32_t c, Border& border) const {
   border.overlap = static_cast<std::size_t>(found - border.parts.begin());
 }
 
-// Returns the hint for a component, or a face that touches the region around it, that lies inside
-// of a region as an island whose hole is not listed; empty if it is none.
+// Returns the hint for a component, or for a face that touches the region around it, that lies
+// inside of a region as an island whose hole is not listed. Returns an empty text if there is no
+// such island.
 std::string MapHints::lies_inside(std::uint32_t c, const Border& border) const {
   const std::uint32_t around = border.parts.front().claimant;
   const bool is_around = std::ranges::all_of(border.faces, [&](std::uint32_t face) {
@@ -407,10 +412,10 @@ std::string MapHints::conflict(const Border::Part& part) const {
   return "clockwise face " + number(part.owner) + " lies inside region " + number(part.claimant);
 }
 
-// Returns the hint for an edge of which another region claims the missing side. If both regions
-// should have one line between two vertices, one can follow the other. That is so for a chain along
-// two faces, even if the faces cross each other on the way, and for a part of a chain that ends in
-// vertices of both faces.
+// Returns the hint for an edge whose missing side is claimed by another region. One region can
+// follow the other if both should have the same line between two vertices. This is the case for a
+// chain along two faces, even if the faces cross each other on the way, and for a part of a chain
+// that ends in vertices of both faces.
 std::string MapHints::overlap_at(std::uint32_t c, const Border& border,
                                  const Border::Part& part) const {
   const auto& halfedges = chain(c).halfedges;
@@ -444,7 +449,8 @@ std::string MapHints::overlap_at(std::uint32_t c, const Border& border,
          kCut;
 }
 
-// Returns the vertices of a chain from one place to another, once around if they are the same.
+// Returns the vertices of a chain from one place to another. If the places are the same, the
+// vertices lead around once.
 MapHints::Vertices MapHints::chain_path(std::uint32_t c, std::size_t from, std::size_t to) const {
   const auto& halfedges = chain(c).halfedges;
   Vertices vertices = {edges().origin(halfedges[from])};
@@ -456,8 +462,8 @@ MapHints::Vertices MapHints::chain_path(std::uint32_t c, std::size_t from, std::
   return vertices;
 }
 
-// Returns the path of a region from one vertex to another one, if its left side lies inside another
-// region all the way; else nothing.
+// If the left side of a region's path between two vertices lies inside another region everywhere,
+// returns this path; otherwise nothing.
 MapHints::Vertices MapHints::path_inside(std::uint32_t region, std::uint32_t from, std::uint32_t to,
                                          std::uint32_t other) const {
   const auto corners = map_.cycle(region);
@@ -473,15 +479,16 @@ MapHints::Vertices MapHints::path_inside(std::uint32_t region, std::uint32_t fro
   return vertices.back() == to ? vertices : Vertices();
 }
 
-// Says between which vertices two paths lie, of which one runs forth and one back, and lets one of
-// the faces follow the other.
+// Names the vertices between which two paths lie that have opposite directions. The hint lets one
+// of the faces follow the other.
 std::string MapHints::one_line(std::uint32_t a, Vertices path_a, std::uint32_t b,
                                Vertices path_b) const {
   const auto is_open = [&](const Vertices& path) {
     const auto e = static_cast<std::uint32_t>(edges().find(path[0], path[1]));
     return edges().is_open(2 * e) || edges().is_open(2 * e + 1);
   };
-  // Rather a boundary than a region, an open path than one that others know, the lesser number.
+  // The hint prefers a boundary to a region, an open path to a path that other faces list, and the
+  // lesser number.
   const auto rank = [&](std::uint32_t face, const Vertices& path) {
     return std::tuple(findings_.claims.is_known() && findings_.claims.is_region(face),
                       !is_open(path), face);
@@ -534,8 +541,8 @@ std::string MapHints::crossing(const EdgeContact& contact) const {
 
 // ---------------------------------------------------------------- twin
 
-// A cycle that runs along an edge both ways falls into two closed parts without it. A part of fewer
-// than three corners is a spike; two greater ones are a shell and a hole, or two faces.
+// A cycle that uses an edge in both directions falls into two closed parts without it. A part of
+// fewer than three corners is a spike. Two larger parts are a shell and a hole, or two faces.
 std::string MapHints::twin(std::uint32_t edge, std::uint32_t cycle) const {
   const SweepSegment& ends = edges().ends[edge];
   const auto halfedges = corner_halfedges(cycle);
@@ -545,7 +552,7 @@ std::string MapHints::twin(std::uint32_t edge, std::uint32_t cycle) const {
   const std::size_t size = halfedges.size(), forth = place(2 * edge), back = place(2 * edge + 1);
   const std::string lead = "face " + number(cycle) + " runs along edge " +
                            edge_name(ends.from, ends.to) + " in both directions: ";
-  // The parts between the two passes, without the ends of the edge that they return to.
+  // The parts between the two uses, without the ends of the edge to which they return.
   const std::size_t after_forth = (back + size - forth - 1) % size;
   const std::size_t after_back = size - 2 - after_forth;
   if (std::max(after_forth, after_back) < 3) return lead + "remove the face";
@@ -580,7 +587,8 @@ std::string MapHints::mixed(const MapOrbits::Orbit& orbit,
          " runs clockwise, but is neither a hole nor an outer boundary; remove it";
 }
 
-// Whether every face of a component, the other way round, would bound one face of the plane.
+// Whether every face of a component, with its direction reversed, would bound one face of the
+// plane.
 bool MapHints::is_turned(std::uint32_t component) {
   if (is_turned_.empty()) {
     const MapOrbits& orbits = findings_.orbits;
@@ -600,8 +608,8 @@ bool MapHints::is_turned(std::uint32_t component) {
   return is_turned_[component] != 0;
 }
 
-// Returns the hint for a face that two regions claim. If two paths of them bound it, the first one
-// can follow the other.
+// Returns the hint for a face that two regions claim. If the boundary of the face consists of two
+// of their paths, the first region can follow the second.
 std::string MapHints::overlap_in_orbit(const MapOrbits::Orbit& orbit, std::uint32_t a,
                                        std::uint32_t b) const {
   std::vector<std::uint32_t> halfedges;
@@ -630,7 +638,8 @@ std::string MapHints::overlap_in_orbit(const MapOrbits::Orbit& orbit, std::uint3
   return regions_overlap(a, b) + one_line(a, path, b, rest);
 }
 
-// A face that touches itself may run round one of its parts the wrong way; then it is to be split.
+// A face that touches itself may have the wrong direction around one of its parts. In this case, it
+// should be split.
 std::string MapHints::wrong_way_round(std::uint32_t cycle) const {
   const auto corners = map_.cycle(cycle);
   const std::string lead =
@@ -647,8 +656,8 @@ std::string MapHints::wrong_way_round(std::uint32_t cycle) const {
   return lead + "reverse it";
 }
 
-// Returns a clockwise face that lies in several regions, and so is a hole of none; else any
-// clockwise one, or kNoCycle.
+// Returns a clockwise face that lies in several regions, and is therefore not a hole of one. If
+// there is none, returns any clockwise face, or kNoCycle.
 std::uint32_t MapHints::stray_among(const std::vector<std::uint32_t>& cycles) {
   std::uint32_t any = kNoCycle;
   for (const std::uint32_t c : cycles) {

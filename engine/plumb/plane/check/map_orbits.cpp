@@ -1,10 +1,11 @@
 // The faces that the edges of a map induce, and the nesting of components.
 //
-// Following the rotation system gives orbits, one boundary cycle each. Whether an orbit is the
-// outside of its component is seen at its lexicographically first vertex, where all edges lead to
-// the right: it is if some corner there contains the direction to the left. A component lies in the
-// face above the edge that is next below its first vertex; components are settled in the order of
-// these vertices, so the component with this edge has been settled before.
+// Following the rotation system gives orbits, one boundary cycle each. The lexicographically first
+// vertex of an orbit shows whether the orbit is the outside of its component. All edges lead to the
+// right there, and the orbit is the outside if and only if one of its corners contains the
+// direction to the left. A component lies in the face above the edge that is next below its first
+// vertex; components are settled in the order of these vertices, so the component with this edge
+// has been settled before.
 //
 // Rings that touch: two cycles that list half-edges of one face are boundaries of one region. So
 // the classes of cycles that this relation generates are the regions, if the listing describes
@@ -51,12 +52,14 @@ class OrbitTracer {
  private:
   // The result of one walk around an orbit.
   struct Walk {
-    std::uint32_t first;    // A half-edge that leaves the lexicographically first vertex.
-    bool has_outer_corner;  // Whether some corner there opens to the left: it is an outside.
-    bool single_cycle;      // Whether at most one listed cycle has half-edges in it.
-    std::uint32_t cycle;    // The least such cycle, or kNone.
-    std::uint32_t length;   // The number of half-edges.
-    bool complete;          // Whether all of them are listed.
+    std::uint32_t first;  // A half-edge that leaves the lexicographically first vertex.
+    // Whether a corner at this vertex contains the direction to the left, so that the orbit is an
+    // outside.
+    bool has_outer_corner;
+    bool single_cycle;     // Whether at most one listed cycle has half-edges in the orbit.
+    std::uint32_t cycle;   // The least such cycle, or kNone.
+    std::uint32_t length;  // The number of half-edges.
+    bool complete;         // Whether all half-edges are listed.
   };
 
   void trace(std::uint32_t start);
@@ -72,7 +75,7 @@ class OrbitTracer {
   const MapRotation& rotation_;
   MapOrbits result_;
   std::vector<FilteredSign>
-      area_sign_;  // The sign of each listed cycle's area; Unsure if not known.
+      area_sign_;  // The sign of the area of each listed cycle; Unsure if it is not known.
 };
 
 void OrbitTracer::trace(std::uint32_t start) {
@@ -104,7 +107,7 @@ OrbitTracer::Walk OrbitTracer::walk(std::uint32_t start, std::uint32_t id) {
   return w;
 }
 
-// At the first vertex of an orbit all its edges lead to the right. The corner from `arriving` to
+// At the first vertex of an orbit, all edges lead to the right. The corner from `arriving` to
 // `leaving` contains the direction to the left unless it is a proper left turn.
 void OrbitTracer::visit_corner(std::uint32_t arriving, std::uint32_t leaving, Walk& w) const {
   const std::uint32_t corner = edges_.origin(leaving);
@@ -119,9 +122,9 @@ void OrbitTracer::visit_corner(std::uint32_t arriving, std::uint32_t leaving, Wa
   if (turn != Sign::Positive) w.has_outer_corner = true;
 }
 
-// Whether an orbit is not the boundary that its listed cycles claim: a bounded face must be one
-// counter-clockwise cycle, an outside must be clockwise cycles only. An orbit of which nothing is
-// listed is a gap, which open edges report.
+// Whether an orbit differs from the boundary that its listed cycles claim. The orbit of a bounded
+// face must be one counter-clockwise cycle, and an outside may only have clockwise cycles. If no
+// half-edge of an orbit is listed, the orbit is a gap, which open edges report.
 bool OrbitTracer::is_mixed(const Walk& w) {
   if (w.cycle == kNone) return false;
   const bool is_the_cycle = w.complete && w.single_cycle && w.length == map_.cycle(w.cycle).size();
@@ -166,8 +169,8 @@ std::vector<std::uint32_t> cycles_of_orbit(const MapEdges& edges, const MapRotat
   return cycles;
 }
 
-// Components are settled in the order of their first vertices, so the component below is settled
-// before.
+// Components are processed in the order of their first vertices, so the component below has been
+// processed before.
 std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapComponents& components,
                                            const MapRotation& rotation, const MapOrbits& orbits) {
   std::vector<std::uint32_t> by_order(components.count);
@@ -182,7 +185,7 @@ std::vector<std::uint32_t> nest_components(const MapEdges& edges, const MapCompo
   for (const std::uint32_t c : by_order) {
     const std::uint32_t edge = rotation.edge_below[c];
     if (edge == kNone) continue;
-    // The half-edge that runs left to right has the face above the edge on its left.
+    // The half-edge that leads from left to right has the face above the edge on its left.
     const bool forward =
         rotation.order[edges.ends[edge].from] < rotation.order[edges.ends[edge].to];
     const std::uint32_t above = orbits.of_halfedge[2 * edge + (forward ? 0 : 1)];
@@ -203,7 +206,7 @@ std::vector<Sign> cycle_signs(const Map& map) {
   return signs;
 }
 
-// The classes of cycles that bound common faces. The unbounded region is one more member.
+// The classes of cycles that bound common faces. The unbounded region is an additional member.
 class TouchingRings {
  public:
   TouchingRings(const Map& map, const MapEdges& edges, const MapComponents& components,
@@ -251,8 +254,8 @@ class TouchingRings {
   std::vector<Sign> signs_;
   std::uint32_t unbounded_;
   UnionFind classes_;
-  std::vector<std::uint32_t> shell_;  // Of each root: the counter-clockwise cycle.
-  std::vector<char> is_region_;       // Of each root.
+  std::vector<std::uint32_t> shell_;  // For each root, the counter-clockwise cycle.
+  std::vector<char> is_region_;       // For each root.
 };
 
 void TouchingRings::unite_around_faces() {
@@ -332,7 +335,7 @@ std::vector<std::uint32_t> claims_of_orbits(const Map& map, const MapEdges& edge
 
 std::vector<std::uint32_t> find_pinches(const Map& map, const MapEdges& edges,
                                         const MapOrbits& orbits) {
-  // Half-edges by origin, then equal orbits side by side.
+  // Sorts half-edges by origin, and then such that equal orbits are consecutive.
   std::vector<std::uint32_t> begin(map.vertex_count() + 1, 0);
   for (const SweepSegment& e : edges.ends) {
     ++begin[e.from + 1];

@@ -145,8 +145,9 @@ EdgeId PlaneDraft::add_edge(VertexId left, PlaneLine edge_line, bool mark, bool 
   return e;
 }
 
-// Between two neighbours, counter-clockwise, lies a corner of the face to the left of the first
-// one; so the half-edge that arrives along the second is followed by the first.
+// Between two consecutive half-edges, counter-clockwise, there is a corner of the face to the left
+// of the first one. Therefore the half-edge that arrives along the second one is followed by the
+// first one.
 void PlaneDraft::link_ring(std::span<const HalfedgeId> leaving) {
   for (std::size_t i = 0; i < leaving.size(); ++i) {
     const HalfedgeId after = leaving[i + 1 < leaving.size() ? i + 1 : 0];
@@ -154,8 +155,8 @@ void PlaneDraft::link_ring(std::span<const HalfedgeId> leaving) {
   }
 }
 
-// The ends come counter-clockwise around the plane, so the frame edge from each end to the next has
-// the face between the two to its left, and its twin has the face beyond.
+// The ends are counter-clockwise around the plane. Therefore the frame edge from each end to the
+// next has the face between the two ends on its left, and its twin has the face beyond the frame.
 HalfedgeId close_frame(PlaneDraft& draft) {
   const std::size_t n = draft.ends.size();
   if (n == 0) return HalfedgeId();
@@ -238,7 +239,7 @@ FinishedDraft finish(const PlaneDraft& draft, const PlaneLoops& loops,
 
 namespace {
 
-// The faces that have been joined: union-find with the least of each set as its root.
+// The classes of joined faces, as a union-find in which the root of each class is its least face.
 class MergedFaces {
  public:
   explicit MergedFaces(std::size_t count) : parent_(count) {
@@ -272,7 +273,8 @@ class Simplifier {
         vertex_(complex.vertex_count()),
         halfedge_(2 * complex.edge_count()) {}
 
-  /// Returns the minimal form. `points` are those of the complex, which are moved out at the end.
+  /// Returns the minimal form. `points` are the points of the complex, which are moved into the
+  /// result at the end.
   PlaneComplex minimal(PlanePoints&& points);
   /// Returns the complex of the edges that are kept.
   ReducedComplex reduced(std::span<const std::uint8_t> is_kept,
@@ -308,14 +310,18 @@ class Simplifier {
   const Dcel& dcel_;
   MergedFaces faces_;
   PlaneDraft draft_;
-  IdVector<EdgeId, std::uint8_t> is_kept_;  // Whether each old edge stays.
-  IdVector<EdgeId, EdgeId> continues_;   // The edge with which each old edge goes on to the right.
-  IdVector<VertexId, VertexId> vertex_;  // The new vertex of each old one; not valid if dropped.
+  IdVector<EdgeId, std::uint8_t> is_kept_;  // Whether each old edge is kept.
+  // For each old edge, the edge with which it continues to the right.
+  IdVector<EdgeId, EdgeId> continues_;
+  // The new vertex of each old vertex, or an invalid id if it is dropped.
+  IdVector<VertexId, VertexId> vertex_;
   IdVector<HalfedgeId, HalfedgeId>
-      halfedge_;  // The new half-edge of old ones at the ends of chains.
-  IdVector<HalfedgeId, HalfedgeId> old_halfedge_;  // An old half-edge of each new one.
-  std::vector<FaceId> isolated_face_;              // The old face of each entry of draft_.isolated.
-  std::vector<HalfedgeId> kept_here_;  // Kept half-edges that leave a vertex, counter-clockwise.
+      halfedge_;  // The new half-edges of old half-edges at the ends of chains.
+  IdVector<HalfedgeId, HalfedgeId> old_halfedge_;  // For each new half-edge, an old half-edge.
+  // For each entry of draft_.isolated, the old face.
+  std::vector<FaceId> isolated_face_;
+  // The kept half-edges that leave a vertex, counter-clockwise.
+  std::vector<HalfedgeId> kept_here_;
 };
 
 void Simplifier::drop_edges() {
@@ -345,8 +351,8 @@ bool Simplifier::is_straight() const {
   return k == l || cross_sign(complex_.points.inputs, k.a, k.b, l.a, l.b) == Sign::Zero;
 }
 
-// Drops a vertex, or keeps it. A vertex between two kept edges on one line is dropped if all three
-// have one mark; the edge that arrives from the left then continues in the one that leaves to the
+// Drops or keeps a vertex. A vertex between two kept edges on one line is dropped if all three have
+// the same mark. The edge that arrives from the left then continues in the edge that leaves to the
 // right.
 void Simplifier::place_vertex(VertexId v) {
   const bool mark = complex_.mark(v);
@@ -377,7 +383,7 @@ void Simplifier::pass_through() {
   continues_[(first_leaves ? f : e)] = first_leaves ? e : f;
 }
 
-// Keeps a vertex that kept edges meet, unless they are two on one line and it is no corner.
+// Keeps a vertex that has kept edges, unless it has exactly two that lie on one line.
 void Simplifier::place_corner(VertexId v, bool is_corner) {
   collect_kept(v);
   if (kept_here_.empty()) return;
@@ -392,8 +398,8 @@ void Simplifier::place_vertices() {
   for (std::size_t i = 0; i < complex_.vertex_count(); ++i) place_vertex(VertexId(i));
 }
 
-// Makes one edge of a chain, with the line and marks of its first edge, which all edges of it
-// share. Only the half-edges at the two ends get new numbers, as no others are looked up at
+// Makes one edge of a chain. All edges of the chain have the line and the marks of the first one.
+// Only the half-edges at the two ends get new numbers, because only these are looked up at
 // vertices.
 void Simplifier::add_chain(EdgeId first) {
   const VertexId from = dcel_.origin(first_half(first));
@@ -410,7 +416,7 @@ void Simplifier::add_chain(EdgeId first) {
   old_halfedge_.push_back(twin(first_half(first)));
 }
 
-// A chain begins with each kept edge whose left end stays or is at infinity.
+// A chain begins with each kept edge whose left end is kept or is at infinity.
 void Simplifier::chain_edges() {
   for (std::size_t i = 0; i < is_kept_.size(); ++i) {
     const EdgeId e(i);
@@ -427,7 +433,8 @@ void Simplifier::link_vertices() {
   }
 }
 
-// The frame's vertices are numbered counter-clockwise from face 0, so the kept ends come in order.
+// The vertices of the frame are numbered counter-clockwise from face 0, so the kept ends are in
+// order.
 void Simplifier::collect_ends() {
   for (std::size_t v = complex_.vertex_count(); v < dcel_.vertex_count(); ++v) {
     for (const HalfedgeId h : dcel_.around(VertexId(v))) {
@@ -437,8 +444,8 @@ void Simplifier::collect_ends() {
   }
 }
 
-// The class of a loop is the joined face of any old half-edge of it; loops along the frame from
-// outside have a class of their own.
+// The class of a loop is the joined face of any of its old half-edges. Loops along the outer side
+// of the frame have a class of their own.
 PlaneFaceClasses Simplifier::class_loops(const PlaneLoops& loops) {
   const std::uint32_t beyond = static_cast<std::uint32_t>(dcel_.face_count());
   PlaneFaceClasses classes;
@@ -503,7 +510,7 @@ PlaneMarks neighbourhood_marks(const PlaneComplex& complex, Combine boolean_op) 
     if (complex.dcel.is_isolated(v)) {
       mark = boolean_op(mark, complex.mark(complex.dcel.face(complex.dcel.isolated_loop(v))));
     } else {
-      // The new marks of the edges already include those of the faces beside them.
+      // The new marks of the edges already include the marks of the faces beside them.
       for (const HalfedgeId h : complex.dcel.around(v)) {
         mark = boolean_op(mark, marks.edge[edge_of(h)] != 0);
       }

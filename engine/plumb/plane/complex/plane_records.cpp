@@ -1,10 +1,10 @@
 // Complexes as plain lists, and their check by a sweep.
 //
-// A list is taken as true only as far as a sweep confirms it: indices and lines are checked first,
-// then the listed edges are swept with their listed marks as labels, and the result is listed
-// again. If both lists agree, the listed marks belong to the faces that the edges really bound,
-// edges meet only at vertices, and everything is in the right order. For a set, it is also required
-// that simplify() changes nothing.
+// A list is accepted only if a sweep confirms it. First, indices and lines are checked. Then the
+// listed edges are swept with their listed marks as labels, and the result is listed again. If both
+// lists agree, the listed marks belong to the faces that the edges really bound, edges meet only at
+// vertices, and everything is in the right order. For a set, it is also required that simplify()
+// changes nothing.
 //
 // Tested by tests/plane/plane_records_test.cpp and tests/io/plane_io_test.cpp.
 
@@ -38,8 +38,8 @@ const char* name_of(Kind kind) {
   throw RecordError(kind, index, why);
 }
 
-// The rule of the sweep: every piece is kept, and labels are the marks listed with the edges. Marks
-// that disagree show when the result is listed again.
+// The rule of the sweep. Every piece is kept, and the labels are the marks that are listed with the
+// edges. If marks disagree, this is detected when the result is listed again.
 class RecordRule {
  public:
   using Label = std::uint8_t;
@@ -125,12 +125,12 @@ void check_edge(const PlaneRecords& r, std::size_t i) {
   if (is_bounded && e.from >= e.to) refuse(Kind::Edge, i, "it must run from its lesser end");
 }
 
-/// Returns the edges as curves, and every vertex as a stop, so that a vertex inside an edge is an
-/// event.
+/// Returns the edges as curves, and every vertex as a stop, so that a vertex inside of an edge is
+/// an event, too.
 SweepInput scene_of(const PlaneRecords& r) {
   SweepInput scene;
   scene.points = r.points;
-  // Boxes are computed here, as a file need not have right ones.
+  // Boxes are computed here, because the boxes of a file may be wrong.
   for (Crossing2& c : scene.points.crossings) {
     c = make_crossing(scene.points.inputs, c.a, c.b, c.c, c.d);
   }
@@ -146,7 +146,7 @@ SweepInput scene_of(const PlaneRecords& r) {
 
 // ---------------------------------------------------------------- checks after it
 
-/// Throws unless the result, listed again, is what was listed.
+/// Throws unless the result, when it is listed again, equals the original list.
 void compare(const PlaneRecords& given, const PlaneRecords& found) {
   if (given.vertices.size() != found.vertices.size()) {
     refuse(Kind::Vertex, std::min(given.vertices.size(), found.vertices.size()),
@@ -167,7 +167,7 @@ void compare(const PlaneRecords& given, const PlaneRecords& found) {
   }
 }
 
-/// Throws unless the complex is minimal.
+/// Throws if the complex is not minimal.
 void check_minimal(const PlaneComplex& complex) {
   const PlaneComplex minimal = simplify(complex);
   if (minimal.vertex_count() != complex.vertex_count() ||

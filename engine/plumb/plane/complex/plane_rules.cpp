@@ -17,9 +17,9 @@ bool WindingNumberRule::are_all_inside(Label least, Label greatest) const {
   return least > 0 || (rule_ == WindingRule::NonZero && greatest < 0);
 }
 
-// An edge of a closed set is marked if it is next to the inside, or chains run over it as often
-// back as forth. An edge of an open set is marked if the winding number is inside on all ways
-// across it, in whatever order its chains are crossed.
+// An edge of a closed set is marked if it is next to the inside, or if chains run over it equally
+// often in both directions. An edge of an open set is marked if, for every order of crossing its
+// chains, the winding number is inside at each intermediate step.
 bool WindingNumberRule::edge_mark(Label below, Label above, Value value) const {
   const auto [up, down] = value;
   if (boundary_ == Boundary::Closed) return is_inside(below) || is_inside(above) || up == -down;
@@ -49,8 +49,8 @@ void BooleanRule::mark_passing(const Value& value, std::array<bool, 2>& marks) c
   }
 }
 
-/// The mark of an operand at a place is that of its vertex there, or else of its edge that passes,
-/// or else of its face.
+/// The mark of an operand at a place is the mark of its vertex there. If there is none, it is the
+/// mark of the edge through the place, or else the mark of the face.
 bool BooleanRule::vertex_mark(const PlaneSurroundings<BooleanRule>& at) const {
   std::array<bool, 2> marks = {marks_[0].face[at.below[0]] != 0, marks_[1].face[at.below[1]] != 0};
   if (!at.event.plain) {

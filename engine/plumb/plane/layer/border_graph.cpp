@@ -1,5 +1,5 @@
-// Corners in a triangle are found by a k-d tree whose nodes count the corners that are left. The
-// tree compares doubles, and corners are doubles, so nothing is missed.
+// Corners in a triangle are found by a k-d tree whose nodes count the remaining corners. The tree
+// compares doubles, and corners are doubles, so no corner is missed.
 //
 // An edge has a bound for its distance from the borders that it stands for (drift). Removing a
 // corner adds the distance of this corner from the new edge, so the sum bounds the distance in both
@@ -21,13 +21,13 @@
 namespace plumb {
 namespace {
 
-// Corners, edges, the tree and the heap.
+// The memory of corners, edges, the tree and the heap.
 constexpr std::uint64_t kBytesPerBorderCorner = 168;
 constexpr std::size_t kCornersPerCheckpoint = 1024;
 
 void require_in_range(const LayerSimplifyOptions& options) {
   const bool is_in_range = options.tolerance >= 0 && options.within >= 0 && options.kept >= 0 &&
-                           options.kept <= 1;  // False for what is no number.
+                           options.kept <= 1;  // The comparison is false for NaNs.
   if (is_in_range) return;
   throw Error(ErrorCode::BadArgument,
               "the tolerance is an area, `within` is a distance, and kept lies from 0 to 1");
@@ -93,7 +93,7 @@ double BorderGraph::drift_without(std::uint32_t v) const {
   const double off = along <= 0        ? to_a
                      : along >= length ? to_c
                                        : std::fabs(x * py - y * px) / length;
-  // More than the errors of rounding in this function.
+  // The factor exceeds the rounding errors in this function.
   const double slack = 0x1p-48 * (to_a + to_c);
   const double before = std::max(edges_[edge_[2 * v]].drift, edges_[edge_[2 * v + 1]].drift);
   const double drift = sum_above(before, sum_above(off, slack));
@@ -109,13 +109,14 @@ bool BorderGraph::are_joined(std::uint32_t u, std::uint32_t w) const {
   return fixed_edges_.count(key(u, w)) != 0;
 }
 
-/// Returns a corner that keeps v from being removed: another corner of the closed triangle, or v
-/// itself if its neighbours are joined. Returns kNone if there is none.
+/// Returns a corner that prevents the removal of v: another corner of the closed triangle, or v
+/// itself if its neighbours are joined by an edge. Returns kNone if there is none.
 std::uint32_t BorderGraph::corner_in_triangle(std::uint32_t v) const {
   const auto [u, w] = neighbours(v);
   if (are_joined(u, w)) return v;
   const Sign turn = orientation(u, v, w);
-  if (turn == Sign::Zero) return kNone;  // v lies on the segment u w, which is a border already.
+  // The vertex v lies on the segment u w, which is already a border.
+  if (turn == Sign::Zero) return kNone;
   const auto is_inside = [&, i = u, k = w](std::uint32_t x) {
     if (x == i || x == v || x == k) return false;
     for (const auto& [a, b] : {std::pair(i, v), std::pair(v, k), std::pair(k, i)}) {
@@ -129,8 +130,8 @@ std::uint32_t BorderGraph::corner_in_triangle(std::uint32_t v) const {
                                 is_inside);
 }
 
-/// Puts a corner into the heap. Its triangle counts at least as `least`, so that corners leave in
-/// ascending order.
+/// Adds a corner to the heap. Its triangle counts as at least `least`, so that corners leave the
+/// heap in ascending order.
 void BorderGraph::push(std::uint32_t v, double least) {
   if (!is_removable(v)) return;
   ++version_[v];
@@ -164,7 +165,7 @@ void BorderGraph::simplify(const LayerSimplifyOptions& options, Context& context
   }
 }
 
-/// Puts v into the list of the corners that wait for the removal of a corner.
+/// Adds v to the list of the corners that wait for the removal of another corner.
 void BorderGraph::wait_for(std::uint32_t v, std::uint32_t blocking) {
   if (free_ == kNone) {
     free_ = static_cast<std::uint32_t>(next_.size());
@@ -191,7 +192,8 @@ void BorderGraph::remove(std::uint32_t v, double area, double drift) {
   push(u, area);
   push(w, area);
   for (std::uint32_t i = waits_[v]; i != kNone;) {
-    // A corner whose triangle has changed meanwhile is in the heap already.
+    // If the triangle of a corner has changed meanwhile, the heap already contains the corner
+    // again.
     if (is_blocked_[waiting_[i]] != 0) push(waiting_[i], area);
     const std::uint32_t next = std::exchange(next_[i], free_);
     free_ = i;

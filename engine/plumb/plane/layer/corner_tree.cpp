@@ -13,7 +13,7 @@ CornerTree::CornerTree(std::vector<Point2> points)
   is_left_.assign(points_.size(), 1);
   std::size_t nodes = 1;
   for (std::size_t leaf = kLeaf; leaf < points_.size(); leaf *= 2) nodes = 2 * nodes + 1;
-  // Ranges of one level differ by one, so a level more may be needed.
+  // The sizes of the ranges of one level differ by at most one, so one more level may be needed.
   nodes = 2 * nodes + 1;
   box_.resize(nodes);
   count_.assign(nodes, 0);
@@ -55,8 +55,8 @@ CornerTree::Box CornerTree::box_around(std::span<const Point2> points) {
   return box;
 }
 
-/// Whether doubles show that the whole box lies to the right of the line from a to b. The corner
-/// that lies farthest to the left decides. The error of the determinant is less than 4 u times the
+/// Whether doubles prove that the whole box lies to the right of the line from a to b. The corner
+/// that is farthest to the left decides. The error of the determinant is less than 4 u times the
 /// sum of the magnitudes of its products, for u = 2^-53, unless the products underflow.
 bool CornerTree::is_right_of(const Box& box, Point2 a, Point2 b) {
   constexpr double kError = 1e-15, kLeastSum = 1e-290;

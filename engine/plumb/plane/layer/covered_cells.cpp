@@ -1,4 +1,4 @@
-// Lists of features follow from the list of face 0, which is empty: across an edge, the list
+// The lists of features follow from the list of face 0, which is empty. Across an edge, the list
 // changes by the polygons that have an odd number of curves on the edge. The dual graph of an
 // arrangement is connected, so one search visits all faces.
 //
@@ -14,7 +14,8 @@
 namespace plumb {
 namespace {
 
-// Curves, faces, lists and labels; the arrangements charge their own memory besides.
+// The memory of curves, faces, lists and labels. The arrangements charge their own memory
+// separately.
 constexpr std::uint64_t kBytesPerLayerCorner = 120;
 
 }  // namespace
@@ -64,7 +65,7 @@ std::vector<std::uint8_t> CoveredCells::corners() const {
     const HalfedgeId h = first_half(EdgeId(e));
     for (const VertexId v : {complex().dcel.origin(h), complex().dcel.target(h)}) {
       const std::uint32_t point = complex().vertex_point[v];
-      if (point >= complex().points.inputs.size()) continue;  // A crossing.
+      if (point >= complex().points.inputs.size()) continue;  // The vertex is a crossing.
       const Point2 at = approx(complex().points, point);
       for (const SegmentId s : origins) {
         if (!is_of_polygon(s)) break;
@@ -102,7 +103,7 @@ CoveredCells::CurveRange CoveredCells::ring_of(SegmentId s) const {
 void CoveredCells::visit_faces() {
   const Dcel& dcel = complex().dcel;
   const std::size_t faces = complex().face_count();
-  // Half-edges sorted by their faces.
+  // The half-edges, sorted by their faces.
   std::vector<std::uint32_t> begin(faces + 1, 0), halves(2 * complex().edge_count());
   for (std::size_t h = 0; h < halves.size(); ++h) ++begin[dcel.face(HalfedgeId(h)).value() + 1];
   for (std::size_t f = 0; f < faces; ++f) begin[f + 1] += begin[f];
@@ -129,7 +130,7 @@ void CoveredCells::visit_faces() {
   }
 }
 
-/// Makes the list of a face: that of its neighbour, changed by the polygons of the edge.
+/// Makes the list of a face. It is the list of its neighbour, changed by the polygons of the edge.
 void CoveredCells::enter(FaceId from, FaceId to, EdgeId across) {
   origins_.clear();
   arrangement_.origin_sets.append(arrangement_.origins[across.value()], origins_);
@@ -145,7 +146,7 @@ void CoveredCells::enter(FaceId from, FaceId to, EdgeId across) {
   for (const SegmentId s : origins_) lists_[at++] = polygon_[s.value()];
   const auto list = lists_.begin() + static_cast<std::ptrdiff_t>(begin);
   std::sort(list, lists_.end());
-  // A polygon that occurs an even number of times does not cover the face.
+  // If a polygon occurs an even number of times, it does not cover the face.
   auto kept = list;
   for (auto i = list; i != lists_.end();) {
     const auto next = std::upper_bound(i, lists_.end(), *i);
@@ -157,7 +158,8 @@ void CoveredCells::enter(FaceId from, FaceId to, EdgeId across) {
   last_[to] = lists_.size();
 }
 
-/// Replaces polygons by their features, each once, and marks faces where one occurs twice.
+/// Replaces polygons by their features, each once, and marks the faces where a feature occurs
+/// twice.
 void CoveredCells::name_features(const Layer& layer) {
   std::vector<std::uint32_t> feature(layer.polygon_count());
   for (std::uint32_t f = 0; f < layer.feature_count(); ++f) {

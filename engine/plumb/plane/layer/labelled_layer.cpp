@@ -33,7 +33,7 @@ std::vector<std::uint8_t> border_edges(const PlaneComplex& complex,
   return is_border;
 }
 
-/// Returns for each vertex whether it is an input point and no crossing.
+/// Returns for each vertex whether it is an input point, that is, not a crossing.
 std::vector<std::uint8_t> input_corners(const PlaneComplex& complex) {
   std::vector<std::uint8_t> is_corner;
   is_corner.reserve(complex.vertex_count());

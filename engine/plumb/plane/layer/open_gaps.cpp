@@ -1,9 +1,9 @@
 // Finds bridges, and decides about the cells between them.
 //
 // The places of bridges are decided in doubles. They select some of many similar cuts, and no cut
-// needs to end exactly at a given place. A bridge that ends inside an edge goes on a little into
-// the feature behind it, so that the exact arrangement finds the crossing. A bridge that leaves the
-// open face sooner, or that ends too soon, cuts off something else, or nothing. The parts that are
+// needs to end exactly at a given place. A bridge that ends inside of an edge extends a little into
+// the feature behind the edge, so that the exact arrangement finds the crossing. If a bridge leaves
+// the open face sooner, or ends too soon, it cuts off a different part, or none. The parts that are
 // cut off are measured exactly, and only the measures decide.
 //
 // A bridge inside a gap has no effect, because the gap has one owner. So a bridge beside a shorter
@@ -29,7 +29,8 @@ namespace {
 
 constexpr std::uint32_t kOpen = LayerRegion::kNobody;
 constexpr std::size_t kPairsPerCheckpoint = 1024;
-constexpr double kMostMouth = 1.0 / 2;  // The most that the mouths are of the border of a gap.
+// The greatest part of the border of a gap that its mouths may make up.
+constexpr double kMostMouth = 1.0 / 2;
 
 Point2 minus(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
 double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
@@ -49,16 +50,17 @@ struct BorderEdge {
 /// An end of a bridge.
 struct BridgeEnd {
   Point2 at;
-  std::uint32_t point = kNone;  // The point in the complex; kNone inside an edge.
+  // The point in the complex, or kNone if the end is inside of an edge.
+  std::uint32_t point = kNone;
 };
 
-/// A bridge from a corner.
+/// A bridge that begins at a corner.
 struct BridgeDraft {
   BridgeEnd from, to;
   double length;
 };
 
-/// The point of an edge that is nearest to p, as a parameter that may lie beyond [0, 1].
+/// The point of an edge that is nearest to p, as a parameter that may lie outside of [0, 1].
 double foot_on(const BorderEdge& edge, Point2 p) {
   const Point2 along = minus(edge.b, edge.a);
   return dot(minus(p, edge.a), along) / dot(along, along);
@@ -76,7 +78,7 @@ bool faces(const BorderEdge& edge, Point2 p) {
   return cross(minus(edge.b, edge.a), minus(p, edge.a)) > 0;
 }
 
-/// Finds the bridges between two edges at a time.
+/// Finds the bridges between pairs of edges.
 class BridgeSearch {
  public:
   BridgeSearch(const PlaneComplex& complex, std::span<const std::uint32_t> owner, double below,
@@ -163,8 +165,8 @@ void BridgeSearch::meet(const BorderEdge& e, const BorderEdge& f) {
   cross_at_bound(f, e, shared);
 }
 
-/// Whether a bridge from p to q cuts off a triangle that is a short dent. Two edges of its border
-/// meet at a corner.
+/// Whether a bridge from p to q cuts off a triangle that is a short dent, in which two edges of its
+/// border meet at a corner.
 bool is_dent(Point2 p, Point2 q, Point2 corner) {
   return distance(p, q) > kMostMouth * (distance(p, corner) + distance(corner, q));
 }
@@ -187,8 +189,8 @@ void BridgeSearch::cross_from(const BridgeEnd& corner, const BorderEdge& f, std:
   add_draft(corner, foot);
 }
 
-/// Adds the bridge from a point inside e to a point inside f, where e comes as near to f as the
-/// bound allows. So the part of a channel that is too wide is cut off.
+/// Adds the bridge from a point inside of e to a point inside of f, at the place where the distance
+/// of e and f reaches the bound. It cuts off the part of a channel that is too wide.
 void BridgeSearch::cross_at_bound(const BorderEdge& e, const BorderEdge& f, std::uint32_t shared) {
   constexpr double kAllowed = 1 - 1e-6;
   const Point2 along = minus(f.b, f.a);
@@ -210,8 +212,9 @@ void BridgeSearch::add_draft(const BridgeEnd& from, const BridgeEnd& to) {
   if (length < below_ && length > 0) drafts_.push_back({from, to, length});
 }
 
-/// Keeps those bridges from each corner to which no shorter one lies near: the disc around a bridge
-/// contains no end of a shorter one. Each bridge between two corners remains once.
+/// For each corner, keeps the bridges that have no shorter bridge near them. This means that the
+/// disc around a bridge contains no end of a shorter bridge. Each bridge between two corners is
+/// kept once.
 void BridgeSearch::keep_short_drafts() {
   const auto key = [](const BridgeDraft& d) {
     return std::tuple(d.from.point, d.length, d.to.point, d.to.at.x, d.to.at.y);
@@ -257,14 +260,14 @@ std::uint32_t BridgeSearch::end_of(const BridgeEnd& end, Point2 other) {
   return static_cast<std::uint32_t>(bridges_.points.size() - 1);
 }
 
-/// What is known of a class of open faces.
+/// The data about a class of open faces.
 struct OpenCell {
   double area = 0;
   double perimeter = 0;
   bool is_narrow = false;
 };
 
-/// What is known of a class of narrow cells.
+/// The data about a class of narrow cells.
 struct NarrowRegion {
   double area = 0;
   double border = 0;  // The length along features.
@@ -339,7 +342,7 @@ class OpenCellJoin {
   Context& context_;
   std::vector<Link> links_;
   std::vector<OpenCell> cell_;  // For each root of a class.
-  UnionFind regions_;           // Unites roots of narrow cells.
+  UnionFind regions_;           // Unites the roots of narrow cells.
   std::vector<NarrowRegion> region_;
   std::vector<std::uint8_t> is_gap_;
 };
@@ -352,7 +355,8 @@ std::vector<std::uint8_t> OpenCellJoin::join() {
   return std::move(is_gap_);
 }
 
-/// Finds the bridges, and marks the cells at bridges, other than the outside, for being measured.
+/// Finds the bridges. Marks the cells at bridges, other than the outside, whose measures are
+/// needed.
 void OpenCellJoin::find_bridges() {
   for_each_border([&](EdgeId e, std::uint32_t l, std::uint32_t r) {
     if (!cells_.is_open_bridge(e)) return;
@@ -381,7 +385,7 @@ void OpenCellJoin::measure_cells() {
   }
 }
 
-/// Unites narrow cells that share a bridge, and measures what they are together.
+/// Unites narrow cells that share a bridge, and measures the united cells.
 void OpenCellJoin::measure_regions() {
   for (const Link& link : links_) {
     if (cell_[link.l].is_narrow && cell_[link.r].is_narrow) regions_.unite(link.l, link.r);
@@ -405,7 +409,7 @@ void OpenCellJoin::add_border(std::uint32_t cell, std::uint32_t beyond, double l
   region.add_features(cells_.features(FaceId(beyond)));
 }
 
-/// Unites the cells at both sides of each bridge that is no mouth of a gap.
+/// Unites the cells at both sides of each bridge that is not a mouth of a gap.
 void OpenCellJoin::join_cells() {
   const auto is_of_gap = [&](std::uint32_t cell) {
     return cell_[cell].is_narrow && region_[regions_.root(cell)].is_gap(rule_);

@@ -50,7 +50,7 @@ class CrossingFinder {
   }
 
  private:
-  /// Counts curves at edges, and looks at the limits once in a while.
+  /// Counts curves at edges, and checks the limits from time to time.
   void watch(std::size_t curves) {
     curves_ += curves;
     if (curves_ < kCurvesOfCheckpoint) return;
@@ -67,7 +67,7 @@ class CrossingFinder {
   const PlaneComplex& complex_;
   const Layer& layer_;
   Context& context_;
-  std::size_t curves_ = 0;  // Since the last checkpoint.
+  std::size_t curves_ = 0;  // The number of curves since the last checkpoint.
   std::vector<SelfCrossing> found_;
   std::vector<SegmentId> origins_;
   std::vector<Spoke> spokes_;
@@ -78,7 +78,7 @@ class CrossingFinder {
 /// Finds the connected parts of edges on which two curves of a polygon lie.
 void CrossingFinder::find_overlaps() {
   struct End {
-    std::uint32_t polygon, vertex, edge;  // The edge is counted among those of overlaps.
+    std::uint32_t polygon, vertex, edge;  // The edge is counted with the overlaps.
   };
   std::vector<End> ends;
   std::uint32_t count = 0;
@@ -150,13 +150,13 @@ void CrossingFinder::visit(VertexId v) {
 
 /// Whether passes of a polygon cross at a vertex. Requires spokes in the order of the curves.
 bool CrossingFinder::has_crossing(VertexId v, std::span<const Spoke> spokes) {
-  passes_.clear();  // For each spoke: its place, and the place of its partner.
+  passes_.clear();  // For each spoke, its place and the place of its partner.
   for (std::size_t i = 0; i < spokes.size(); ++i) {
     passes_.emplace_back(spokes[i].place, partner(v, spokes, i));
   }
   std::sort(passes_.begin(), passes_.end());
   for (std::size_t i = 1; i < passes_.size(); ++i) {
-    if (passes_[i].first == passes_[i - 1].first) return false;  // An overlap.
+    if (passes_[i].first == passes_[i - 1].first) return false;  // The edge is an overlap.
   }
   open_.clear();
   for (const auto& [here, there] : passes_) {
@@ -184,8 +184,8 @@ std::uint32_t CrossingFinder::partner(VertexId v, std::span<const Spoke> spokes,
   const SegmentId curve = spokes[i].curve;
   if (i > 0 && spokes[i - 1].curve == curve) return spokes[i - 1].place;
   if (i + 1 < spokes.size() && spokes[i + 1].curve == curve) return spokes[i + 1].place;
-  // The curve ends here. Its neighbour in the ring is the next curve here: curves of length zero
-  // have no edges.
+  // The curve ends here. Its neighbour in the ring is the next curve at this vertex, because curves
+  // of length zero have no edges.
   const CoveredCells::CurveRange ring = cells_.ring_of(curve);
   const bool goes_out = begins_at(curve, v);
   const std::uint32_t count = ring.end - ring.begin;

@@ -26,7 +26,8 @@ bool PlaneLocator::is_vertical(EdgeId e) const {
   return compare_x(points_, l.a, l.b) == Sign::Zero;
 }
 
-// Makes the columns. Vertices are in order of x; vertical edges without vertices are merged in.
+// Makes the columns. Vertices are in the order of x. Vertical edges without vertices are merged
+// into this order.
 void PlaneLocator::make_columns() {
   const auto vertices = static_cast<std::uint32_t>(complex_.vertex_count());
   std::vector<EdgeId> lines;
@@ -36,7 +37,7 @@ void PlaneLocator::make_columns() {
     const HalfedgeId h = first_half(e);
     if (complex_.is_at_infinity(complex_.dcel.origin(h)) &&
         complex_.is_at_infinity(complex_.dcel.target(h)) && is_vertical(e)) {
-      lines.push_back(e);  // Edges are numbered as the sweep met them, so in order of x.
+      lines.push_back(e);  // Edges have the numbers of the sweep, so they are in the order of x.
     }
   }
   std::uint32_t v = 0;
@@ -48,7 +49,7 @@ void PlaneLocator::make_columns() {
         l < lines.size() &&
         (v == vertices ||
          compare_x(points_, line_point, complex_.vertex_point[v]) != Sign::Positive);
-    // A vertical edge without vertices has no vertex on it, so the column is its own.
+    // A vertical edge without vertices contains no vertex, so it is alone in its column.
     if (takes_line) {
       column_of_line_[lines[l].value()] = static_cast<std::uint32_t>(columns_.size());
       columns_.push_back({line_point, v, lines[l++]});
@@ -63,7 +64,7 @@ void PlaneLocator::make_columns() {
   }
 }
 
-// Puts edges into the lists of O(log n) nodes each, and sorts the lists.
+// Adds each edge to the lists of O(log n) nodes, and sorts the lists.
 void PlaneLocator::fill_lists() {
   const std::size_t slabs = columns_.size() + 1;
   lists_.resize(4 * slabs);
@@ -89,7 +90,7 @@ void PlaneLocator::fill_lists() {
   }
 }
 
-/// Puts an edge that spans the slabs [from, to) into the lists below a node of the slabs [begin,
+/// Adds an edge that spans the slabs [from, to) to the lists below a node of the slabs [begin,
 /// end).
 void PlaneLocator::spread(EdgeId e, std::size_t node, std::size_t begin, std::size_t end,
                           std::size_t from, std::size_t to) {
@@ -103,8 +104,8 @@ void PlaneLocator::spread(EdgeId e, std::size_t node, std::size_t begin, std::si
   spread(e, 2 * node + 1, middle, end, from, to);
 }
 
-// Whether e lies below f. Requires that both span a common slab. The left end that comes later lies
-// above or below the other edge, or on it, and then the directions decide.
+// Whether e lies below f. Requires that both span a common slab. Of the two left ends, the later
+// one lies above, below or on the other edge. If it lies on the edge, the directions decide.
 bool PlaneLocator::is_below(EdgeId e, EdgeId f) const {
   if (e == f) return false;
   const PlaneLine& k = complex_.line[e];
@@ -170,7 +171,8 @@ bool PlaneLocator::locate_on_column(const Column& column, std::size_t vertex_end
     found = at(above);
     return true;
   }
-  // A vertical edge through q leaves the vertex below upward, or the one above downward.
+  // A vertical edge through q leads upward from the vertex below, or downward from the vertex
+  // above.
   const VertexId neighbour = p != begin ? VertexId(above.value() - 1U) : above;
   if (complex_.dcel.is_isolated(neighbour)) return false;
   for (const HalfedgeId h : complex_.dcel.around(neighbour)) {
@@ -183,8 +185,8 @@ bool PlaneLocator::locate_on_column(const Column& column, std::size_t vertex_end
   return false;
 }
 
-/// Returns the highest of the edges of a slab for which is_below_point() holds; one that is not
-/// valid if there is none. The edges for which it holds must be the lower ones.
+/// Returns the highest of the edges of a slab for which is_below_point() holds, or an invalid id if
+/// there is none. Requires that it holds exactly for the lower edges.
 template <class Below>
 EdgeId PlaneLocator::highest_below(std::size_t slab, const Below& is_below_point) const {
   EdgeId best;
@@ -235,8 +237,8 @@ PlaneLocation PlaneLocator::locate(const QueryPoint2& q) const {
     PlaneLocation found;
     if (locate_on_column(columns_[place.column], vertex_end, q, found)) return found;
   }
-  // A point on a column that is on no vertex and no vertical edge is found in the slab to the
-  // right: nothing ends at it.
+  // A point on a column that is on no vertex and no vertical edge is located in the slab to the
+  // right, because no edge ends at the point.
   const std::size_t slab = place.column + (place.is_on ? 1 : 0);
   const EdgeId e =
       highest_below(slab, [&](EdgeId below) { return side(below, q) != Sign::Negative; });

@@ -1,10 +1,11 @@
 // The faces of a complex cut into trapezoids, by repeating the sweep that numbered the complex.
 //
 // Vertices and edges are numbered in the order of the sweep, so the order of events and of outgoing
-// edges is known. For each edge the trapezoids just above and below it are kept; at a vertex these
-// end, and give its incoming edges in their order, and new ones begin. Only a vertex without edges
-// to its left needs a search. Reference: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars,
-// Computational Geometry, 3rd edition (2008), chapter 6, for trapezoidal maps and their shear.
+// edges is known. For each edge, the trapezoids directly above and below it are stored. At a
+// vertex, these trapezoids end and give the incoming edges of the vertex in their order, and new
+// trapezoids begin. Only a vertex without edges to its left needs a search. Reference: M. de Berg,
+// O. Cheong, M. van Kreveld, M. Overmars, Computational Geometry, 3rd edition (2008), chapter 6,
+// for trapezoidal maps and their shear.
 //
 // Tested by tests/plane/ray_walk_test.cpp.
 
@@ -54,8 +55,8 @@ class PlaneTrapezoids::Builder {
   std::vector<TrapezoidId> above_;  // The trapezoid above each edge at the sweep line.
   std::vector<TrapezoidId> below_;  // The trapezoid below each edge at the sweep line.
   TrapezoidId bottom_;              // The lowest trapezoid at the sweep line.
-  std::vector<EdgeId> from_below_;  // Vertical edges from infinity, left to right.
-  std::vector<EdgeId> to_above_;    // Vertical edges to infinity, left to right.
+  std::vector<EdgeId> from_below_;  // The vertical edges from infinity, from left to right.
+  std::vector<EdgeId> to_above_;    // The vertical edges to infinity, from left to right.
   std::size_t next_from_below_ = 0;
   std::size_t next_to_above_ = 0;
   std::size_t next_vertex_ = 0;
@@ -69,8 +70,8 @@ void PlaneTrapezoids::Builder::run() {
   list_along();
 }
 
-// Sorts the edges by their ends: counting sorts, which keep the order of numbers, so that outgoing
-// edges are listed bottom to top.
+// Sorts the edges by their ends with counting sorts, which are stable. Therefore outgoing edges are
+// listed from bottom to top.
 void PlaneTrapezoids::Builder::list_edges() {
   const std::size_t vertices = c_.vertex_count();
   for (auto* lists : {&r_.outgoing_, &r_.incoming_}) {
@@ -90,7 +91,7 @@ void PlaneTrapezoids::Builder::list_edges() {
   r_.first_left_.resize(vertices);
 }
 
-// Edges from the left infinity have the least numbers, bottom to top.
+// Edges from the left infinity have the least numbers, from bottom to top.
 void PlaneTrapezoids::Builder::open_left() {
   std::vector<EdgeId> from_left;
   if (c_.has_frame()) {
@@ -110,8 +111,8 @@ void PlaneTrapezoids::Builder::open_left() {
   }
 }
 
-// Adds the next wall; returns false if there is none. At one x the vertical edge from below comes
-// first, then the vertices, then the edge that goes up.
+// Adds the next wall, or returns false if there is none. At one x, the vertical edge from below is
+// first, then the vertices, and then the edge that leads upward.
 bool PlaneTrapezoids::Builder::next_wall() {
   const std::uint32_t low =
       next_from_below_ < from_below_.size() ? point_on(from_below_[next_from_below_]) : kNone;
@@ -141,8 +142,9 @@ bool PlaneTrapezoids::Builder::next_wall() {
   return true;
 }
 
-// Sorts the incoming edges of a vertex bottom to top: goes from any of them down to the lowest,
-// then up, from trapezoid to trapezoid, as those between them end here.
+// Sorts the incoming edges of a vertex from bottom to top. The walk starts at any of them, and goes
+// down to the lowest edge and then up, from trapezoid to trapezoid. The trapezoids between the
+// edges end at this vertex.
 void PlaneTrapezoids::Builder::order_incoming(VertexId v, std::span<EdgeId> edges) const {
   if (edges.size() < 2) return;
   const auto ends_here = [&](EdgeId e) { return e.is_valid() && right(e) == v; };
@@ -171,7 +173,7 @@ TrapezoidId PlaneTrapezoids::Builder::trapezoid_at(VertexId v) const {
   return bottom.is_valid() ? above_[bottom.value()] : bottom_;
 }
 
-/// Ends the trapezoids left of a wall and returns the highest of them.
+/// Ends the trapezoids on the left of a wall, and returns the highest of them.
 TrapezoidId PlaneTrapezoids::Builder::end_incoming(VertexId v, std::span<const EdgeId> incoming) {
   TrapezoidId highest = incoming.empty() ? trapezoid_at(v) : below_[incoming.front().value()];
   r_.trapezoids_[highest].right = v;

@@ -53,8 +53,8 @@ void RayWalk::enter(FaceId f) { here_ = {VertexId(), EdgeId(), f, complex_.mark(
 
 // ---------------------------------------------------------------- vertices
 
-// Of the edges to the right of a vertex, higher ones are steeper; of those to the left, less steep.
-// So bisection by turns finds the direction of the ray among them.
+// Of the edges to the right of a vertex, higher edges are steeper. Of the edges to the left, higher
+// edges are less steep. Therefore bisection by turns finds the direction of the ray among them.
 bool RayWalk::leave_vertex() {
   const VertexId v = here_.vertex;
   const bool right = ray_.goes_right();
@@ -108,8 +108,8 @@ bool RayWalk::go_along(EdgeId e) {
   return true;
 }
 
-/// Returns the trapezoid at the place at hand along an edge, above or below it; without an edge,
-/// the one at the bottom.
+/// Returns the trapezoid at the current place along an edge, above or below it. Without an edge,
+/// returns the lowest trapezoid.
 TrapezoidId RayWalk::beside(EdgeId e, bool is_above) const {
   const auto along = is_above ? trapezoids_.above(e) : trapezoids_.below(e);
   return *std::partition_point(along.begin(), along.end(), [&](TrapezoidId t) {
@@ -132,7 +132,7 @@ bool RayWalk::leave_face() {
       return true;
     }
     // If the vertex of the wall lies above the ray, the ray cannot meet the top before the wall,
-    // and it passes the wall below the vertex; likewise the other way round.
+    // and it passes the wall below the vertex. The same holds with above and below exchanged.
     for (const bool is_top : {false, true}) {
       const EdgeId e = is_top ? t.top : t.bottom;
       if (!e.is_valid() || side == (is_top ? Sign::Positive : Sign::Negative)) continue;
@@ -170,8 +170,8 @@ Sign RayWalk::side_of(VertexId wall) const {
   return trapezoids_.is_low(wall) ? Sign::Negative : Sign::Positive;
 }
 
-/// Whether the ray crosses the line of an edge left of the wall. It never crosses exactly at the
-/// vertex of the wall, as the walk would then be at that vertex.
+/// Whether the ray crosses the line of an edge on the left of the wall. The ray never crosses
+/// exactly at the vertex of the wall, because the walk would then be at that vertex.
 bool RayWalk::is_left_of(EdgeId crossed, VertexId wall) const {
   const PlaneLine& l = complex_.line[crossed];
   if (!complex_.is_at_infinity(wall)) {

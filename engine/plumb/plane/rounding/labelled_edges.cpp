@@ -27,7 +27,7 @@ struct Winding {
 };
 using Windings = std::vector<Winding>;
 
-/// Sorts by label, adds up numbers of equal labels, and drops zeros.
+/// Sorts by label, adds the numbers of equal labels, and drops zeros.
 void normalize(Windings& sum) {
   std::sort(sum.begin(), sum.end(),
             [](const Winding& v, const Winding& w) { return v.label < w.label; });
@@ -80,7 +80,8 @@ class PieceCollector {
     }
   }
 
-  /// Adds the sum of the curves at hand, as pairs of a label that rises and one that falls.
+  /// Adds the sum of the current curves, as pairs of a label that increases and a label that
+  /// decreases.
   void add_sum(LabelledEdge piece) {
     Windings jump;
     for (const SegmentId s : curves_) {
@@ -101,7 +102,8 @@ class PieceCollector {
     for (;;) {
       while (up != jump.end() && up->number <= 0) ++up;
       while (down != jump.end() && down->number >= 0) ++down;
-      if (up == jump.end() || down == jump.end()) return;  // Both at once: the sum is zero.
+      // If both have the same label, the sum is zero.
+      if (up == jump.end() || down == jump.end()) return;
       --up->number;
       ++down->number;
       piece.above = up->label;
@@ -114,8 +116,8 @@ class PieceCollector {
   const Arrangement& arrangement_;
   EdgeTrace& trace_;
   EdgePieces pieces_;
-  std::vector<std::uint32_t> piece_count_;  // Of each edge of the scene.
-  std::vector<SegmentId> curves_;           // The edges that the piece at hand is part of.
+  std::vector<std::uint32_t> piece_count_;  // For each edge of the scene.
+  std::vector<SegmentId> curves_;           // The edges that contain the current piece.
 };
 
 /// Walks over all faces from face 0, and adds jumps.
@@ -187,7 +189,7 @@ class FaceWalk {
         std::max_element(sum.begin(), sum.end(), [](const Winding& v, const Winding& w) {
           return v.number != w.number ? v.number < w.number : v.label < w.label;
         });
-    labels_.label[g] = best->label;  // There is one, as the numbers add up to 1.
+    labels_.label[g] = best->label;  // There is such a label, because the numbers add up to 1.
     if (sum.size() == 1) return;
     labels_.is_clear = false;
     mixed_of_[g] = static_cast<std::uint32_t>(mixed_.size());
@@ -196,10 +198,11 @@ class FaceWalk {
 
   const PlaneComplex& complex_;
   const EdgePieces& pieces_;
-  std::vector<std::uint32_t> begin_;  // Where the half-edges of each face begin in of_face_.
+  // The index in of_face_ at which the half-edges of each face begin.
+  std::vector<std::uint32_t> begin_;
   std::vector<HalfedgeId> of_face_;
   IdVector<FaceId, std::uint8_t> is_known_;
-  IdVector<FaceId, std::uint32_t> mixed_of_;  // The entry of mixed_; kNone for clear faces.
+  IdVector<FaceId, std::uint32_t> mixed_of_;  // The entry of mixed_, or kNone for clear faces.
   std::vector<Windings> mixed_;
   FaceLabels labels_;
 };

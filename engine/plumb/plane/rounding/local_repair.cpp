@@ -5,8 +5,8 @@
 // of all edges finds the candidates for each moved edge, and exact relations of segments decide.
 // Only edges that meet at other places are arranged, with a table of points of their own. In later
 // rounds rounding to the nearest doubles may creep: a crossing of two long edges that are nearly
-// parallel goes on by one ulp in each round. So then all edges that pass a crossing within half a
-// step are bent to it, as snap rounding does.
+// parallel goes on by one ulp in each round. Therefore, in these rounds, all edges that pass a
+// crossing within half a step are bent to it, as in snap rounding.
 //
 // The caller arranges all edges once more, so nothing depends on a repair that was too small.
 //
@@ -27,7 +27,7 @@
 namespace plumb {
 namespace {
 
-constexpr int kRoundsOfDoubles = 4;  // Rounds to the nearest doubles.
+constexpr int kRoundsOfDoubles = 4;  // The number of rounds with rounding to the nearest doubles.
 constexpr std::size_t kEdgesPerCheckpoint = 1024;
 
 class LocalRepair {
@@ -35,8 +35,8 @@ class LocalRepair {
   LocalRepair(LabelledEdges& scene, EdgeTrace& trace, Context& context)
       : scene_(scene), trace_(trace), context_(context) {}
 
-  /// Makes one round. `moved` becomes the edges that move in this round. Returns whether any edges
-  /// had to be arranged.
+  /// Makes one round. On return, `moved` has the edges that were moved in this round. Returns
+  /// whether any edges had to be arranged.
   bool run(std::vector<std::uint32_t>& moved, int level) {
     find_meetings(moved);
     moved.clear();
@@ -60,7 +60,7 @@ class LocalRepair {
     return box;
   }
 
-  /// Finds the edges that meet a moved edge elsewhere than in a common end.
+  /// Finds the edges that meet a moved edge in a point other than a common end.
   void find_meetings(const std::vector<std::uint32_t>& moved) {
     std::vector<Box3> boxes;
     boxes.reserve(scene_.edges.size());
@@ -80,7 +80,7 @@ class LocalRepair {
     }
   }
 
-  /// Replaces the edges that meet others by the pieces of their arrangement.
+  /// Replaces the edges that meet other edges by the pieces of their arrangement.
   void arrange_meeting_edges(std::vector<std::uint32_t>& moved, int level) {
     LabelledEdges part;
     std::vector<LabelledEdge> kept;
@@ -155,7 +155,8 @@ class LocalRepair {
   }
 
   /// Replaces each edge by the path through the points to which it is bent. `bends` are sorted by
-  /// edge, and then along the edge. `moved` are the edges that have moved, before and after.
+  /// edge, and then along the edge. `moved` has the edges that have been moved, on entry and on
+  /// return.
   void bend(const std::vector<Bend>& bends, std::vector<std::uint32_t>& moved, int level) {
     const std::vector<LabelledEdge> old = std::exchange(scene_.edges, {});
     std::vector<std::uint8_t> is_moved(old.size(), 0);
@@ -199,7 +200,7 @@ class LocalRepair {
   EdgeTrace& trace_;
   Context& context_;
   std::vector<std::uint8_t> meets_;
-  std::vector<std::uint32_t> crossings_;  // The points of this round's crossings.
+  std::vector<std::uint32_t> crossings_;  // The points of the crossings in this round.
 };
 
 }  // namespace

@@ -54,12 +54,13 @@ Rational floor_of(const Rational& value) {
   return Rational(std::move(quotient));
 }
 
-/// Returns the nearest multiple of a step; the greater one of two.
+/// Returns the nearest multiple of a step. If two are equally near, returns the greater one.
 Rational nearest_multiple(const Rational& value, const Rational& step) {
   return floor_of(value / step + Rational(1) / 2) * step;
 }
 
-/// Returns the nearest point of the grid of `level`, or the nearest doubles if it lies too far out.
+/// Returns the nearest point of the grid of `level`, or the nearest doubles if the point lies too
+/// far from the origin.
 Point2 coarse_place(const RationalPoint2& p, int level) {
   const Point2 nearest = nearest_point(p);
   const double step = local_step(nearest, level);
@@ -101,7 +102,8 @@ struct Slab {
 
 }  // namespace
 
-// Made from bits: with flush-to-zero, a computed difference of doubles may be lost.
+// The number is made from bits, because with flush-to-zero a computed difference of doubles may be
+// lost.
 double ulp_of(double value) {
   constexpr int kNormal = 52;  // The least exponent of a unit that is not subnormal, plus 1074.
   const int shift = detail::raw(value).biased - 1;  // The unit is 2^(shift - 1074).
@@ -200,7 +202,7 @@ RationalPoint2 HotPixels::centre_of(const RationalPoint2& p) const {
 
 Point2 HotPixels::place_of_centre(const RationalPoint2& centre) { return nearest_point(centre); }
 
-/// Sorts the pixels of the vertices by place, and makes one of those with the same place.
+/// Sorts the pixels of the vertices by place, and replaces pixels with the same place by one.
 void HotPixels::group_by_place() {
   std::vector<std::uint32_t> order(vertices_.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -252,8 +254,8 @@ void HotPixels::visit_column(std::size_t column, VertexId v, VertexId w,
   const auto begin = places_.begin() + column_begin_[column];
   const auto end = places_.begin() + column_begin_[column + 1];
   double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
-  // The ordinates of the edge over the column. The parameter of an abscissa is wrong by at most
-  // `slack`; where that says nothing, all ordinates of the edge count.
+  // Computes the ordinates of the edge above the column. The error of the parameter of an abscissa
+  // is at most `slack`. If this bound is useless, all ordinates of the edge count.
   const double scale = std::max({std::fabs(a.x), std::fabs(b.x), std::fabs(begin->x)});
   const double width = b.x - a.x, height = b.y - a.y;
   const double slack = (8 * 0x1p-52 * scale + 2 * step_above_) / std::fabs(width);

@@ -22,7 +22,7 @@
 namespace plumb {
 namespace {
 
-/// Appends crossings, with the input points of their lines renamed.
+/// Appends crossings. The input points of their lines get new indices.
 void append_crossings(const PlanePoints& from, const std::vector<std::uint32_t>& to,
                       PlanePoints& points) {
   for (Crossing2 c : from.crossings) {
@@ -116,7 +116,7 @@ void select(const std::function<bool(Id)>& accepts, std::vector<std::uint8_t>& m
   }
 }
 
-/// Returns the marks of the cells that a selector accepts; the others count as unmarked.
+/// Returns the marks of the cells that a selector accepts. All other cells count as not marked.
 PlaneMarks selected(const Nef2& set, const PlaneSelector& selector) {
   PlaneMarks marks = set.complex().marks;
   select(selector.vertex, marks.vertex);
@@ -169,9 +169,10 @@ PlanePoints mapped_points(const PlanePoints& points, const AffineMap2& map, Cont
   return mapped;
 }
 
-// Finds the face that reaches down to (-infinity, -infinity), from the unbounded curves: right of
-// the lowest from the left; else left of the first vertical from below; else right of the lowest to
-// the right; else left of the first vertical upward.
+// Finds the face that reaches down to (-infinity, -infinity) from the unbounded curves. It is to
+// the right of the lowest curve from the left. If there is none, it is to the left of the first
+// vertical curve from below; otherwise to the right of the lowest curve to the right; otherwise to
+// the left of the first vertical curve upward.
 class BottomFace {
  public:
   explicit BottomFace(const JoinedInput& joined)

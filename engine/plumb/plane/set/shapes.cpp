@@ -91,7 +91,7 @@ PointTable2 table_of(std::span<const Point2> points) {
   return table;
 }
 
-/// All points, in order, as one chain.
+/// Returns all points in their order as one chain.
 struct OneChain {
   std::vector<std::uint32_t> corners;
   std::array<std::uint32_t, 2> begin;
@@ -112,7 +112,7 @@ PointTable2 table_of(const Line2& line) {
   return table;
 }
 
-/// Returns the part of a line from `from` on, or all of it, as a slit.
+/// Returns the part of a line that begins at `from`, or the whole line, as a slit.
 Nef2 slit(const Line2& line, std::uint32_t from) {
   ChainScene chains(table_of(line));
   chains.scene.curves.push_back({from, SweepCurve::kUnbounded, 0, 1});
@@ -121,8 +121,8 @@ Nef2 slit(const Line2& line, std::uint32_t from) {
   return chains.build(WindingRule::NonZero, Boundary::Closed, context);
 }
 
-/// Whether the place far down, and then much further left, which is where face 0 reaches, lies left
-/// of a -> b.
+/// Whether the place far down, and then much further to the left, lies to the left of a -> b. Face
+/// 0 contains this place.
 bool is_bottom_on_left(const Line2& line) {
   const Sign by_x = sign_of(line.b.x.compare(line.a.x));
   return by_x != Sign::Zero ? by_x == Sign::Negative : line.a.y < line.b.y;

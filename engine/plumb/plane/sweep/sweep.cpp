@@ -75,7 +75,7 @@ class Sweep {
   void test_neighbours(StatusNode below, StatusNode above);
   bool report(SweepPlace kind, bool plain);
 
-  /// Counts steps within an event, at which millions of curves may meet.
+  /// Counts steps within an event, because millions of curves may meet at one event.
   void count_step() {
     if (++steps_ % kStepsPerCheckpoint == 0) context_.check_limits("sweep");
   }
@@ -92,12 +92,13 @@ class Sweep {
     return {enders_.data() + ender_begin_[v], enders_.data() + ender_begin_[v + 1]};
   }
 
-  /// What is known of a curve between its start and its end. The key of a bundle is the curve that
-  /// opened it, even after that curve has ended; `node` and `arrival` are set for keys.
+  /// The data about a curve between its start and its end. The key of a bundle is the curve that
+  /// opened it, even after that curve has ended. `node` and `arrival` are set only for keys.
   struct Active {
-    SegmentId key;              // The key of the curve's bundle.
-    StatusNode node;            // The node of the bundle.
-    std::uint32_t arrival = 0;  // Its place among the incoming bundles of the event at hand.
+    SegmentId key;    // The key of the curve's bundle.
+    StatusNode node;  // The node of the bundle.
+    // The place of the bundle among the incoming bundles of the current event.
+    std::uint32_t arrival = 0;
   };
 
   PlanePointsView points_;
@@ -107,19 +108,24 @@ class Sweep {
   Context& context_;
   std::uint64_t steps_ = 0;
 
-  std::vector<std::uint32_t> start_begin_;  // Where the curves of each point begin in starts_.
-  std::vector<SegmentId> starts_;           // Curves by left end, with those of zero length.
-  std::vector<SegmentId> left_unbounded_;   // Curves from the left infinity, without vertical ones.
-  std::vector<std::uint32_t> ender_begin_;  // Where the curves of each point begin in enders_.
-  std::vector<SegmentId> enders_;           // Curves by right end, without those of zero length.
-  std::vector<char> is_marked_;             // Whether something else touches each point.
-  IdVector<SegmentId, Active> active_;      // One entry for each curve.
+  // For each point, the index in starts_ at which its curves begin.
+  std::vector<std::uint32_t> start_begin_;
+  // The curves by left end, including those of zero length.
+  std::vector<SegmentId> starts_;
+  // The curves from the left infinity, without vertical curves.
+  std::vector<SegmentId> left_unbounded_;
+  // For each point, the index in enders_ at which its curves begin.
+  std::vector<std::uint32_t> ender_begin_;
+  // The curves by right end, without those of zero length.
+  std::vector<SegmentId> enders_;
+  std::vector<char> is_marked_;         // Whether another curve touches each point.
+  IdVector<SegmentId, Active> active_;  // One entry for each curve.
 
   SweepStatus status_;
 
-  // The event at hand.
-  std::vector<StatusNode> through_;  // The bundles through it, bottom to top.
-  StatusNode below_;                 // The node next below it, if any.
+  // The current event.
+  std::vector<StatusNode> through_;  // The bundles through the event, from bottom to top.
+  StatusNode below_;                 // The nearest node below the event, if there is one.
   std::vector<SegmentId> incoming_;
   std::vector<SegmentId> outgoing_;
   std::vector<SegmentId> starters_;
@@ -132,7 +138,7 @@ class Sweep {
 
 // ---------------------------------------------------------------- set-up
 
-/// Groups the curves by their ends: counting sorts.
+/// Groups the curves by their ends with counting sorts.
 void Sweep::collect_starts() {
   start_begin_.assign(points_.size() + 1, 0);
   ender_begin_.assign(points_.size() + 1, 0);
@@ -183,7 +189,7 @@ void Sweep::run() {
   end_unbounded();
 }
 
-/// Handles the event at hand. Returns whether the visitor wants more.
+/// Processes the current event. Returns whether the visitor wants more events.
 bool Sweep::handle_event() {
   if (place().kind == SweepPlace::VerticalStart) return vertical_start();
   if (place().kind == SweepPlace::VerticalEnd) return vertical_end();
@@ -201,8 +207,8 @@ void Sweep::clear_event() {
   for (auto* list : {&ends_end_, &starts_end_, &arrived_as_}) list->clear();
 }
 
-/// All curves from the left infinity enter in one event, sorted by their order there; those on one
-/// line form a bundle.
+/// All curves from the left infinity enter in one event, sorted by their order there. Curves on the
+/// same line form a bundle.
 bool Sweep::start_unbounded() {
   if (left_unbounded_.empty()) return true;
   clear_event();
@@ -219,7 +225,7 @@ bool Sweep::start_unbounded() {
     joins ? join_bundle(i) : start_bundle(i);
   }
   replace_in_status();
-  // Unlike curves that leave one point, these may still meet each other.
+  // Unlike curves that leave the same point, these curves may still meet each other.
   for (StatusNode n = status_.first(); n.is_valid(); n = status_.next(n)) {
     test_neighbours(n, status_.next(n));
   }
@@ -254,7 +260,7 @@ bool Sweep::vertical_end() {
 
 // ---------------------------------------------------------------- plain events
 
-// Handles an event as plain, or as a general one as soon as an overlap or a contact shows up.
+// Processes an event as plain, or as a general event if an overlap or a contact is found.
 bool Sweep::plain_event(std::uint32_t v) {
   through_.clear();
   incoming_.clear();
@@ -264,8 +270,8 @@ bool Sweep::plain_event(std::uint32_t v) {
   return report(SweepPlace::Point, true);
 }
 
-// Takes the nodes of the curves that end here, which are neighbours. Returns false if they are
-// fewer than the curves: some of these share a bundle, or are in one that goes on.
+// Removes the nodes of the curves that end here, which are neighbours. Returns false if there are
+// fewer nodes than curves, because some curves share a bundle or are in a bundle that continues.
 bool Sweep::take_enders(std::uint32_t v) {
   StatusNode n = node(enders(v).front());
   const auto ends_here = [&](StatusNode candidate) {
@@ -280,15 +286,15 @@ bool Sweep::take_enders(std::uint32_t v) {
   return through_.size() == enders(v).size();
 }
 
-// Finds the place in the status of a point where nothing ends. Returns false if it lies on a
-// bundle.
+// Finds the place in the status of a point at which no curve ends. Returns false if the point lies
+// on a bundle.
 bool Sweep::place_without_enders() {
   const auto location = status_.locate([&](SegmentId s) { return side_of_event(s); });
   below_ = location.below;
   return !location.on.is_valid();
 }
 
-// Sorts the curves that start here. Returns false if two have one direction.
+// Sorts the curves that start here. Returns false if two of them have the same direction.
 bool Sweep::order_plain_starters(std::uint32_t v) {
   const auto starting = starts(v);
   outgoing_.assign(starting.begin(), starting.end());
@@ -315,7 +321,7 @@ bool Sweep::general_event() {
   return report(SweepPlace::Point, false);
 }
 
-// Whether the event lies on a bundle. Most questions are answered by ranks.
+// Whether the event lies on a bundle. In most cases, the ranks decide.
 bool Sweep::contains_event(SegmentId s) const {
   if (place().is_point() && curves_.ends_at(s, place().rank)) return true;
   return side_of_event(s) == Sign::Zero;
@@ -328,7 +334,7 @@ Sign Sweep::side_of_event(SegmentId s) const {
   return curves_.side(s, crossing.point);
 }
 
-// Finds any node through the event, or sets below_ if there is none.
+// Finds any node through the event. If there is none, sets below_.
 void Sweep::find_seed() {
   through_.clear();
   for (const std::uint32_t v : place().points) {
@@ -365,7 +371,7 @@ void Sweep::collect_incoming() {
   for (const StatusNode n : through_) incoming_.push_back(status_.segment(n));
 }
 
-// Groups the curves that end here by bundle: a counting sort.
+// Groups the curves that end here by bundle, with a counting sort.
 void Sweep::group_ends() {
   ends_.clear();
   ends_end_.assign(incoming_.size() + 1, 0);
@@ -399,7 +405,7 @@ void Sweep::order_starters() {
   });
 }
 
-/// Appends an outgoing bundle that arrived as an incoming one, or is new.
+/// Appends an outgoing bundle. The bundle arrived as an incoming bundle, or is new.
 void Sweep::leave(SegmentId bundle, std::uint32_t came_from) {
   outgoing_.push_back(bundle);
   arrived_as_.push_back(came_from);
@@ -411,7 +417,8 @@ void Sweep::start_bundle(std::size_t starter) {
   ++starts_end_.back();
 }
 
-/// Adds a starting curve to the last outgoing bundle, which it names if it ends later.
+/// Adds a starting curve to the last outgoing bundle. If the curve ends later, it becomes the name
+/// of the bundle.
 void Sweep::join_bundle(std::size_t starter) {
   const SegmentId s = starters_[starter];
   active_[s].key = active_[outgoing_.back()].key;
@@ -419,9 +426,9 @@ void Sweep::join_bundle(std::size_t starter) {
   ++starts_end_.back();
 }
 
-// Bundles that go on leave in the reverse order of their arrival, without arithmetic, because the
-// event is a common point of them. Starting curves are merged in; those of one direction come after
-// the bundle that they join.
+// The bundles that continue leave in the reverse order of their arrival, because the event is a
+// common point of them. This needs no arithmetic. Starting curves are merged into this order.
+// Starting curves with the direction of a bundle come after this bundle.
 void Sweep::merge_starters() {
   outgoing_.clear();
   arrived_as_.clear();
@@ -452,8 +459,9 @@ void Sweep::merge_starters() {
 // ---------------------------------------------------------------- status
 
 void Sweep::replace_in_status() {
-  // At a place inside one bundle the node, its name and its neighbours stay, and the neighbours
-  // have been tested. Testing them again would queue their crossing once for every such place.
+  // At a place inside of one bundle, the node, its name and its neighbours do not change, and the
+  // neighbours have been tested before. Another test would add their crossing to the queue once for
+  // every such place.
   if (through_.size() == 1 && outgoing_.size() == 1 && incoming_.front() == outgoing_.front())
     return;
   for (std::size_t i = outgoing_.size(); i < through_.size(); ++i) status_.erase(through_[i]);

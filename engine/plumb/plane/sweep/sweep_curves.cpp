@@ -1,9 +1,9 @@
 // Ranks of points, order and meetings of curves, and the members of bundles.
 //
 // Points are sorted once, input points by keys of their nearest doubles: rounding is monotone, so
-// different keys order exact points rightly, and only equal keys need exact comparison. One
-// orientation sign decides where two neighbours of the status meet next (docs/design/sweep.md,
-// Neighbours).
+// different keys have the order of the exact points, and exact comparison is needed only for equal
+// keys. One orientation sign decides where two neighbours of the status meet next
+// (docs/design/sweep.md, Neighbours).
 //
 // Tested by tests/plane/sweep_test.cpp and tests/plane/sweep_unbounded_test.cpp.
 
@@ -17,8 +17,9 @@
 namespace plumb {
 namespace {
 
-// A point with keys that decide almost always. Rounding is monotone, so different keys order exact
-// points rightly; equal keys mean equal points only if all input points are doubles.
+// A point with keys that are nearly always sufficient. Rounding is monotone, so different keys have
+// the order of the exact points. Equal keys imply equal points only if all input points are
+// doubles.
 struct KeyedPoint {
   std::uint64_t x;
   std::uint64_t y;
@@ -42,7 +43,7 @@ class KeyOrder {
   bool exact_keys_;
 };
 
-// Compares points exactly. Crossings have no keys, as their approximations are not monotone.
+// Compares points exactly. Crossings have no keys, because their approximations are not monotone.
 class PredicateOrder {
  public:
   explicit PredicateOrder(const PlanePointsView& points) : points_(points) {}
@@ -66,7 +67,8 @@ std::vector<KeyedPoint> keyed_points(const PlanePointsView& points, const std::v
   return keyed;
 }
 
-// Sorts the points, equal ones by index, and gives each the position of the first equal one.
+// Sorts the points, where equal points are sorted by index. Gives each point the position of the
+// first point that is equal to it.
 template <class Order>
 PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_t point_count,
                    const Context* context) {
@@ -77,7 +79,7 @@ PointRanks rank_by(const Order& order, std::vector<KeyedPoint> keyed, std::size_
     const Sign s = order.compare(p, q);
     return s == Sign::Negative || (s == Sign::Zero && p.point < q.point);
   };
-  // Points of a complex come in this order.
+  // The points of a complex have this order.
   if (!std::is_sorted(keyed.begin(), keyed.end(), is_less)) {
     std::sort(keyed.begin(), keyed.end(), is_less);
   }
@@ -117,7 +119,8 @@ SweepCurves::SweepCurves(const PlanePointsView& points, std::span<const SweepCur
   for (const SweepCurve& c : curves) curves_.push_back(left_to_right(c));
 }
 
-/// Bounded curves are turned by the ranks of their ends, others by two points of the line.
+/// For bounded curves, the ranks of the ends determine the direction. For other curves, two points
+/// of the line determine it.
 SweepCurves::Curve SweepCurves::left_to_right(const SweepCurve& c) const {
   const bool is_bounded = c.from != SweepCurve::kUnbounded && c.to != SweepCurve::kUnbounded;
   const bool forward = is_bounded ? rank(c.from) <= rank(c.to)
@@ -160,7 +163,8 @@ SweepCurves::NextMeeting SweepCurves::next_meeting(SegmentId lower, SegmentId up
     return {steeper ? Meeting::Crossing : Meeting::None, 0};
   }
   const bool both_end = l.has_right() && u.has_right();
-  if (both_end && rank(l.right) == rank(u.right)) return {};  // The event there has both.
+  // The event at that place has both curves.
+  if (both_end && rank(l.right) == rank(u.right)) return {};
   const bool lower_ends_first = both_end ? rank(l.right) < rank(u.right) : l.has_right();
   const std::uint32_t end = lower_ends_first ? l.right : u.right;
   const Sign own_side = lower_ends_first ? -side(upper, end) : side(lower, end);
@@ -179,8 +183,8 @@ void SweepMembers::update(const SweepEvent& event) {
   list_outgoing(event);
 }
 
-// The curves of a bundle form a list, whose first one head_ has for the curve that names the
-// bundle. A bundle that came from a plain event has that curve alone.
+// The curves of a bundle form a list. For the curve that is the name of the bundle, head_ has the
+// first curve of this list. A bundle from a plain event has only that curve.
 void SweepMembers::list_incoming(const SweepEvent& event) {
   incoming_.clear();
   begin_.assign(1, 0);
@@ -194,8 +198,9 @@ void SweepMembers::list_incoming(const SweepEvent& event) {
   for (const SegmentId s : event.ends) is_ended_[s] = 1;
 }
 
-// The members of an outgoing bundle are those of the incoming one that do not end, then those that
-// start. Their list is made anew under the curve that names the bundle from here on.
+// The members of an outgoing bundle are the members of the incoming bundle that do not end,
+// followed by the curves that start. Their list is made again for the curve that is now the name of
+// the bundle.
 void SweepMembers::list_outgoing(const SweepEvent& event) {
   outgoing_.clear();
   for (std::size_t i = 0; i < event.outgoing.size(); ++i) {

@@ -72,8 +72,8 @@ bool SweepQueue::advance() {
   return true;
 }
 
-// Takes the next vertical ends if they come before all else. A start comes before the points of its
-// x, an end after them; at equal x the start is first.
+// Processes the next vertical ends if they precede all other events. A start precedes the points of
+// its x, and an end follows them. At equal x, the start is first.
 bool SweepQueue::advance_to_vertical() {
   if (is_next(starts_, SweepPlace::VerticalStart)) {
     const bool end_is_earlier =
@@ -89,7 +89,7 @@ bool SweepQueue::advance_to_vertical() {
   return true;
 }
 
-// Whether the next vertical ends of a kind come before the next point and the next crossing.
+// Whether the next vertical ends of one kind precede the next point and the next crossing.
 bool SweepQueue::is_next(const Verticals& verticals, SweepPlace kind) const {
   if (!verticals.left()) return false;
   const std::uint32_t x = curves_[verticals.next()].a;
@@ -175,8 +175,9 @@ StatusNode SweepStatus::insert_above(StatusNode below, SegmentId s) {
   return n;
 }
 
-// Hangs the node into the free child slot between `below` and its successor. One of the two has it:
-// of two neighbours in order, one is below the other in the tree and has no child on that side.
+// Links the node into the free child slot between `below` and its successor. One of the two has
+// this slot: of two neighbours in the order, one is below the other in the tree, and has no child
+// on that side.
 void SweepStatus::attach(StatusNode n, StatusNode below) {
   if (below.is_valid() && !at(below).right.is_valid()) {
     at(below).right = n;
@@ -209,7 +210,7 @@ void SweepStatus::sift_up(StatusNode n) {
   while (at(n).parent.is_valid() && at(at(n).parent).priority < at(n).priority) rotate_up(n);
 }
 
-// Exchanges a node and its parent; the order of positions stays.
+// Exchanges a node and its parent. The order of positions does not change.
 void SweepStatus::rotate_up(StatusNode n) {
   const StatusNode p = at(n).parent;
   const StatusNode grandparent = at(p).parent;
@@ -233,7 +234,7 @@ void SweepStatus::replace_child(StatusNode parent, StatusNode old_child, StatusN
   }
 }
 
-// Rotates the node down until it has at most one child, which then takes its place.
+// Rotates the node down until it has at most one child. This child then takes its place.
 void SweepStatus::erase(StatusNode n) {
   while (at(n).left.is_valid() && at(n).right.is_valid()) {
     const StatusNode l = at(n).left;
