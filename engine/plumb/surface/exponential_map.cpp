@@ -206,14 +206,14 @@ std::size_t ExponentialMap::way_out(const Line& line) {
     if (line.side_of(k) <= 0 && line.side_of(k + 1) > 0) return k;
     if (std::fabs(line.side_of(k)) > std::fabs(line.side_of(farthest))) farthest = k;
   }
-  // A line along the side that it starts on may miss the face because of rounding; it goes on
+  // Because of rounding, a line along the side on which it starts may miss the face. It continues
   // behind that side.
   return line.side_of(farthest) == 0 ? kInside : (farthest + 1) % 3;
 }
 
 /// Returns where the line crosses the side that it leaves by, as a part of the way along the line.
-/// The point is found on the side: if the two are nearly parallel it may be any point of the side,
-/// but no other point.
+/// The point is always on the side. If the line is nearly parallel to the side, it may be any point
+/// of the side.
 double ExponentialMap::part_at_side(const Line& line, std::size_t side) {
   const Point2 &a = line.corners[side], &b = line.corners[(side + 1) % 3];
   const double right = -line.side_of(side), left = line.side_of(side + 1);
@@ -221,7 +221,7 @@ double ExponentialMap::part_at_side(const Line& line, std::size_t side) {
   return line.part_at({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
 }
 
-/// Returns the line from a corner on, with `part` of the line behind it.
+/// Returns the line that begins at a corner, with `part` of the line behind it.
 std::optional<ExponentialMap::Line> ExponentialMap::beyond_vertex(const Line& line,
                                                                   std::size_t corner, double part,
                                                                   const Fan& fan) const {
@@ -249,7 +249,7 @@ SurfacePointId ExponentialMap::land(const Line& line, SurfacePointTable& points)
   }
   if (sum > 0) {
     for (double& w : weights) w = w < kClose * sum ? 0 : w / sum;
-  } else {  // The face has no area; its nearest corner is taken.
+  } else {  // The face has no area, so its nearest corner is used.
     const auto nearest = std::ranges::min_element(
         line.corners, {}, [&](const Point2& corner) { return length(corner - to); });
     weights[static_cast<std::size_t>(nearest - line.corners.begin())] = 1;
@@ -260,7 +260,7 @@ SurfacePointId ExponentialMap::land(const Line& line, SurfacePointTable& points)
     const HalfedgeId h = SurfaceMesh::halfedge(line.face, k);
     if (weights[next] == 0) return points.add_vertex(mesh_.origin(h));
     if (weights[k] == 0) return points.add_vertex(mesh_.target(h));
-    // Both t and 1 - t are doubles, which makes signs cheap.
+    // Both t and 1 - t are doubles, so signs are cheap.
     const double part = 1 - weights[k] / (weights[k] + weights[next]);
     return points.add_on_edge(mesh_.edge(h), mesh_.is_upward(h) ? part : 1 - part);
   }

@@ -7,11 +7,11 @@
 // (cells/surface_labels.h). This file validates scenes, evaluates set expressions cell by cell, and
 // describes a result as a scene of its own.
 //
-// A label is determined up to a constant for each component of the mesh. result_scene() therefore
-// checks where the usual rule (least label at the border, or least of all, is zero) would give the
-// result's border another meaning, and names an outside face or a level there. Theory:
-// docs/design/surface.md, sections Labels and Selection and borders.
-// Tested by tests/surface/surface_test.cpp, tests/surface/surface_plane_test.cpp and
+// A label is determined up to a constant for each component of the mesh. By the usual rule, the
+// least label at the border, or the least of all labels, is zero. result_scene() finds the
+// components where this rule would give the border of the result another meaning, and states an
+// outside face or a level there. Theory: docs/design/surface.md, sections Labels and Selection and
+// borders. Tested by tests/surface/surface_test.cpp, tests/surface/surface_plane_test.cpp and
 // tests/surface/surface_labels_test.cpp.
 #include "plumb/surface/surface.h"
 
@@ -35,7 +35,7 @@ constexpr std::uint32_t kCellsPerCheckpoint = 256;
 
 void require_sane_levels(const SurfaceScene& scene) {
   const std::size_t shapes = scene.shapes ? scene.shapes->size() : scene.polygons.size();
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  // Pairs of shape and component.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> places;  // The pairs of shape and component.
   for (const SurfaceLevel& l : scene.levels) {
     if (l.shape >= shapes) {
       throw Error(ErrorCode::BadIndex, "no shape " + std::to_string(l.shape));
@@ -113,12 +113,12 @@ bool apply(SetOperator op, bool a, bool b) {
 
 }  // namespace
 
-/// What a division holds: the scene, and the result of each stage.
+/// The data of a division: the scene, and the result of each stage.
 struct SurfaceDivision::State {
   SurfaceScene scene;
   SurfaceArrangement arrangement;
   SurfaceCells cells;
-  // Labels of polygons; also those of shapes if the shapes are the polygons.
+  // The labels of polygons. If the shapes are the polygons, they are also the labels of shapes.
   CellLabels polygon_labels;
   CellLabels shape_labels;
   std::size_t crossings = 0;
@@ -148,7 +148,7 @@ struct SurfaceDivision::State {
     for (const std::uint8_t ends : arc_ends(arrangement)) crossings += ends == kCrossingEnds;
   }
 
-  /// Returns the shape of each name. Throws Error{BadArgument} for names that are no shapes, and
+  /// Returns the shape of each name. Throws Error{BadArgument} for names that are not shapes, and
   /// for shapes without labels.
   std::vector<std::uint32_t> shapes_of(const SetExpression& expression, WindingRule rule) const {
     std::vector<std::uint32_t> shapes;
@@ -167,7 +167,7 @@ struct SurfaceDivision::State {
     return shapes;
   }
 
-  /// Returns the polygons of some shapes, ascending, each once.
+  /// Returns the polygons of some shapes in ascending order, each once.
   std::vector<std::uint32_t> polygons_of(const std::vector<std::uint32_t>& shapes) const {
     std::vector<std::uint32_t> polygons;
     for (const std::uint32_t s : shapes) {
@@ -251,7 +251,7 @@ SurfaceResult SurfaceDivision::evaluate(const SetExpression& expression, Winding
 
 namespace {
 
-/// What a component of the mesh has of the selection.
+/// How a component of the mesh is covered by the selection.
 struct Component {
   bool has_border = false;
   bool has_selected = false;
@@ -260,13 +260,12 @@ struct Component {
   FaceId first;    ///< The lowest face.
   FaceId outside;  ///< A face whose first corner is in no selected cell.
 
-  /// Whether a label that is 1 in selected cells and 0 in others is what the borders mean without
-  /// further data.
+  /// Whether the borders alone determine a label that is 1 in selected cells and 0 in other cells.
   bool is_usual() const { return !has_selected || (has_border ? has_other_at_border : has_other); }
 };
 
-/// Finds what each component of the mesh has of the selection, and for components whose border says
-/// the wrong thing by itself a face outside of it.
+/// Finds how the selection covers each component of the mesh. If the border of a component alone
+/// has the wrong meaning, finds a face outside of the selection.
 std::vector<Component> components_of(const SurfaceDivision& d, const SurfaceRegion& region) {
   const SurfaceCells& cells = d.cells();
   std::vector<Component> components(d.mesh().component_count());

@@ -12,8 +12,8 @@
 namespace plumb {
 namespace {
 
-// Points are three doubles and triangles three indices, and nothing else, so arrays of them are
-// arrays of those numbers.
+// A point has exactly three doubles, and a triangle exactly three indices, so an array of them is
+// an array of these numbers.
 static_assert(sizeof(Point3) == 3 * sizeof(double) && alignof(Point3) == alignof(double));
 static_assert(std::is_standard_layout_v<Point3> && std::is_trivially_copyable_v<Point3>);
 static_assert(sizeof(SurfaceTriangle) == 3 * sizeof(std::uint32_t));
@@ -42,7 +42,7 @@ MeshView view_of(std::span<const Point3> points, std::span<const SurfaceTriangle
   return view;
 }
 
-/// Returns an array of `count` entries whose first one `first()` returns.
+/// Returns an array of `count` entries. `first()` returns a reference to the first entry.
 template <class First>
 auto span_of(std::size_t count, First first) {
   return std::span(count == 0 ? nullptr : &first(), count);

@@ -251,7 +251,7 @@ class SurfaceAudit {
     return std::nullopt;
   }
 
-  /// Returns how often each polygon is part of a shape.
+  /// Returns how often each polygon occurs in a shape.
   Sparse polygons_of(std::uint32_t shape) const {
     if (!d_.scene().shapes) return {{shape, 1}};
     Sparse times;
@@ -259,8 +259,8 @@ class SurfaceAudit {
     return times;
   }
 
-  /// By how much the label would change around a cycle of cells. Two cells may have different arcs
-  /// between them, so this is a range.
+  /// The amount by which the label would change around a cycle of cells. Two cells may have
+  /// different arcs between them, so the amount is a range.
   struct CycleSums {
     std::int64_t least = 0, most = 0;
     bool can_be_even = true, can_be_odd = false;

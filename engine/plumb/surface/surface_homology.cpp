@@ -5,8 +5,8 @@
 // remaining edges. By Euler's formula 2 g edges are left for genus g; each closes a generator with
 // the vertex tree, and a dual loop with the face tree. The class of a polygon has as its i-th
 // coefficient the number of times the polygon, pushed onto mesh edges within its faces, crosses the
-// i-th dual loop, with sign. So after one table of crossings per edge a class costs one lookup for
-// each segment.
+// i-th dual loop, with sign. Therefore, after the crossings of each edge have been stored in a
+// table, a class needs one lookup for each segment.
 //
 // Proof: docs/design/surface.md, section Homology, Lemma 3. Source: D. Eppstein, Dynamic generators
 // of topologically embedded graphs, SODA (2003); J. Erickson and K. Whittlesey, Greedy optimal
@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint8_t kTree = 1;
 constexpr std::uint8_t kCotree = 2;
 constexpr std::uint64_t kFaceBytes = 80;
-constexpr std::uint64_t kPointBytes = 64;  // Bytes of a point of a polygon.
+constexpr std::uint64_t kPointBytes = 64;  // The memory of a point of a polygon.
 constexpr std::size_t kCrossingsPerCharge = 65536;
 constexpr std::size_t kStepsPerCheckpoint = 65536;
 constexpr std::uint64_t kCrossingBytes = 3 * sizeof(SignedEntry) + sizeof(EdgeId);
@@ -46,8 +46,9 @@ VertexId SurfaceHomology::across(EdgeId e, VertexId v) const {
   return mesh_.lower(e) == v ? mesh_.upper(e) : mesh_.lower(e);
 }
 
-/// Breadth-first over vertices, one tree for each component. Turning around a vertex at the border
-/// starts at its first half-edge and ends with the edge that arrives along the border.
+/// Searches breadth-first over vertices, with one tree for each component. At a vertex at the
+/// border, the rotation starts at its first half-edge and ends with the edge that arrives along the
+/// border.
 void SurfaceHomology::grow_tree() {
   parent_.assign(mesh_.vertex_count(), EdgeId{});
   IdVector<VertexId, std::uint8_t> is_seen(mesh_.vertex_count());
@@ -97,8 +98,8 @@ void SurfaceHomology::find_disks() {
   }
 }
 
-// Breadth-first over faces and disks, never across an edge of the vertex tree. Nodes are faces,
-// then disks.
+// Searches breadth-first over faces and disks, without crossing edges of the vertex tree. The nodes
+// are the faces, followed by the disks.
 void SurfaceHomology::grow_cotree() {
   const auto faces = static_cast<std::uint32_t>(mesh_.face_count());
   std::vector<std::uint8_t> is_seen(faces + disk_begin_.size() - 1);
@@ -141,8 +142,8 @@ std::uint32_t SurfaceHomology::node_behind(HalfedgeId h) const {
   return static_cast<std::uint32_t>(mesh_.face_count()) + disk_of_[h];
 }
 
-/// Computes for each edge which dual loops cross it. A loop crosses an edge in the positive sense
-/// if it leads from left to right of it, as the edge runs upwards.
+/// Computes the dual loops that cross each edge. A loop crosses an edge in the positive sense if it
+/// leads from the left to the right of the edge, where the edge points upwards.
 void SurfaceHomology::cross_dual_loops(Context& context) {
   std::vector<std::uint32_t> step_of(mesh_.face_count() + disk_begin_.size() - 1);
   for (std::uint32_t i = 0; i < cotree_.size(); ++i) step_of[cotree_[i].node] = i;
@@ -152,7 +153,7 @@ void SurfaceHomology::cross_dual_loops(Context& context) {
   };
   std::vector<Crossing> crossings;
   std::size_t charged = 0;
-  // Sign of crossing the edge e out of that node.
+  // The sign of a crossing of the edge e out of that node.
   const auto sign_out_of = [&](std::uint32_t node, EdgeId e) {
     const HalfedgeId h = mesh_.halfedge(e);
     const bool is_from_here = SurfaceMesh::face(h).value() == node;
@@ -168,9 +169,9 @@ void SurfaceHomology::cross_dual_loops(Context& context) {
     const HalfedgeId h = mesh_.halfedge(e);
     const std::int32_t way = mesh_.is_upward(h) ? 1 : -1;
     crossings.push_back({e, {g, 1}});
-    // The loop goes from the face that it enters up towards the root, and back from where both ways
-    // meet. Of both ends the one found later in the breadth-first search moves, so they meet at the
-    // common ancestor.
+    // The loop leads from the face that it enters up towards the root, and back from the place
+    // where both ways meet. Of the two ends, the one that was found later in the breadth-first
+    // search moves, so they meet at the common ancestor.
     std::uint32_t to = node_behind(h), from = SurfaceMesh::face(h).value();
     while (to != from) {
       const bool moves_to = step_of[to] > step_of[from];
@@ -204,7 +205,7 @@ std::vector<VertexId> SurfaceHomology::to_root(VertexId v) const {
   return path;
 }
 
-/// Returns the loop of a generator: up its edge, and back over the tree.
+/// Returns the loop of a generator, which leads up its edge and back through the tree.
 std::vector<VertexId> SurfaceHomology::generator(std::size_t i) const {
   const EdgeId e = generators_[i];
   std::vector<VertexId> from = to_root(mesh_.upper(e)), to = to_root(mesh_.lower(e));
@@ -254,7 +255,7 @@ std::vector<std::uint32_t> SurfaceHomology::add_repair(std::span<const std::uint
 
 // ---------------------------------------------------------------- classes
 
-/// Returns a corner of every face that the point lies in.
+/// Returns a corner of every face that contains the point.
 VertexId SurfaceHomology::vertex_at(const SurfacePointTable& points, SurfacePointId p) const {
   switch (points.place(p)) {
     case SurfacePlace::Vertex:
@@ -267,8 +268,8 @@ VertexId SurfaceHomology::vertex_at(const SurfacePointTable& points, SurfacePoin
   return mesh_.corner(points.face(p), 0);
 }
 
-/// Adds a polygon's crossings with the dual loops. A segment moves, within its face, to the side
-/// between the corners that its ends move to.
+/// Adds the crossings of a polygon with the dual loops. A segment is moved, within its face, to the
+/// side between the corners to which its ends are moved.
 void SurfaceHomology::count(const SurfacePolygons& polygons, std::size_t polygon,
                             std::int64_t multiplicity, std::vector<std::int64_t>& times,
                             Context& context) const {

@@ -84,7 +84,7 @@ SurfaceMesh::SurfaceMesh(std::vector<Point3> points, std::vector<SurfaceTriangle
   find_fans();
 }
 
-/// Throws unless every index exists, no triangle repeats a vertex, and ids suffice.
+/// Throws unless every index exists, no triangle repeats a vertex, and there are enough ids.
 void SurfaceMesh::check_corners() const {
   if (corners_.size() > kMaxFaces || points_.size() > kMaxVertices) {
     throw Error(ErrorCode::ResourceLimit, "a mesh of more faces than ids");
@@ -103,8 +103,8 @@ void SurfaceMesh::check_corners() const {
   }
 }
 
-/// Two half-edges of an edge are twins; an edge with more is not a manifold. Whether twins run
-/// against each other is decided later.
+/// The two half-edges of an edge are twins. An edge with more half-edges is not a manifold. Whether
+/// twins have opposite directions is decided later.
 void SurfaceMesh::pair_halfedges() {
   twin_.assign(3 * corners_.size(), HalfedgeId{});
   const std::vector<HalfedgeId> sorted = halfedges_by_edge(corners_, points_.size());
@@ -127,15 +127,14 @@ void SurfaceMesh::pair_halfedges() {
   places.throw_if_any("not a manifold");
 }
 
-/// Turns faces so that twins run against each other: a face reached over half-edges that do not is
-/// turned around. If that are more than half of the faces of a component, the others are turned
-/// instead.
+/// Flips faces such that twins have opposite directions. If this would flip more than half of the
+/// faces of a component, the other faces are flipped instead.
 void SurfaceMesh::orient_faces() {
   constexpr std::uint32_t kUnseen = ~std::uint32_t{0};
   is_flipped_.assign(corners_.size(), 0);
   component_.assign(corners_.size(), kUnseen);
   Places places;
-  std::vector<std::uint32_t> open, seen;  // Faces of one component.
+  std::vector<std::uint32_t> open, seen;  // The faces of one component.
   for (std::size_t start = 0; start < corners_.size(); ++start) {
     if (component_[start] != kUnseen) continue;
     const auto id = static_cast<std::uint32_t>(component_count_++);

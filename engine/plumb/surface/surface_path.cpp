@@ -72,14 +72,14 @@ SurfacePointId SurfacePointTable::add_on_edge(EdgeId e, const Rational& t) {
   return add(SurfacePlace::Edge, e.value());
 }
 
-/// Adds a point on a side of a face; `weight` is that of the vertex the side runs to.
+/// Adds a point on a side of a face. `weight` is the weight of the vertex to which the side leads.
 SurfacePointId SurfacePointTable::add_on_side(FaceId f, std::size_t side, const Rational& weight) {
   const HalfedgeId h = SurfaceMesh::halfedge(f, side);
   return add_on_edge(mesh_->edge(h), mesh_->is_upward(h) ? weight : Rational(1 - weight));
 }
 
-/// The double path is taken only for points strictly inside the face, by an exact sign; points on
-/// sides are normalised in rationals.
+/// Doubles are used only for points that are strictly inside of the face by an exact sign. Points
+/// on sides are normalised with rationals.
 SurfacePointId SurfacePointTable::add_in_face(FaceId f, double u, double v) {
   if (f.value() >= mesh_->face_count()) {
     throw Error(ErrorCode::BadIndex, "no face " + std::to_string(f.value()));

@@ -9,11 +9,10 @@
 // flipping a strip across a bend follows N. Sharp and K. Crane, You can find geodesic paths in
 // triangle meshes by just flipping edges, ACM Transactions on Graphics 39 (2020).
 //
-// Doubles choose the strip; the result is exact in what matters: every point of the path is a
+// Doubles choose the strip, but the topology of the result is exact: every point of the path is a
 // vertex or a point of an edge that both faces share, with an exact rational place where the faces
 // lie in one plane (strip/unfolded_strip.h). A path is the same in both directions, because it is
-// traced from the lower point to the higher.
-// Tested by tests/surface/trace_test.cpp.
+// traced from the lower point to the higher. Tested by tests/surface/trace_test.cpp.
 #include "plumb/surface/trace.h"
 
 #include <algorithm>
@@ -29,13 +28,15 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kStopBytes = 96;   // Bytes of a point of a path, and of a polygon.
-constexpr std::size_t kLegs = 256;         // Legs between checkpoints.
-constexpr std::uint64_t kPartBytes = 128;  // Bytes of an exact place in a side.
+// The memory of a point of a path, and of a point of a polygon.
+constexpr std::uint64_t kStopBytes = 96;
+// This is the number of parts of a path between checkpoints.
+constexpr std::size_t kLegs = 256;
+constexpr std::uint64_t kPartBytes = 128;  // The memory of an exact place in a side.
 constexpr double kShorter = 1 - 0x1p-48;
 
-/// Whether a comes before b, in an order of points that does not depend on their ids. Points of
-/// which neither comes first are equal.
+/// Whether a precedes b in an order of points that does not depend on their ids. Two points are
+/// equal if neither precedes the other.
 bool is_lower(const SurfacePointTable& points, SurfacePointId a, SurfacePointId b) {
   const auto index = [&points](SurfacePointId p) {
     return points.place(p) == SurfacePlace::Vertex ? points.vertex(p).value()
@@ -59,8 +60,8 @@ StripEnd end_at(const SurfacePointTable& points, SurfacePointId p, FaceId f,
   return {&points, p, at};
 }
 
-/// Leads the strip around the other side of bends, from the last to the first; of two bends that
-/// share more than a face the later one. Returns false if nothing changed.
+/// Leads the strip around the other side of bends, from the last bend to the first. If two bends
+/// share more than one face, only the later bend is changed. Returns false if there was no change.
 bool flip(const SurfaceMesh& mesh, const std::vector<StripTurn>& turns, FaceStrip& strip) {
   bool has_changed = false;
   std::size_t free_until = strip.doors.size();
@@ -85,7 +86,7 @@ void keep_sharpest(std::vector<StripTurn>& turns) {
   turns = {*std::ranges::max_element(turns, {}, &StripTurn::gain)};
 }
 
-/// The path found in doubles, as exact points.
+/// Converts the path that was found in doubles to exact points.
 class Reading {
  public:
   Reading(const std::vector<StripStop>& stops, const FaceStrip& strip, SurfacePointId a,
@@ -111,7 +112,7 @@ class Reading {
   }
 
  private:
-  /// Whether a stop is a vertex or an end, not a place in a door.
+  /// Whether a stop is a vertex or an end, that is, not a place in a door.
   bool is_fixed(std::size_t i) const {
     return i == 0 || i + 1 == stops_.size() || stops_[i].vertex.is_valid();
   }
@@ -125,7 +126,7 @@ class Reading {
     run_begin_ = i;
     run_ = flat_run(points_, std::span(strip_.doors).subspan(stops_[i].door, to - i), end(i - 1),
                     end(to), context_);
-    // They stay in the table, so the charge is not released.
+    // The points remain in the table, so the charge is not released.
     if (run_) context_.charge_memory(kPartBytes * run_->size(), "traced paths");
   }
 
@@ -151,7 +152,7 @@ class Reading {
   SurfacePointTable& points_;
   Context& context_;
   std::optional<std::vector<Rational>> run_;
-  std::size_t run_begin_ = 0;  // The stop of its first place.
+  std::size_t run_begin_ = 0;  // The stop of the first of the places.
 };
 
 }  // namespace
@@ -202,8 +203,8 @@ FaceStrip Tracer::chosen_strip(const StripEnd& from, const StripEnd& to, Context
   return length < bound ? shortest : local;
 }
 
-// First all bends are flipped at once. When that no longer helps, only the sharpest one is, until
-// that does not help either.
+// First, all bends are flipped at the same time. When this does not shorten the path any more, only
+// the sharpest bend is flipped, until this does not help either.
 FaceStrip Tracer::tightened(FaceStrip strip, const StripEnd& from, const StripEnd& to,
                             Context& context) {
   finder_.shorten(strip, from, to);
@@ -226,7 +227,7 @@ FaceStrip Tracer::tightened(FaceStrip strip, const StripEnd& from, const StripEn
 
 namespace {
 
-/// Returns the distance of two points. std::hypot() would give other last bits on other systems.
+/// Returns the distance of two points. The last bits of std::hypot() would differ between systems.
 double segment_length(const SurfacePointTable& points, SurfacePointId a, SurfacePointId b) {
   const Point3 p = points.position(a), q = points.position(b);
   const double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
@@ -270,7 +271,7 @@ std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
     }
     std::optional<SurfacePath> leg = tracer.trace(polygons.points, from, next, context);
     if (!leg) return i;
-    // It stays in the polygon, so the charge is not released.
+    // The point remains in the polygon, so the charge is not released.
     context.charge_memory(kStopBytes * leg->points.size(), "traced paths");
     legs.push_back(std::move(*leg));
   }

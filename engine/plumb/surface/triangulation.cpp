@@ -3,12 +3,11 @@
 // flips; then triangles are joined across sides, arcs and mesh edges. So neighbouring triangles
 // always share whole sides.
 //
-// PiecePoints answers the triangulator's questions in the plane of the face's parameters.
+// PiecePoints has the predicates of the triangulator in the plane of the face's parameters.
 // Orientation and order are affine, so they are those of (u, v). The in-circle test is not; it
 // measures by the quadratic form E u^2 + 2 F u v + G v^2 of the face, whose coefficients are scalar
 // products of two sides. Both have a filter stage with a proved bound (above the functions) and a
-// stage in rationals.
-// Tested by tests/surface/triangulation_test.cpp.
+// stage in rationals. Tested by tests/surface/triangulation_test.cpp.
 
 #include "plumb/surface/triangulation.h"
 
@@ -40,8 +39,7 @@ class PiecePoints final : public PlanarPoints {
  public:
   explicit PiecePoints(const SurfaceDivision& division);
 
-  /// Starts again, in that face.
-  /// Appends a node that lies in the face.
+  /// Begins a new face. Appends a node that lies in the face.
   void reset(FaceId f);
   void push_back(NodeId n);
 
@@ -63,8 +61,8 @@ class PiecePoints final : public PlanarPoints {
   const SurfaceArrangement& a_;
   const SurfacePointTable& points_;
   FaceId face_;
-  std::array<double, 3> form_{};  // E, F and G, rounded.
-  double form_scale_ = 0;         // E + 2 |F| + G.
+  std::array<double, 3> form_{};  // The rounded values of E, F and G.
+  double form_scale_ = 0;         // The value of E + 2 |F| + G.
   std::vector<Entry> at_;
   mutable std::optional<std::array<Rational, 3>> exact_form_;
   mutable std::vector<std::optional<RationalPoint2>> exact_;
@@ -88,8 +86,8 @@ void PiecePoints::reset(FaceId f) {
   form_scale_ = form_[0] + 2 * std::fabs(form_[1]) + form_[2];
 }
 
-/// Appends a node. The rounded weights of an input point, numbers of [0, 1], are off by 2^-53 at
-/// most; the radius 2^-52 allows for 1 - t being rounded, too.
+/// Appends a node. The rounded weights of an input point are in [0, 1], and their error is at most
+/// 2^-53. The radius 2^-52 also covers the rounding of 1 - t.
 void PiecePoints::push_back(NodeId n) {
   if (a_.is_crossing(n)) {
     const SurfaceCrossing& c = a_.crossing(n);
@@ -185,7 +183,8 @@ Sign PiecePoints::incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
 
 namespace {
 
-constexpr std::uint64_t kBytesPerTriangle = 56;  // 44 in the result, 12 for sides of the mesh.
+// The result takes 44 bytes, and the sides of the mesh take 12.
+constexpr std::uint64_t kBytesPerTriangle = 56;
 constexpr std::uint64_t kBytesPerPoint = 32;
 
 class SurfaceTriangulator {
@@ -342,7 +341,7 @@ class SurfaceTriangulator {
     return at != sides_.end() && at->ends == ends ? at->side : kNone;
   }
   /// Joins triangles of the piece across common sides. Sides along half-edges of the piece are
-  /// joined across arcs later; they are no neighbours within the piece.
+  /// joined across arcs later, because they have no neighbour within the piece.
   void join_sides() {
     for (const Side& s : sides_) {
       out_.across[s.side] = side_between(s.ends[1], s.ends[0]);
@@ -384,8 +383,8 @@ class SurfaceTriangulator {
   PiecePoints points_;
   IdVector<NodeId, std::uint32_t> point_of_node_;
   IdVector<HalfedgeId, std::uint32_t> side_of_halfedge_;
-  IdVector<HalfedgeId, std::uint32_t> side_of_mesh_;  // Sides of whole faces.
-  // Scratch of one piece.
+  IdVector<HalfedgeId, std::uint32_t> side_of_mesh_;  // The sides of whole faces.
+  // Scratch memory for one piece.
   std::vector<HalfedgeId> halfedges_;
   std::vector<NodeId> nodes_;
   std::vector<IndexEdge> edges_;

@@ -27,11 +27,13 @@
 namespace plumb {
 namespace {
 
-// Up to so many segments are all compared with each other.
+// If there are at most so many segments, all pairs are compared.
 constexpr std::size_t kFewSegments = 32;
-constexpr std::uint64_t kContactBytes = 64;  // Bytes of a contact, and its share of a crossing.
+// The memory of a contact, with its share of a crossing.
+constexpr std::uint64_t kContactBytes = 64;
 constexpr double kRough = 0x1p-44;
-constexpr std::size_t kFewIslands = 8;  // Up to so many islands look at every arc.
+// If there are at most so many islands, each examines every arc.
+constexpr std::size_t kFewIslands = 8;
 constexpr std::uint32_t kPointsPerCheckpoint = 4096;
 
 Box3 box_of(const PlanePoints& points, const FaceSegment& s) {
@@ -115,9 +117,9 @@ bool FaceArrangement::is_inside(std::uint32_t point, const FaceSegment& s) const
   return compare(s.from, point) == Sign::Negative && compare(point, s.to) == Sign::Negative;
 }
 
-// Adds the contacts of two segments. Four sides decide everything: two on one side of the other's
-// line mean no contact, a zero is an end on a line, and four zeros are collinear segments, which
-// may overlap.
+// Adds the contacts of two segments. Four sides decide. If both ends of one segment are on the same
+// side of the other's line, there is no contact. A zero is an end on a line. Four zeros mean that
+// the segments are collinear, and may overlap.
 void FaceArrangement::meet(std::uint32_t s, std::uint32_t t) {
   const FaceSegment &p = segments[s], &q = segments[t];
   const auto touch = [&](bool is_on_line, std::uint32_t point, std::uint32_t segment) {
@@ -164,7 +166,7 @@ std::uint32_t FaceArrangement::representative(std::uint32_t point) const {
   return point;
 }
 
-/// Makes two points one. Given points have the lower ids, so they represent.
+/// Unites two points. Given points have the lower ids, so they become the representatives.
 void FaceArrangement::unite(std::uint32_t i, std::uint32_t j) {
   i = representative(i);
   j = representative(j);
@@ -174,7 +176,7 @@ void FaceArrangement::unite(std::uint32_t i, std::uint32_t j) {
 }
 
 /// Rounds crossings of nearly parallel lines from their exact coordinates, because their
-/// approximations are too rough to measure by.
+/// approximations are too inaccurate for measuring.
 void FaceArrangement::sharpen() {
   for (Crossing2& c : points.crossings) {
     if (c.radius <= kRough) continue;
@@ -185,8 +187,8 @@ void FaceArrangement::sharpen() {
   }
 }
 
-// Divides each segment at its contacts. Neighbours on it that are equal are united first, then arcs
-// run between representatives.
+// Divides each segment at its contacts. First, consecutive contacts that are equal are united. Then
+// arcs are made between the representatives.
 void FaceArrangement::split() {
   sharpen();
   same_.resize(points.crossings.size());
@@ -243,8 +245,9 @@ void FaceArrangement::merge_overlaps(SurfaceBundles& bundles) {
 
 // ---------------------------------------------------------------- half-edges
 
-/// Whether g comes before h, counter-clockwise, of two half-edges of arcs that leave one point. On
-/// the boundary all lie within less than half a turn; elsewhere counting starts straight below.
+/// Whether g precedes h, counter-clockwise, of two half-edges of arcs that leave the same point. On
+/// the boundary, all half-edges lie within less than a half turn. At other points, the order begins
+/// straight below.
 bool FaceArrangement::turns_before(std::uint32_t g, std::uint32_t h) const {
   const bool is_on_ring = origin(g) < ring_size;
   const bool same_half = is_reverse(g) == is_reverse(h);
@@ -255,9 +258,9 @@ bool FaceArrangement::turns_before(std::uint32_t g, std::uint32_t h) const {
   return turn == (same_half ? Sign::Positive : Sign::Negative);
 }
 
-/// Sorts half-edges by origin with a counting sort, and by angle around each point. After the
-/// reverse of a half-edge comes the one before it in counter-clockwise order; on the boundary the
-/// ring closes the fan.
+/// Sorts half-edges by origin with a counting sort, and by angle around each point. The reverse of
+/// a half-edge is followed by the half-edge before it in counter-clockwise order. On the boundary,
+/// the ring closes the fan.
 void FaceArrangement::link(Context& context) {
   const std::uint32_t n = halfedge_count();
   out_begin_.assign(points.size() + 1, 0);
@@ -265,7 +268,7 @@ void FaceArrangement::link(Context& context) {
   for (std::uint32_t p = 0; p < points.size(); ++p) out_begin_[p + 1] += out_begin_[p];
   out_.resize(n - ring_size);
   for (std::uint32_t h = n; h-- > ring_size;) out_[--out_begin_[origin(h) + 1]] = h;
-  // Every entry now is where its point's half-edges begin, one place too far.
+  // Every entry is now the end of its point's half-edges, that is, one place too far.
   out_begin_.erase(out_begin_.begin());
   out_begin_.push_back(n - ring_size);
 
@@ -323,13 +326,13 @@ void FaceArrangement::find_islands() {
                 [&](std::uint32_t p) { return std::exchange(is_seen[parts.root(p)], 1) != 0; });
 }
 
-/// Numbers pieces by their outer loops. A loop is a hole if it is the outside of an island, and
-/// belongs to the piece of the half-edge below it.
+/// Numbers pieces by their outer loops. A loop is a hole if it is the outside of an island. It then
+/// belongs to the piece of the half-edge below the island.
 void FaceArrangement::nest(Context& context) {
   find_islands();
-  // The half-edge that leaves an island's leftmost point last, in angular order, has the outside of
-  // the island to its left. Points with only two half-edges have not been sorted, so the greatest
-  // is searched for.
+  // The half-edge that leaves the leftmost point of an island last, in angular order, has the
+  // outside of the island on its left. Points with only two half-edges have not been sorted, so the
+  // function searches for the greatest half-edge.
   const auto outside_of = [&](std::uint32_t p) -> Loop& {
     const auto last =
         std::max_element(out_.begin() + out_begin_[p], out_.begin() + out_begin_[p + 1],
@@ -360,7 +363,8 @@ bool FaceArrangement::is_below(const FaceArc& a, std::uint32_t point) const {
   return side(segments[a.segment], point) == Sign::Positive;
 }
 
-/// Whether a is lower than b, for two arcs that do not cross and pass below or above one point.
+/// Whether a is lower than b. Requires that the two arcs do not cross, and that a point exists
+/// below which, or above which, both pass.
 bool FaceArrangement::is_lower(const FaceArc& a, const FaceArc& b) const {
   const FaceSegment &s = segments[a.segment], &t = segments[b.segment];
   if (a.from == b.from) {
@@ -402,8 +406,8 @@ void FaceArrangement::find_below(Context& context) {
   }
 }
 
-/// Does the same by a sweep from left to right over all points, with the arcs over the current
-/// point in order.
+/// Computes the same result by a sweep from left to right over all points. The status has the arcs
+/// at the current point in order.
 void FaceArrangement::sweep_below(Context& context) {
   struct Lower {
     using is_transparent = void;

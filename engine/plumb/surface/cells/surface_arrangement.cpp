@@ -80,10 +80,11 @@ SurfacePointId add_node_point(const SurfaceArrangement& arrangement,
 
 namespace {
 
-constexpr std::uint64_t kArcBytes = 160;  // Bytes of an arc with its half-edges, nodes and pieces.
-constexpr std::uint64_t kEntryBytes = 600;  // Bytes of an entry of a polygon.
+// The memory of an arc with its half-edges, nodes and pieces.
+constexpr std::uint64_t kArcBytes = 160;
+constexpr std::uint64_t kEntryBytes = 600;  // The memory of an entry of a polygon.
 constexpr std::uint64_t kFaceBytes = 24;
-// Bytes of a use as the list grows, and what it adds up to.
+// The memory of a use while the list grows, and of its sum.
 constexpr std::uint64_t kUseBytes = 60;
 constexpr std::size_t kStepsPerCheckpoint = 65536;
 
@@ -100,7 +101,7 @@ struct Use {
   }
 };
 
-/// The sum of some uses: what is left of them runs along (item, low, high).
+/// The sum of some uses. The remainder extends along (item, low, high).
 struct Strand {
   std::uint32_t item;
   std::uint32_t low;
@@ -108,7 +109,7 @@ struct Strand {
   std::uint32_t bundle;
 };
 
-/// Adds up equal uses and returns those that do not cancel.
+/// Adds up equal uses, and returns the sums that are not zero.
 std::vector<Strand> add_up(std::vector<Use>& uses, SurfaceBundles& bundles) {
   std::sort(uses.begin(), uses.end());
   std::vector<Strand> strands;
@@ -130,9 +131,9 @@ struct Uses {
   std::size_t count = 0;      ///< Number of segments of the polygons that have a length.
 };
 
-/// Makes the uses of all segments. A segment whose ends lie on a common side of its face runs along
-/// that mesh edge; any other crosses the face. This is a class because both lists grow at once and
-/// share one charge, which is raised in steps.
+/// Makes the uses of all segments. A segment whose ends lie on a common side of its face extends
+/// along that mesh edge. Any other segment crosses the face. This is a class because both lists
+/// grow at the same time and share one charge, which is increased in steps.
 class UseGatherer {
  public:
   UseGatherer(const SurfacePolygons& polygons, const SurfaceNodes& nodes, MemoryCharge& charge,
@@ -171,7 +172,7 @@ class UseGatherer {
   }
   SurfacePointId point(NodeId n) const { return nodes_.point[n]; }
 
-  /// Returns the sides of a face that hold a node, as bits.
+  /// Returns the sides of a face that contain a node, as bits.
   unsigned sides(NodeId n, FaceId f) const {
     if (is_on_edge(n)) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -219,7 +220,8 @@ class UseGatherer {
   Uses uses_;
 };
 
-/// Returns the faces at edges and vertices with nodes, and those with segments, ascending.
+/// Returns the faces at edges and vertices with nodes, and the faces with segments, in ascending
+/// order.
 std::vector<FaceId> touched_faces(const SurfacePolygons& polygons, const SurfaceNodes& nodes,
                                   const std::vector<Strand>& segments) {
   const SurfaceMesh& mesh = polygons.points.mesh();
@@ -270,7 +272,7 @@ std::vector<VertexId> number_corners(const SurfaceMesh& mesh, const std::vector<
   return corners;
 }
 
-/// Appends an arc along a half-edge, and names it at the half-edge and its twin.
+/// Appends an arc along a half-edge, and stores its id at the half-edge and its twin.
 void add_arc(HalfedgeId h, std::uint32_t bundle, SurfaceArrangement& out) {
   const ArcId a(out.arc_halfedge.size());
   out.arc_halfedge.push_back(h);
@@ -346,7 +348,7 @@ class FaceWriter {
     face_.ring_size = static_cast<std::uint32_t>(node_of_local_.size());
     out_.side_begin.push_back(static_cast<std::uint32_t>(out_.origin.size() + face_.ring_size));
   }
-  /// Returns the local id of a node. Points inside the face are added when they are first seen.
+  /// Returns the local id of a node. A point inside of the face is added when it is first needed.
   std::uint32_t add_point(NodeId n, FaceId f) {
     const std::uint32_t known = local_of_node_[n];
     if (known < node_of_local_.size() && node_of_local_[known] == n) return known;
@@ -356,7 +358,7 @@ class FaceWriter {
   }
 
   /// Appends half-edges, arcs and pieces of the face to the flat arrays. Half-edges keep their
-  /// order, so those along the sides are found by position.
+  /// order, so the half-edges along the sides are found by position.
   void emit(std::uint32_t slot) {
     name_crossings(slot);
     const auto base = static_cast<std::uint32_t>(out_.origin.size());
@@ -473,8 +475,8 @@ std::uint32_t add_negated(std::uint32_t bundle, SurfaceBundles& bundles) {
   return static_cast<std::uint32_t>(bundles.size() - 1);
 }
 
-/// Puts the runs along mesh edges on the half-edges there. At the border only one half-edge exists;
-/// if it runs downwards the run is negated.
+/// Assigns the sums along mesh edges to the half-edges there. At the border, only one half-edge
+/// exists. If it leads downward, the sum is negated.
 void lay_runs(const SurfaceMesh& mesh, const SurfaceNodes& nodes, const std::vector<Strand>& runs,
               SurfaceArrangement& out) {
   for (const Strand& run : runs) {
@@ -520,9 +522,10 @@ SurfaceArrangement slice(const SurfacePolygons& polygons, Context& context) {
 namespace {
 
 constexpr const char* kPhase = "slice";
-constexpr std::uint64_t kComparisons = 65536;  // Comparisons between checkpoints.
+// This is the number of comparisons between checkpoints.
+constexpr std::uint64_t kComparisons = 65536;
 
-/// An entry of the polygons, to be sorted by place, then by edge, vertex or face, then by
+/// An entry of the polygons. Entries are sorted by place, then by edge, vertex or face, and then by
 /// parameters.
 struct Entry {
   std::uint32_t rank;  ///< Order of the place.
@@ -566,8 +569,8 @@ class NodeMaker {
     }
   }
 
-  /// Compares two entries. Rounded parameters are in order unless they are equal; only then exact
-  /// ones are compared.
+  /// Compares two entries. If the rounded parameters differ, they have the right order. Only if
+  /// they are equal, the exact parameters are compared.
   Sign compare(const Entry& a, const Entry& b) const {
     if (std::tie(a.rank, a.item, a.x) < std::tie(b.rank, b.item, b.x)) return Sign::Negative;
     if (std::tie(b.rank, b.item, b.x) < std::tie(a.rank, a.item, a.x)) return Sign::Positive;

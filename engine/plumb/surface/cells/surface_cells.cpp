@@ -22,8 +22,8 @@
 namespace plumb {
 namespace {
 
-/// Returns the area of a face. Sides are scaled by a power of two if products would over- or
-/// underflow; an area beyond the doubles becomes the largest double.
+/// Returns the area of a face. If products would overflow or underflow, the sides are scaled by a
+/// power of two. An area that exceeds all doubles becomes the greatest double.
 double triangle_area(const SurfaceMesh& mesh, FaceId f) {
   const Point3 &a = mesh.point(mesh.corner(f, 0)), &b = mesh.point(mesh.corner(f, 1)),
                &c = mesh.point(mesh.corner(f, 2));
@@ -45,7 +45,7 @@ double triangle_area(const SurfaceMesh& mesh, FaceId f) {
   return clamped_to_finite(std::ldexp(area, 2 * scale));
 }
 
-/// Adds to a sum that stays finite: at most the largest double.
+/// Adds to a sum, which is at most the greatest double and therefore remains finite.
 void add_area(double area, double& sum) { sum = clamped_to_finite(sum + area); }
 
 class CellMaker {
@@ -158,12 +158,12 @@ class CellMaker {
   // ---------------------------------------------------------------- graph
 
   /// Adds an edge for each arc with cells on both sides, directed from the lower cell, and drops
-  /// equal ones. An arc from a cell to itself is kept, with the sign that makes its first entry
-  /// positive: it may prove that a shape has no label.
+  /// equal edges. An arc from a cell to itself is kept, with the sign that makes its first entry
+  /// positive, because it may prove that a shape has no label.
   void link() {
     for (std::uint32_t i = 0; i < a_.arc_count(); ++i) {
       const HalfedgeId h = a_.arc_halfedge[i], t = a_.twin[h];
-      if (!t.is_valid()) continue;  // An arc along the mesh border.
+      if (!t.is_valid()) continue;  // The arc lies on the border of the mesh.
       const CellId left = cells_.of_piece[piece_of(h)];
       const CellId right = cells_.of_piece[piece_of(t)];
       const std::uint32_t bundle = a_.arc_bundle[i];
@@ -177,7 +177,7 @@ class CellMaker {
         std::unique(cells_.edges.begin(), cells_.edges.end(),
                     [&](const CellEdge& a, const CellEdge& b) { return compare(a, b) == 0; });
     cells_.edges.erase(end, cells_.edges.end());
-    cells_.edges.shrink_to_fit();  // There was one for each arc.
+    cells_.edges.shrink_to_fit();  // Until here, there was one edge for each arc.
   }
 
   /// Compares edges by their cells, then by the signed bundles.
@@ -195,7 +195,7 @@ class CellMaker {
 
   const SurfaceMesh& mesh_;
   const SurfaceArrangement& a_;
-  UnionFind joined_;  // Pieces, then faces.
+  UnionFind joined_;  // The pieces, followed by the faces.
   std::vector<CellId> cell_of_root_;
   SurfaceCells cells_;
 };
@@ -218,7 +218,7 @@ CellId cell_at_corner(const SurfaceArrangement& arrangement, const SurfaceCells&
 namespace {
 
 constexpr std::uint32_t kBorderStepsPerCheckpoint = 4096;
-constexpr std::uint64_t kStepBytes = 64;  // Bytes of a point of a loop.
+constexpr std::uint64_t kStepBytes = 64;  // The memory of a point of a loop.
 
 /// A half-edge of the arrangement, or of the mesh in a face that is not touched.
 struct Dart {
@@ -294,7 +294,7 @@ class BorderTracer {
     return d.is_of_mesh ? SurfaceMesh::face(d.h) : a_.face_of(a_.piece[d.h]);
   }
 
-  /// Returns the twin, invalid at the mesh border.
+  /// Returns the twin, or an invalid id at the border of the mesh.
   Dart twin(Dart d) const {
     HalfedgeId side = d.h;
     if (!d.is_of_mesh) {
@@ -316,7 +316,7 @@ class BorderTracer {
     return SurfaceMesh::halfedge(a_.slot_face[slot], side);
   }
 
-  /// Returns the border after d, with the selected side to the left.
+  /// Returns the dart of the border after d. The selected side is on the left.
   Dart next_border(Dart d) const {
     for (d = next(d);; d = next(d)) {
       if (!d.is_of_mesh && is_border_arc(d.h)) return d;
@@ -364,9 +364,9 @@ class BorderTracer {
   MemoryCharge charge_;
   std::size_t steps_ = 0;
   SurfacePolygons out_;
-  std::vector<std::uint8_t> is_generator_;      // Per polygon.
-  IdVector<NodeId, std::uint8_t> is_control_;   // Per node.
-  IdVector<HalfedgeId, std::uint8_t> is_used_;  // Per half-edge.
+  std::vector<std::uint8_t> is_generator_;      // For each polygon.
+  IdVector<NodeId, std::uint8_t> is_control_;   // For each node.
+  IdVector<HalfedgeId, std::uint8_t> is_used_;  // For each half-edge.
 };
 
 }  // namespace

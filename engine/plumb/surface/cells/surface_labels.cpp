@@ -24,13 +24,13 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kLabelBytes =
-    3 * sizeof(SignedEntry);  // Before, while and after they are shifted.
+    3 * sizeof(SignedEntry);  // The memory before, during and after the shift.
 constexpr std::size_t kChargeStep = 65536;
 
-constexpr std::uint64_t kJumpBytes = 2 * sizeof(SignedEntry);  // As the list grows.
+constexpr std::uint64_t kJumpBytes = 2 * sizeof(SignedEntry);  // The memory while the list grows.
 constexpr std::uint64_t kBeginBytes = 2 * sizeof(std::uint32_t);
 
-/// Charges a growing list of entries, in steps, to a charge that lives as long as the list.
+/// Charges memory for a growing list of entries, in steps. The charge lives as long as the list.
 class ListCharge {
  public:
   ListCharge(MemoryCharge& charge, std::uint64_t bytes) : charge_(charge), bytes_(bytes) {}
@@ -48,7 +48,7 @@ class ListCharge {
   std::size_t charged_ = 0;
 };
 
-/// Appends a + sign b; both are ascending.
+/// Appends a + sign b. Both lists are ascending.
 void append_sum(std::span<const SignedEntry> a, std::span<const SignedEntry> b, std::int32_t sign,
                 std::vector<SignedEntry>& out) {
   auto i = a.begin();
@@ -230,12 +230,12 @@ std::vector<CellId> cycle_of(const SurfaceCells& cells, const CellTrees& trees, 
     up.pop_back();
     down.pop_back();
   }
-  if (up.size() == 1 && down.size() == 1) return up;  // The edge leads back to its cell.
+  if (up.size() == 1 && down.size() == 1) return up;  // The edge leads back to the same cell.
   up.insert(up.end(), down.rbegin() + 1, down.rend());
   return up;
 }
 
-/// Stores the cycle of an edge. It stays charged, because a division keeps its cycles.
+/// Stores the cycle of an edge. Its memory remains charged, because a division keeps its cycles.
 void give_cycle(const SurfaceCells& cells, const CellTrees& trees, std::uint32_t e, Separation& s,
                 Context& context) {
   context.checkpoint("labels", e, cells.edges.size());
@@ -244,8 +244,8 @@ void give_cycle(const SurfaceCells& cells, const CellTrees& trees, std::uint32_t
   s.cycle = std::move(cycle);
 }
 
-/// Checks each edge that is not in a tree: the difference of the labels at its ends must be its
-/// jump. Where it is not, the shape has no label, and `separation` says so.
+/// Checks each edge that is not in a tree: the difference of the labels at its ends must equal its
+/// jump. If it does not, the shape has no label, and `separation` states this.
 void check_edges(const SurfaceCells& cells, const CellJumps& jumps, const CellTrees& trees,
                  const ScatteredLabels& raw, std::vector<Separation>& separation,
                  Context& context) {
@@ -268,8 +268,8 @@ void check_edges(const SurfaceCells& cells, const CellJumps& jumps, const CellTr
   }
 }
 
-/// Reduces labels: shapes that separate modulo 2 only keep their parity, those that do not separate
-/// keep nothing.
+/// Reduces labels. Shapes that separate only modulo 2 keep their parities, and shapes that do not
+/// separate keep no labels.
 void drop_failed(const CellTrees& trees, std::span<const Separation> separation,
                  ScatteredLabels& raw) {
   std::uint32_t kept = 0;
@@ -289,7 +289,8 @@ void drop_failed(const CellTrees& trees, std::span<const Separation> separation,
 
 // ---------------------------------------------------------------- shift
 
-/// What determines the shifts: labels that are zero at the roots, and where they must be zero.
+/// The data that determine the shifts: the labels that are zero at the roots, and the places where
+/// they must be zero.
 struct ShiftInput {
   const SurfaceCells& cells;
   const ScatteredLabels& raw;
@@ -298,8 +299,8 @@ struct ShiftInput {
   std::span<const CellLevel> levels;  ///< Sorted by component of the mesh and shape.
 };
 
-/// The cells of a component, the root first. If `has_border`, the least label is taken over those
-/// at the border.
+/// The cells of a component, the root first. If `has_border` is true, the least label is taken over
+/// the cells at the border.
 struct ComponentCells {
   std::span<const CellTrees::Step> steps;
   bool has_border;
@@ -308,7 +309,7 @@ struct ComponentCells {
 /// Returns the shift without levels: the least label becomes zero.
 std::vector<SignedEntry> usual_shift(const ShiftInput& in, const ComponentCells& component) {
   if (component.steps.front().cell == in.outside) return {};
-  // Labels below zero; a shape that is not listed in a cell has label zero there.
+  // The labels below zero. If a shape is not listed in a cell, its label there is zero.
   std::vector<SignedEntry> least;
   for (const CellTrees::Step& s : component.steps) {
     if (component.has_border && in.cells.is_at_border[s.cell] == 0) continue;
@@ -346,8 +347,8 @@ std::vector<SignedEntry> given_shift(const ShiftInput& in, std::uint32_t compone
   return given;
 }
 
-/// Returns what to add to the labels of a component, ascending by shape. The labels are zero at its
-/// root until then.
+/// Returns the numbers to be added to the labels of a component, in ascending order of shapes.
+/// Until then, the labels are zero at the root of the component.
 std::vector<SignedEntry> shift_of(const ShiftInput& in, const ComponentCells& component) {
   std::vector<SignedEntry> usual = usual_shift(in, component);
   const std::vector<SignedEntry> given =
@@ -363,7 +364,7 @@ std::vector<SignedEntry> shift_of(const ShiftInput& in, const ComponentCells& co
   return shift;
 }
 
-/// Reduces entries from `from` on to parities, for shapes that separate modulo 2 only.
+/// Reduces the entries from `from` on to parities, if their shapes separate only modulo 2.
 void keep_parity(std::span<const Separation> separation, std::vector<SignedEntry>& list,
                  std::size_t from) {
   std::size_t kept = from;
@@ -375,7 +376,7 @@ void keep_parity(std::span<const Separation> separation, std::vector<SignedEntry
   list.resize(kept);
 }
 
-/// Returns the cells of the component whose root is at `begin` in the order of the trees.
+/// Returns the cells of the component whose root is at `begin`, in the order of the trees.
 ComponentCells component_at(const SurfaceCells& cells, const CellTrees& trees, std::size_t begin) {
   std::size_t end = begin + 1;
   while (end < trees.order.size() && trees.order[end].edge != kNone) ++end;

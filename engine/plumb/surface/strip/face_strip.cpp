@@ -63,8 +63,8 @@ FaceCorners laid_out(const SurfaceMesh& mesh, std::span<const Point3> positions,
   return corners;
 }
 
-/// The door's ends are placed already. The new face sees them in the opposite order, and its third
-/// corner lies beyond the door.
+/// The ends of the door are already placed. In the new face, they have the opposite order, and the
+/// third corner lies beyond the door.
 FaceCorners laid_out_across(const SurfaceMesh& mesh, std::span<const Point3> positions,
                             const FaceCorners& corners, HalfedgeId door) {
   const std::size_t side = SurfaceMesh::side(door);
@@ -144,8 +144,8 @@ Point3 StripFinder::centroid(FaceId f) const {
 
 // ---------------------------------------------------------------- over the dual graph
 
-/// Improves the cost of a face, or does nothing. The heap may hold older entries of a face, which
-/// are skipped when they come up.
+/// Stores the cost of a face if it is lower than the cost so far. The heap may contain older
+/// entries of a face, which are skipped when they are reached.
 void StripFinder::offer(FaceId f, double cost, HalfedgeId door) {
   Visit& v = visit(f);
   if (v.round == round_ && (v.is_done || v.cost <= cost)) return;
@@ -195,8 +195,8 @@ FaceStrip StripFinder::collected(FaceId last) const {
 
 // ---------------------------------------------------------------- cutting short
 
-// Keeps the faces from the last one that holds the start to the first one after it that holds the
-// end, and jumps from each face to its last place in the strip.
+// Keeps the faces from the last face that contains the start to the first face after it that
+// contains the end, and jumps from each face to its last place in the strip.
 void StripFinder::shorten(FaceStrip& strip, const StripEnd& from, const StripEnd& to) {
   std::vector<FaceId> faces{strip.first};
   for (const HalfedgeId door : strip.doors) faces.push_back(SurfaceMesh::face(mesh_.twin(door)));

@@ -37,11 +37,11 @@ using layout::operator-;
 
 constexpr double kShorterPath = 1 - 0x1p-40;
 constexpr double kLonger = 1 + 0x1p-40;
-constexpr std::uint64_t kWindowBytes = 128;  // Bytes of a window, with its entry in the heap.
+constexpr std::uint64_t kWindowBytes = 128;  // The memory of a window with its entry in the heap.
 constexpr std::size_t kWindowsPerCharge = 1024;
 
-/// Returns where the line from `source` through (x, 0) meets the line from p to q: the part of the
-/// way from p to q, between 0 and 1.
+/// Returns the point where the line from `source` through (x, 0) meets the line from p to q. The
+/// result is the part of the way from p to q, between 0 and 1.
 double part_hit(Point2 source, double x, Point2 p, Point2 q) {
   const Point2 along = Point2{x, 0} - source;
   const double across = cross(q - p, along);
@@ -110,7 +110,7 @@ void ShortestStripFinder::start() {
     const Point2 source = layout::combined(corners, weights);
     for (std::size_t k = 0; k < 3; ++k) {
       const double side = length(corners[(k + 1) % 3] - corners[k]);
-      // The start lies on side k if the corner opposite the side has no weight.
+      // The start lies on side k if the weight of the opposite corner is zero.
       if (weights[(k + 2) % 3] != 0) {
         add_window(SurfaceMesh::halfedge(f, k), corners, 0, side, source, 0, kNone);
       }
@@ -143,7 +143,8 @@ void ShortestStripFinder::spread_window(std::uint32_t index) {
     const VertexId v = mesh_.corner(f, (k + 2) % 3);
     offer(v, {v, before + length(to_apex), index, w.seat, FaceId()});
   }
-  // Distances from the apex on the side to the right, from the origin of w.into on the other.
+  // For the side on the right, the distance is measured from the apex; for the other side, from the
+  // origin of w.into.
   if (!is_right_of_all) {
     const double side = length(apex - right);
     const double begin = is_left_of_all ? side * (1 - part_hit(w.source, w.begin, right, apex)) : 0;
@@ -160,7 +161,7 @@ void ShortestStripFinder::spread_window(std::uint32_t index) {
 
 void ShortestStripFinder::spread_seat(std::uint32_t index) {
   const Seat seat = seats_[index];
-  if (seat.distance > best_of(seat.vertex)) return;  // A shorter path was found since.
+  if (seat.distance > best_of(seat.vertex)) return;  // A shorter path was found meanwhile.
   for_halfedges_from(mesh_, seat.vertex, [&](HalfedgeId h) {
     const FaceId f = SurfaceMesh::face(h);
     const std::size_t k = SurfaceMesh::side(h);
@@ -209,8 +210,9 @@ bool ShortestStripFinder::is_dominated(const Window& w, double side) const {
 }
 
 /// Returns the length of the shortest way from the start through the window to the end point, if
-/// the way behind the window may leave the surface. The end point is turned about the side into the
-/// plane of the window; there the shortest way is straight, or bends at an end of the interval.
+/// the way behind the window may leave the surface. The end point is rotated about the side into
+/// the plane of the window. There, the shortest way is straight, or bends at an end of the
+/// interval.
 double ShortestStripFinder::bound_of(const Window& w, double side) const {
   const Point2 goal = beside_line(positions_[mesh_.origin(w.into).value()],
                                   positions_[mesh_.target(w.into).value()], to_->at);
@@ -220,7 +222,7 @@ double ShortestStripFinder::bound_of(const Window& w, double side) const {
   return seats_[w.seat].distance + length(Point2{x, 0} - w.source) + length(goal - Point2{x, 0});
 }
 
-/// Keeps a path to a vertex if it is the shortest so far.
+/// Stores a path to a vertex if it is the shortest so far.
 void ShortestStripFinder::offer(VertexId v, const Seat& seat) {
   if (!(seat.distance < best_of(v))) return;
   reached_[v] = {round_, seat.distance};
@@ -251,8 +253,8 @@ double ShortestStripFinder::best_of(VertexId v) const {
   return reached.round == round_ ? reached.distance : std::numeric_limits<double>::infinity();
 }
 
-/// Whether a shortest path may bend at the vertex: it lies at the border, or its angle is at least
-/// a full turn, up to rounding.
+/// Whether a shortest path may bend at the vertex. This is possible if the vertex lies at the
+/// border, or if its angle is at least a full turn, up to rounding.
 bool ShortestStripFinder::can_bend(VertexId v) const {
   constexpr double kNearlyFull = 2 * std::numbers::pi - 1e-9;
   double angle = 0;

@@ -25,7 +25,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kDoors = 1024;  // Doors between checkpoints.
+constexpr std::size_t kDoors = 1024;  // This is the number of doors between checkpoints.
 
 /// The plane of a face, seen along a coordinate axis that is not parallel to it.
 class FlatView {
@@ -36,7 +36,8 @@ class FlatView {
   }
 
   bool is_valid() const { return dropped_ < 3; }
-  /// Whether a face that shares a side with one of this plane continues it.
+  /// Whether a face that shares a side with a face in this plane lies in the plane, too, and faces
+  /// the same way.
   bool has(FaceId f) const {
     for (const Point3& p : corners(f)) {
       if (orient3d(corners_[0], corners_[1], corners_[2], p) != Sign::Zero) return false;
@@ -70,7 +71,7 @@ class FlatView {
 
   const SurfaceMesh& mesh_;
   std::array<Point3, 3> corners_;
-  int dropped_ = 0;  // The coordinate that is left out; 3 if the face has no area.
+  int dropped_ = 0;  // The coordinate that is dropped, or 3 if the face has no area.
   Sign turn_ = Sign::Zero;
 };
 
@@ -119,9 +120,11 @@ using layout::dot;
 using layout::length;
 using layout::operator-;  // NOLINT(misc-unused-using-decls): it is used
 
-// A path passes through a vertex if it is so near, as a part of the side's length.
+// A path passes through a vertex if it is closer than this part of the length of the side.
 constexpr double kClose = 0x1p-40;
-constexpr double kFlat = 1e-9;  // Radians: a bend so little short of half a turn stays.
+// In radians. If the angle of a bend is less than a half turn by at most this amount, the bend
+// stays.
+constexpr double kFlat = 1e-9;
 
 double angle(Point2 a, Point2 b) { return std::fabs(std::atan2(cross(a, b), dot(a, b))); }
 
@@ -136,7 +139,7 @@ UnfoldedStrip::UnfoldedStrip(const SurfaceMesh& mesh, std::span<const Point3> po
 
 // ---------------------------------------------------------------- laying out
 
-/// Places the faces one after the other and notes the ends of each door, left and right as seen
+/// Places the faces one after the other. Stores the left and the right end of each door, as seen
 /// along the strip.
 void UnfoldedStrip::lay_out(const StripEnd& from, const StripEnd& to) {
   FaceId f = strip_.first;
@@ -172,8 +175,9 @@ StripStop UnfoldedStrip::vertex_stop(std::size_t door, bool is_left) const {
   return stop;
 }
 
-/// Pulls the path tight. The funnel is what can be seen from the apex, between a left and a right
-/// ray. If one of them would cross the other, the path bends, and looking goes on from there.
+/// Shortens the path. The funnel is the region that is visible from the apex, between a left and a
+/// right ray. If one ray would cross the other, the path bends, and the search continues from
+/// there.
 void UnfoldedStrip::pull() {
   const StripStop end = bends_.back();
   bends_.pop_back();
@@ -215,15 +219,15 @@ double UnfoldedStrip::path_length() const {
 
 // ---------------------------------------------------------------- turns
 
-/// Returns the faces in which the path comes to a bend and leaves it.
+/// Returns the faces in which the path arrives at a bend and leaves it.
 std::array<std::uint32_t, 2> UnfoldedStrip::faces_at(std::size_t i) const {
   const StripStop& v = bends_[i];
   return {std::clamp(bends_[i - 1].first, v.first, v.last),
           std::clamp(bends_[i + 1].first, v.first, v.last)};
 }
 
-/// Returns the angle at a bend on the side of the strip, from the path to the bend to the path from
-/// it on.
+/// Returns the angle at a bend on the side of the strip, from the part of the path before the bend
+/// to the part after it.
 double UnfoldedStrip::strip_angle(std::size_t i) const {
   const StripStop &a = bends_[i - 1], &v = bends_[i], &b = bends_[i + 1];
   const auto [first, last] = faces_at(i);
@@ -274,8 +278,8 @@ std::uint32_t UnfoldedStrip::first_vertex_door(const StripStop& a, const StripSt
   return door;
 }
 
-/// Appends the stops after a up to b, including b. A leg along a mesh line passes as many vertices
-/// as the line has, so there is no recursion.
+/// Appends the stops after a up to b, including b. A part of the path along a mesh line passes
+/// through all vertices of the line, so there is no recursion.
 void UnfoldedStrip::add_stops(const StripStop& a, const StripStop& b,
                               std::vector<StripStop>& stops) const {
   std::vector<StripStop> ahead{b};
