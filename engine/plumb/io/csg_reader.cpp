@@ -92,7 +92,7 @@ class ModelReader {
       nodes_.append();
       if (scanner_.has('!') && !root_) root_ = node.node;
       if (event == Event::Open) {
-        // Primitives are the last kinds. A child of one is a semicolon that is missing.
+        // Primitives are the last kinds. If a primitive has a child, a semicolon is missing.
         const bool is_primitive = tree_nodes()[node.node].kind >= CsgKind::Cube;
         if (is_primitive || scanner_.name() == "text") scanner_.require_braces();
         open.push_back(node);
@@ -119,7 +119,7 @@ class ModelReader {
                           " with the modifier * or % left out");
   }
 
-  /// Makes the subtree of a node the only one below the root.
+  /// Makes the subtree of a node the only subtree below the root.
   void keep_subtree(std::uint32_t top) {
     const std::vector<CsgTree::Node> all = std::move(tree_nodes());
     const std::uint32_t end = all[top].end;
@@ -151,7 +151,7 @@ class ModelReader {
     return parent.empty() ? fs::path(".") : parent;
   }
 
-  /// Returns the file that a node names, if it may be read.
+  /// Returns the file that a node names, if it is allowed to read this file.
   std::string allowed_file(const CsgTree::Node& node, const std::string& name) const {
     if (options_.imports == CsgImports::None) {
       fail_at(node, ErrorCode::CannotOpen, "imports are not allowed");
@@ -277,9 +277,9 @@ class ModelReader {
   CsgRead read_;
   CsgScanner scanner_;
   CsgNodes nodes_;
-  std::optional<std::uint32_t> root_;  // The first node with the modifier !.
+  std::optional<std::uint32_t> root_;  // The first node with the modifier `!`.
   std::uint64_t left_out_ = 0;
-  std::map<std::string, std::vector<Imported>> imported_;  // By the name of the file.
+  std::map<std::string, std::vector<Imported>> imported_;  // The key is the name of the file.
 };
 
 }  // namespace

@@ -42,7 +42,7 @@
 namespace plumb {
 namespace {
 
-// A point, a corner, and the growth of both lists.
+// The memory of a point and a corner, while both lists grow.
 constexpr std::uint64_t kBytesPerLayerPosition = 60;
 
 constexpr std::array<std::string_view, 5> kCollectionMembers{"type", "features", "crs", "bbox",
@@ -50,16 +50,16 @@ constexpr std::array<std::string_view, 5> kCollectionMembers{"type", "features",
 constexpr std::array<std::string_view, 6> kFeatureMembers{"type",     "id",   "properties",
                                                           "geometry", "bbox", "crs"};
 
-/// A layer that is being read, and what its notes will count.
+/// A layer that is being read, and the counts for its notes.
 struct LayerDraft {
   LayerFile file;
   std::size_t dropped = 0;        // Points and lines.
   std::size_t collapsed = 0;      // Rings with fewer than three positions.
-  std::size_t unclosed = 0;       // Rings that end elsewhere than they start.
-  JsonReplaced replaced;          // What is not JSON.
+  std::size_t unclosed = 0;       // Rings whose end differs from their start.
+  JsonReplaced replaced;          // The parts of the text that are not JSON.
   bool has_heights = false;       // Whether positions have numbers after x and y.
-  std::set<std::string> members;  // Names of members of features and collections that are unknown.
-  std::size_t steps = 0;          // Points and corners, for checkpoints.
+  std::set<std::string> members;  // The names of unknown members of features and collections.
+  std::size_t steps = 0;          // The number of points and corners since the last checkpoint.
   bool has_unnamed_crs = false;
 };
 
@@ -141,14 +141,15 @@ class LayerReader {
   const LayerReadOptions& options_;
   Context& context_;
   LayerDraft& draft_;
-  LayerFile& file_;  // The file of the draft.
+  LayerFile& file_;  // The file that belongs to the draft.
   LenientJson lenient_;
-  const JsonValues& json_;  // Of lenient_.
+  const JsonValues& json_;  // The values of lenient_.
   bool is_topology_ = false;
   bool is_quantised_ = false;
   Point2 scale_{1, 1}, translate_{0, 0};
-  std::vector<std::uint32_t> arc_begin_{0};  // Points of arc i: arc_begin_[i], ..., one less than
-                                             // arc_begin_[i + 1].
+  // The points of arc i have the numbers arc_begin_[i] to
+  std::vector<std::uint32_t> arc_begin_{0};
+  // arc_begin_[i + 1] - 1.
 };
 
 std::string LayerReader::type_of(Id object) {
@@ -181,7 +182,7 @@ std::string_view LayerReader::member_source(Id object, std::string_view member) 
 void LayerReader::name_unknown_members(Id object, std::span<const std::string_view> known) {
   constexpr std::size_t kMostNamed = 20;
   bool is_name = true;
-  // Names and members take turns.
+  // Names and members alternate.
   for (const Id value : json_.items(object)) {
     if (is_name && draft_.members.size() < kMostNamed) {
       const std::string_view quoted = json_.source(value);
@@ -201,7 +202,8 @@ double LayerReader::number(Id value) {
   double result = 0;
   const char* const last = token.data() + token.size();
   const auto [end, code] = double_from_chars(token.data(), last, result);
-  if (code != std::errc() || end != last) return json_.number(value);  // Tiny, or long.
+  // The text is tiny, or a long value.
+  if (code != std::errc() || end != last) return json_.number(value);
   return result;
 }
 
@@ -219,7 +221,7 @@ std::uint32_t LayerReader::add_point(Point2 p) {
 
 /// Reads the name of a coordinate reference system: {"type": "name", "properties": {"name": TEXT}}.
 void LayerReader::read_crs(Id crs) {
-  if (!json_.is_object(crs)) return;  // null
+  if (!json_.is_object(crs)) return;  // The value is null.
   const std::optional<Id> properties = json_.find(crs, "properties");
   std::optional<Id> name;
   if (properties && json_.is_object(*properties)) name = json_.find(*properties, "name");
@@ -414,8 +416,8 @@ bool LayerReader::has_polygons(Id object) const {
   return false;
 }
 
-/// Returns the object of that name; without a name, the first one that has polygons, or the first
-/// one.
+/// Returns the object of that name. Without a name, returns the first object that has polygons, or
+/// the first object.
 LayerReader::Id LayerReader::chosen_object() {
   const std::optional<Id> objects = json_.find(JsonValues::kDocument, "objects");
   if (!objects || !json_.is_object(*objects)) {
@@ -423,7 +425,7 @@ LayerReader::Id LayerReader::chosen_object() {
   }
   std::vector<std::pair<std::string, Id>> all;
   bool is_name = true;
-  // Names and members take turns.
+  // Names and members alternate.
   for (const Id value : json_.items(*objects)) {
     if (is_name) {
       all.emplace_back(json_.text(value), value);
@@ -456,7 +458,7 @@ LayerReader::Id LayerReader::chosen_object() {
   return *chosen;
 }
 
-/// Appends the points of the arcs of a ring. Each arc begins where the one before it ends.
+/// Appends the points of the arcs of a ring. Each arc begins where the previous arc ends.
 void LayerReader::add_arcs(Id ring) {
   std::vector<std::uint32_t>& corners = file_.layer.ring_corners;
   const auto arcs = static_cast<std::int64_t>(arc_begin_.size() - 1);
@@ -507,7 +509,8 @@ LayerFile noted(LayerDraft draft) {
   return std::move(draft.file);
 }
 
-constexpr std::string_view kBetweenValues = " \t\r\n\x1e";  // With record separators (RFC 8142).
+// The texts have record separators (RFC 8142).
+constexpr std::string_view kBetweenValues = " \t\r\n\x1e";
 
 /// Returns the first object of a text that begins with one, or the whole text if the object does
 /// not end.
@@ -527,8 +530,8 @@ std::string_view first_object(std::string_view text) {
   return text;
 }
 
-/// Returns the next value of a sequence of JSON texts, and removes it from `rest`. What does not
-/// begin with a brace is taken for one value up to the end.
+/// Returns the next value of a sequence of JSON texts, and removes it from `rest`. If a text does
+/// not begin with a brace, its value extends to the end.
 std::string_view take_value(std::string_view& rest) {
   rest.remove_prefix(std::min(rest.find_first_not_of(kBetweenValues), rest.size()));
   const std::string_view value = rest.starts_with('{') ? first_object(rest) : rest;
@@ -567,7 +570,7 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
   }
   Layer& layer = result.layer;
   layer.points = std::move(shapes.points);
-  std::size_t next = 0;  // Of the polygons that belong to the feature of the polygon before them.
+  std::size_t next = 0;  // An index of file.continued.
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     if (p % 1024 == 0) context.checkpoint("read", p, shapes.polygon_count());
     for (std::size_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
@@ -632,7 +635,7 @@ LayerText read_layer_text(const std::string& path, const LayerReadOptions& optio
 namespace {
 
 /// Whether an edge seems to cross the antimeridian: its ends are near to it, on different sides. An
-/// edge from -180 to 180 goes around the map and does not cross it.
+/// edge from -180 to 180 leads around the map and does not cross it.
 bool crosses_antimeridian(Point2 a, Point2 b) {
   constexpr double kNear = 150, kRound = 360;
   return a.x * b.x < 0 && std::fabs(a.x) > kNear && std::fabs(b.x) > kNear &&
@@ -668,7 +671,7 @@ bool is_on_globe(const Layer& layer) {
   });
 }
 
-/// Says which features have an edge across the whole map, if coordinates may be degrees.
+/// Notes the features that have an edge across the whole map, if the coordinates may be degrees.
 std::optional<std::string> antimeridian_note(const Layer& layer) {
   if (!is_on_globe(layer)) return {};
   const std::vector<std::uint32_t> across = features_across(layer);
@@ -784,7 +787,7 @@ nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report
   return json;
 }
 
-/// Returns a number and the word for that many.
+/// Returns a number with the singular or the plural of a word.
 std::string number_of(std::size_t count, const std::string& one) {
   return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
 }
@@ -818,7 +821,7 @@ void write_region(TextOutput& out, const Layer& layer, const LayerReport& report
 
 }  // namespace
 
-/// Returns a corner of a region or the point of a crossing, as a place to look at.
+/// Returns a corner of a region, or the point of a crossing, as the place of the defect.
 std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
   if (report.regions[region].at) return report.regions[region].at;
   const std::uint32_t polygon = report.shapes.feature_begin[region];
@@ -828,7 +831,7 @@ std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
 
 std::string feature_title(const Layer& layer, std::uint32_t feature) {
   std::string title = "feature " + std::to_string(feature + 1);
-  // An id may be anything in the file; as JSON in ASCII it cannot send commands to a terminal.
+  // An id may be any text of the file. As JSON in ASCII, it cannot send commands to a terminal.
   const auto ascii = [](const nlohmann::json& json) {
     return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   };

@@ -105,7 +105,7 @@ Layer without_json(Layer layer) {
   return layer;
 }
 
-/// Appends the texts of a feature. They stay charged.
+/// Appends the texts of a feature. Their memory remains charged.
 void append_json(Layer& layer, std::string_view id, std::string_view properties, Context& context) {
   constexpr std::uint64_t kOffsetBytes = 16;
   context.charge_memory(2 * (id.size() + properties.size()) + kOffsetBytes, "the properties");
@@ -117,7 +117,7 @@ void append_json(Layer& layer, std::string_view id, std::string_view properties,
 
 // ---------------------------------------------------------------- sums
 
-/// The sum of numbers that stand in JSON.
+/// The sum of numbers that are given as JSON.
 class NumberSum {
  public:
   void add(std::string_view source) {
@@ -147,7 +147,7 @@ bool is_number(std::string_view source) {
 
 // ---------------------------------------------------------------- groups
 
-/// What all features of a group have in common so far.
+/// The properties that all features of a group so far have in common.
 struct GroupText {
   bool is_new = true;
   std::string_view id;
@@ -172,7 +172,7 @@ void keep_common(GroupText& group, const Members& members, std::string_view id, 
   });
 }
 
-/// Takes the properties that are added out of the members, and adds them.
+/// Removes the properties that are summed from the members, and adds them to the sums.
 void add_sums(GroupText& group, Members& members, std::span<const std::string> sums,
               std::set<std::string>& found, std::size_t feature) {
   std::erase_if(members, [&](const Member& member) {

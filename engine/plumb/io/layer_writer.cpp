@@ -23,7 +23,7 @@
 namespace plumb {
 namespace {
 
-// Vertices, neighbours, and the table of arcs.
+// The memory of vertices, neighbours, and the table of arcs.
 constexpr std::uint64_t kBytesPerArcCorner = 100;
 constexpr std::size_t kRingsPerCheckpoint = 256;
 
@@ -66,7 +66,7 @@ class LayerArcs {
   MemoryCharge memory_;
   std::vector<std::uint32_t> vertex_;  // For each point, the first point with its coordinates.
   std::vector<std::uint8_t> is_junction_;
-  std::unordered_map<std::uint64_t, std::int64_t> arc_of_;  // By the first directed edge.
+  std::unordered_map<std::uint64_t, std::int64_t> arc_of_;  // The key is the first directed edge.
   std::vector<std::uint32_t> corners_;
   std::vector<std::size_t> arc_begin_{0};
   std::vector<std::int64_t> ring_arcs_;
@@ -126,7 +126,7 @@ void LayerArcs::cut_ring(std::size_t r) {
   }
 }
 
-/// Adds the arc of the corners begin, ..., end of a ring, unless it is known.
+/// Adds the arc of the corners begin, ..., end of a ring, unless the arc is known already.
 void LayerArcs::add_arc(std::span<const std::uint32_t> ring, std::size_t begin, std::size_t end) {
   const auto next = static_cast<std::int64_t>(arc_count());
   const std::uint64_t first = edge(vertex(ring, begin), vertex(ring, begin + 1));

@@ -60,7 +60,7 @@ class MapReader {
                                          std::to_string(counts_line_) + " announces " +
                                          std::to_string(faces_) + " faces");
     }
-    map_.corners.shrink_to_fit();  // No line says how many corners there will be.
+    map_.corners.shrink_to_fit();  // There is no line that states the number of corners.
     return std::move(map_);
   }
 
@@ -162,7 +162,7 @@ void MapReader::add_corner(std::uint32_t vertex) {
     if (charged_corners_ > RecordReader::kMostIds - kStep) {
       fail(ErrorCode::ResourceLimit, "more than 2^32 corners");
     }
-    // While the list grows, the old one exists, too.
+    // While the list grows, the old list exists, too.
     in_.charge(3 * kStep * sizeof(std::uint32_t));
     charged_corners_ += kStep;
   }
@@ -220,7 +220,7 @@ class CoverageBuilder {
   const PlaneShapes& shapes_;
   MemoryCharge memory_;
   PointRanks ranks_;
-  std::vector<std::uint32_t> vertex_;  // For the rank of a position, its vertex.
+  std::vector<std::uint32_t> vertex_;  // For each rank of a position, the vertex.
   Map map_;
 };
 
@@ -237,7 +237,8 @@ std::uint32_t CoverageBuilder::vertex_at(std::uint32_t position) {
   return vertex;
 }
 
-/// Adds a ring, turned if it runs the other way. Returns whether it has three corners.
+/// Adds a ring, and reverses it if it has the wrong direction. Returns whether it has three
+/// corners.
 bool CoverageBuilder::add_ring(std::uint32_t ring, Sign orientation) {
   std::vector<std::uint32_t> cycle;
   for (const std::uint32_t position : shapes_.ring(ring)) {
@@ -252,7 +253,7 @@ bool CoverageBuilder::add_ring(std::uint32_t ring, Sign orientation) {
   return true;
 }
 
-/// The format of a file of polygons; nothing for a map.
+/// Returns the format of a file of polygons, or nothing if the file is a map.
 std::optional<PlaneFormat> polygon_format(const std::string& path, std::string_view text) {
   const std::optional<PlaneFormat> named = plane_format_of(path);
   if (named) return *named == PlaneFormat::Nef2 ? std::nullopt : named;

@@ -22,7 +22,7 @@
 namespace plumb {
 namespace {
 
-/// Corner positions by half-edge; kNone for half-edges that no cycle lists.
+/// Corner positions by half-edge, or kNone for half-edges that no cycle lists.
 class CornerNumbers {
  public:
   explicit CornerNumbers(const Map& map)
@@ -32,7 +32,7 @@ class CornerNumbers {
     }
   }
 
-  /// Returns the 1-based number of the twin, or 0 for none.
+  /// Returns the 1-based number of the twin, or 0 if there is none.
   std::uint32_t twin_number(std::size_t corner) const {
     return corner_of_[edges_.at_corner[corner] ^ 1U] + 1;
   }
@@ -234,7 +234,7 @@ Json warning_json(const MapWarning& warning) {
           {"text", warning.text}};
 }
 
-/// Returns the members before the lists.
+/// Returns the members that precede the lists.
 Json summary_json(const MapReport& report) {
   return {{"verdict", verdict_name(report.verdict)},
           {"vertices", report.vertices},
@@ -257,7 +257,8 @@ void write_list(TextOutput& out, const std::vector<Element>& elements, Write wri
   out << ']';
 }
 
-/// Writes {"outer":3,"holes":[7,8]}: numbers only, written directly because there can be millions.
+/// Writes {"outer":3,"holes":[7,8]}. The numbers are written directly, because there can be
+/// millions of them.
 void write_region(TextOutput& out, const MapRegion& region) {
   out << "{\"outer\":";
   if (region.outer) {
@@ -301,7 +302,7 @@ Json feature_json(const MapReport& report, const MapDefect& defect) {
 void write_map_report_json(std::ostream& stream, const MapReport& report) {
   TextOutput out(stream);
   std::string summary = summary_json(report).dump();
-  summary.pop_back();  // The closing brace, because the lists follow.
+  summary.pop_back();  // The closing brace is removed, because the lists follow.
   out << summary << ",\"defects\":";
   write_list(out, report.defects, dump_with(out, defect_json));
   out << ",\"warnings\":";

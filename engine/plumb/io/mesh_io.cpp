@@ -1,11 +1,10 @@
 // Dispatch over mesh formats: names, extensions, guesses from content, files.
 //
-// A format is taken from an explicit name, else from the extension, else from the first bytes;
-// binary STL is recognised by its size or by its control characters, all others by their first
-// word. glTF files may name other
-// files of their folder, so only reading by path can load these. Files are written through
-// OutputFile, so a failed write leaves nothing behind. Formats: docs/formats.md, section Meshes.
-// Tested by tests/io/mesh_io_test.cpp.
+// A format is determined by an explicit name; otherwise by the extension; otherwise by the first
+// bytes. Binary STL is recognised by its size or by its control characters, and all other formats
+// by their first word. glTF files may name other files of their folder, so only reading by path can
+// load these. Files are written through OutputFile, so a failed write leaves nothing behind.
+// Formats: docs/formats.md, section Meshes. Tested by tests/io/mesh_io_test.cpp.
 #include "plumb/io/mesh_io.h"
 
 #include <algorithm>
@@ -47,7 +46,7 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 10> kNames{{
     {"3mf", MeshFormat::ThreeMf},
 }};
 
-/// Returns the first word that is no comment.
+/// Returns the first word that does not belong to a comment.
 std::string_view first_word(std::string_view text) {
   take_prefix(text, "\xEF\xBB\xBF");
   for (;;) {
@@ -89,7 +88,7 @@ MeshFormat guess_mesh_format(std::string_view bytes) {
 
 namespace {
 
-/// Returns the format in the words of foreign_files.h.
+/// Returns the name of the format in foreign_files.h.
 std::string_view kind_of(MeshFormat format) {
   switch (format) {
     case MeshFormat::Obj:
@@ -139,7 +138,7 @@ MeshFile read_mesh(std::string_view bytes, MeshFormat format, const ReadOptions&
 
 namespace {
 
-/// Reads a file whose folder is known, so that it may name other files.
+/// Reads a file in a known folder, so that the file may refer to other files.
 MeshFile read_placed_mesh(const std::string& path, std::string_view bytes, MeshFormat format,
                           const ReadOptions& options, Context& context) {
   const bool names_files =
@@ -154,7 +153,7 @@ MeshFile read_placed_mesh(const std::string& path, std::string_view bytes, MeshF
   });
 }
 
-/// Refuses a binary file that nothing tells to be STL: neither its name, nor its length.
+/// Refuses a binary file if neither its name nor its length indicates STL.
 [[noreturn]] void refuse_unknown(std::string_view bytes, const std::string& name) {
   constexpr std::string_view kNoReader = "-";
   const auto kind = foreign_kind(bytes, kNoReader, FileReaders::Solids);
@@ -202,7 +201,7 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
 
 namespace {
 
-/// Throws Error{BadIndex} if a corner of a face names no point.
+/// Throws Error{BadIndex} if a corner of a face refers to no point.
 void require_corners(const PolygonMesh& mesh) {
   for (std::size_t f = 0; f < mesh.face_count(); ++f) {
     for (const std::uint32_t corner : mesh.face(f)) {
@@ -318,8 +317,8 @@ std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format)
 
 namespace {
 
-/// Returns the format that is given or that the extension names. A .gltf file is text, which is not
-/// written.
+/// Returns the format that the caller or the extension states. A .gltf file is text, which plumb
+/// does not write.
 MeshFormat format_to_write(const std::string& path, std::optional<MeshFormat> format) {
   if (!format && !path.ends_with(".gltf")) format = mesh_format_of(path);
   if (format) return *format;

@@ -28,7 +28,7 @@ namespace {
 
 constexpr std::uint32_t kFirstOfFrame = 3;
 
-/// How many records of one kind the file announces, and what they cost.
+/// The number of records of one kind that the file announces, and their memory.
 struct Count {
   std::string_view name;
   std::uint64_t least_bytes;   ///< Least bytes of a record with its line break.
@@ -84,7 +84,7 @@ class Nef3Reader {
   std::uint32_t read_index(const Count& count, std::string_view what) {
     return in_.read_id(what, count.value) - 1;
   }
-  /// Returns an id, not valid for the number 0.
+  /// Returns an id. It is invalid for the number 0.
   template <class Id>
   Id read_optional(const Count& count, std::string_view what) {
     const std::uint32_t id = in_.read_id(what, count.value, 0);
@@ -93,7 +93,7 @@ class Nef3Reader {
   PlaneId read_plane_id() { return PlaneId(read_index(planes_, "plane")); }
   Mark read_mark() { return static_cast<Mark>(in_.read_id("mark", kBeyond, 0)); }
   TextCursor& cursor() { return in_.cursor(); }
-  /// Returns where the next token begins, or the end of the line.
+  /// Returns the place where the next token begins, or the end of the line.
   const char* next_token() {
     cursor().at_line_end();
     return cursor().position();
@@ -143,7 +143,8 @@ void Nef3Reader::read_counts() {
   }
   in_.end_line("seven numbers on this line");
   in_.require_bytes(bytes, "as many records", start);
-  constexpr std::uint32_t kMost = 0x3fff'ffff;  // Most cells that a SpaceItem can name.
+  // The greatest number of cells that a SpaceItem can represent.
+  constexpr std::uint32_t kMost = 0x3fff'ffff;
   const bool is_far = planes_.value > kMost || points_.value > kMost || vertices_.value > kMost ||
                       edges_.value > kMost || uses_.value > kMost || facets_.value > kMost;
   if (is_far) fail(ErrorCode::ResourceLimit, "more than 2^30 items of a kind", start);
@@ -165,7 +166,7 @@ void Nef3Reader::size_arrays() {
   c_.inner_begin = {0};
 }
 
-/// Reads a plane: the exact row of one that was not there before, in canonical orientation, or a
+/// Reads a plane: the exact row of a plane that was not read before, in canonical orientation, or a
 /// plane of the frame.
 void Nef3Reader::read_plane(std::uint32_t index) {
   const char* const start = cursor().position();
@@ -188,8 +189,8 @@ void Nef3Reader::read_plane(std::uint32_t index) {
   fail(ErrorCode::BadShape, in_.record_name() + found, start);
 }
 
-/// Reads a plane of the frame. Planes 4 to 9 are the frame, in the order of kFrame, or there is
-/// none.
+/// Reads a plane of the frame. Either planes 4 to 9 are the frame, in the order of kFrame, or there
+/// is no frame.
 void Nef3Reader::read_frame_plane(std::uint32_t index) {
   const char* const start = cursor().position();
   const std::string_view word = cursor().token();
@@ -219,12 +220,12 @@ void Nef3Reader::read_input_point() {
   for (std::size_t i = 0; i < 3; ++i) {
     const char* const start = next_token();
     in_.read_number(number_[i], "three numbers, x, y and z");
-    at[i] = double_of(number_[i], start) + 0.0;  // Negative zeros become zeros.
+    at[i] = double_of(number_[i], start) + 0.0;  // Negative zero becomes zero.
   }
   point_.push_back(SpacePoint(tables_->planes.add_point({at[0], at[1], at[2]})));
 }
 
-/// Returns the number as a double. Large integers are read as rationals but may be doubles as well.
+/// Returns the number as a double. Large integers are read as rationals, but may also be doubles.
 double Nef3Reader::double_of(const ReadNumber& number, const char* start) {
   if (number.is_double()) return number.as_double();
   const RoundedDouble nearest = round_to_double(number.exact());
@@ -296,8 +297,8 @@ void Nef3Reader::read_edge() {
   c_.edge_use.push_back(read_optional<UseId>(uses_, "use"));
 }
 
-/// Reads an edge use and notes it as the previous one of its next; a use that is the next of none
-/// is found by flaw_of_links().
+/// Reads an edge use, and stores it as the previous use of its next one. flaw_of_links() finds a
+/// use that is not the next of any use.
 void Nef3Reader::read_use(std::uint32_t u) {
   c_.use_halfedge.emplace_back(in_.read_id("half-edge", 2 * edges_.value) - 1);
   const std::uint32_t next = read_index(uses_, "use");
@@ -307,7 +308,7 @@ void Nef3Reader::read_use(std::uint32_t u) {
   c_.use_facet.emplace_back(read_index(facets_, "facet"));
 }
 
-/// Reads any number of 32 bits.
+/// Reads a number of 32 bits.
 std::uint32_t Nef3Reader::read_origin() {
   constexpr std::uint32_t kLast = 0xffff'ffff;
   if (!cursor().at_line_end() && cursor().rest().starts_with("4294967295")) {

@@ -66,7 +66,7 @@ class Nef3Writer {
   void write_uses();
   void write_facets();
 
-  /// Returns the 1-based number of an id; 0 if it is not valid.
+  /// Returns the 1-based number of an id, or 0 if it is invalid.
   template <class Id>
   static std::uint64_t number(Id id) {
     return id.is_valid() ? std::uint64_t{id.value()} + 1 : 0;
@@ -93,7 +93,7 @@ class Nef3Writer {
 
   TextOutput out_;
   const SpaceComplex& complex_;
-  // At first whether a thing is used; then its number in the file, from 1, in the order of
+  // First, whether an element is used. Then, its number in the file, from 1, in the order of
   // `planes_`.
   IdVector<PlaneId, std::uint32_t> plane_;
   IdVector<InputPointId, std::uint32_t> input_;
@@ -232,8 +232,8 @@ void Nef3Writer::write_facets() {
 }  // namespace
 
 void write_nef3(std::ostream& out, const SpaceComplex& complex, Context& context) {
-  MemoryCharge memory(
-      context);  // New numbers of planes and points, and a list of planes that grows.
+  // The memory of new numbers of planes and points, and of a list of planes that grows.
+  MemoryCharge memory(context);
   memory.add(sizeof(std::uint32_t) * (4 * complex.planes().size() +
                                       complex.planes().points().size() + complex.points().size()),
              "numbers of planes and points");

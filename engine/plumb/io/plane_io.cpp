@@ -46,8 +46,8 @@ void copy_point(const PointTable2& from, std::uint32_t i, PointTable2& to) {
   to.push_back(p.x, p.y);
 }
 
-/// Returns polygon p with a table of points of its own: the cost of a sweep depends on the table it
-/// is given.
+/// Returns polygon p with a separate table of points, because the cost of a sweep depends on its
+/// table.
 PlaneShapes single_polygon(const PlaneShapes& shapes, std::size_t p) {
   PlaneShapes alone;
   for (std::uint32_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
@@ -95,7 +95,7 @@ class RingSides : private SweepVisitor {
   const PlaneShapes& polygon_;
   std::vector<SweepSegment> segments_;
   std::vector<Edge> edges_;  ///< Edge of each of segments_.
-  /// Whether the polygon lies above each of segments_ met so far.
+  /// Whether the polygon lies above each of the segments_ that have been met so far.
   IdVector<SegmentId, char> inside_above_;
   bool crossed_ = false;
 };
@@ -112,7 +112,7 @@ void RingSides::collect_edges() {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const SweepSegment segment{ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]};
       const Sign order = compare_xy(polygon_.points, segment.from, segment.to);
-      if (order == Sign::Zero) continue;  // A repeated corner.
+      if (order == Sign::Zero) continue;  // The corner is repeated.
       segments_.push_back(segment);
       edges_.push_back({r, order == Sign::Negative});
     }
@@ -133,7 +133,7 @@ bool RingSides::on_event(const SweepEvent& event) {
   return true;
 }
 
-/// Whether every edge here starts or ends here, and none lies on another.
+/// Whether every edge at this place starts or ends here, and no edge lies on another edge.
 bool RingSides::is_corner(const SweepEvent& event) {
   return !event.points.empty() && event.has_ends_only();
 }
@@ -151,7 +151,7 @@ std::vector<RingSide> RingSides::sides_of_rings() const {
   return sides;
 }
 
-/// Appends the rings of polygon p, wound so that it lies on their left.
+/// Appends the rings of polygon p, with directions such that the polygon lies on their left.
 void append_wound(const PlaneShapes& shapes, std::size_t p, const std::vector<RingSide>& sides,
                   PlaneShapes& to) {
   for (std::uint32_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
@@ -170,7 +170,7 @@ void reverse_ring(PlaneShapes& shapes, std::size_t r) {
                shapes.ring_corners.begin() + shapes.ring_begin[r + 1]);
 }
 
-/// Turns holes round that run the same way as the outer ring of their polygon.
+/// Reverses holes that have the same direction as the outer ring of their polygon.
 PlaneShapes with_turned_holes(PlaneShapes shapes) {
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     const std::uint32_t outer = shapes.polygon_begin[p];
@@ -223,7 +223,7 @@ void add_polygons(const PlaneShapes& shapes, SetOfPolygons& result, Context& con
                                 WindingRule::Positive, Boundary::Closed, context));
 }
 
-/// Adds lines and points; a point is a line of one corner.
+/// Adds lines and points. A point is a line with one corner.
 void add_lines(const PlaneShapes& shapes, std::vector<Nef2>& sets, Context& context) {
   if (shapes.line_count() == 0 && shapes.single_points.empty()) return;
   std::vector<std::uint32_t> corners = shapes.line_corners;
@@ -270,7 +270,7 @@ class ShapesOfParts {
   PlaneShapes shapes_;
 };
 
-/// Throws if the exact value lies beyond the doubles. Approximations of a table are clamped where
+/// Throws if the exact value exceeds all doubles. In a table, the approximation is clamped where
 /// the nearest double is infinite.
 void require_finite(double approx, const Rational& exact) {
   const bool is_largest = std::fabs(approx) == std::numeric_limits<double>::max();
@@ -383,7 +383,7 @@ std::string_view rule_name(RingRule rule) {
   }
 }
 
-/// Says that a file is the empty set. That is no surprise if all its geometries are empty.
+/// Notes that a file is the empty set. If all its geometries are empty, there is no note.
 void note_emptiness(bool has_shapes, RingRule rule, PlaneRead& read) {
   if (!has_shapes) {
     const bool has_other_contents = !read.notes.empty();
@@ -395,7 +395,7 @@ void note_emptiness(bool has_shapes, RingRule rule, PlaneRead& read) {
   }
 }
 
-/// Makes a set of shapes. A file that has content and describes the empty set says so.
+/// Makes a set of shapes. If a file has content but describes the empty set, a note states this.
 PlaneRead set_of(PlaneFile file, RingRule rule, Context& context) {
   const SetOfPolygons parts = parts_of(file.shapes, rule, context);
   PlaneRead read{united(parts.sets, context), std::move(file.notes), {}};
@@ -431,8 +431,8 @@ WindingRule rule_of_shape(bool is_even_odd) {
   return is_even_odd ? WindingRule::EvenOdd : WindingRule::NonZero;
 }
 
-/// Makes a set of a drawing: the union of its shapes, or what another rule of the caller says of
-/// all rings together.
+/// Makes a set of a drawing: the union of its shapes or, if the caller has a different rule, the
+/// result of this rule for all rings together.
 PlaneRead set_of_drawing(SvgDrawing drawing, RingRule rule, Context& context) {
   std::vector<Nef2> sets;
   PlaneShapes all;
@@ -465,7 +465,7 @@ PlaneRead read_dxf_set(std::string_view text, const DxfSelection& selection,
 
 namespace {
 
-/// Returns the format in the words of foreign_files.h.
+/// Returns the name of the format in foreign_files.h.
 std::string_view kind_of(PlaneFormat format) {
   switch (format) {
     case PlaneFormat::Nef2:
@@ -550,7 +550,8 @@ std::string joined_by_and(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// Returns what rounding did, such as "1 face was left out and 2 vertices were merged".
+/// Returns a description of the effect of rounding, such as "1 face was left out and 2 vertices
+/// were merged".
 std::string changes_of(const PlaneRoundingReport& report, bool tells_moves) {
   std::vector<std::string> parts;
   const auto add = [&parts](std::size_t count, const char* one, const char* many,

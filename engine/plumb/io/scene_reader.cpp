@@ -47,7 +47,7 @@ FaceId farthest_face(const SurfaceMesh& mesh, const Point3& from, FaceId face);
 
 namespace {
 
-constexpr std::uint64_t kPointBytes = 96;  // Bytes of a control point, in tables and lists.
+constexpr std::uint64_t kPointBytes = 96;  // The memory of a control point, in tables and lists.
 constexpr std::size_t kDrawnPerCheckpoint = 256;
 
 /// Returns points of the surface for all points of the drawing.
@@ -88,7 +88,7 @@ void add_drawing(const DrawingFile& file, const ParsedScene::Drawing& how, Surfa
           drawing.ring_begin[r], drawing.ring_begin[r + 1] - drawing.ring_begin[r]);
       shape.push_back(static_cast<std::uint32_t>(polygons.size()));
       const auto torn = add_traced_polygon(tracer, ring, polygons, context);
-      PLUMB_CHECK(!torn);  // Lines do not leave their component.
+      PLUMB_CHECK(!torn);  // Lines never leave their component.
     }
   }
 }
@@ -147,7 +147,7 @@ class SceneMaker {
   }
 
  private:
-  // Pairs of shape and component.
+  // The pairs of shape and component.
   using Levels = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
   [[noreturn]] void fail(ErrorCode code, const std::string& message, std::size_t place) const {
@@ -246,7 +246,7 @@ class SceneMaker {
     }
   }
 
-  /// Gives the shapes from `first` on the label zero in a face, unless the scene says more about
+  /// Gives the shapes from `first` on the label zero in a face, unless the scene states more about
   /// their component.
   void add_zeros(std::size_t first, FaceId face, const Levels& given, SurfaceScene& scene) const {
     const std::uint32_t component = mesh_->component(face);
@@ -259,7 +259,7 @@ class SceneMaker {
     }
   }
 
-  /// Returns the levels of faces that exist; the others are refused later.
+  /// Returns the levels of faces that exist. The other levels are refused later.
   Levels given_levels() const {
     Levels given;
     for (const auto& [level, place] : in_.levels) {

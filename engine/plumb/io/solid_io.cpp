@@ -46,7 +46,7 @@ std::string crossings_of(const MeshReport& report) {
          " pair(s) of faces, the first: " + listed(pairs);
 }
 
-/// Describes what was done to the mesh. Face numbers are 0-based, as in the file.
+/// Describes the repair of the mesh. Face numbers are 0-based, as in the file.
 void describe(const MeshReport& report, std::vector<std::string>& notes) {
   add_note("faces without area, left out", report.degenerate, notes);
   add_note("faces with repeated corners or spikes, trimmed", report.trimmed, notes);
@@ -91,8 +91,8 @@ void refuse_without_faces(const MeshFile& file, bool may_be_empty, const std::st
   warnings.push_back(lack + "; the set is empty");
 }
 
-/// Mends a mesh, and describes what was done. If faces are dropped, later notes number the faces
-/// that are left.
+/// Repairs a mesh, and describes the repair. If faces are dropped, later notes number the remaining
+/// faces.
 void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& name,
           std::vector<std::string>& notes, Context& context) {
   const RepairReport report =
@@ -130,9 +130,9 @@ void mend(PolygonMesh& mesh, const RepairOptions& options, const std::string& na
 
 namespace {
 
-/// Returns the mesh and those of its attributes that are kept; null if there are none and its faces
-/// are not kept. The source has its points where a weld will move them, since faces are found by
-/// their planes.
+/// Returns the mesh and the attributes that are kept. Returns null if there are none and the faces
+/// are not kept. The source has its points at the places to which a weld moves them, because faces
+/// are found by their planes.
 std::shared_ptr<const MeshSource> source_of(MeshFile& file, const SolidReadOptions& options,
                                             const std::string& name, Context& context) {
   MeshAttributes& attributes = file.attributes;
@@ -198,7 +198,7 @@ SolidRead read_solid_file(const std::string& path, const SolidReadOptions& optio
 
 namespace {
 
-/// Tries ways of mending a mesh.
+/// Tries repairs of a mesh.
 class RemedySearch {
  public:
   RemedySearch(const PolygonMesh& mesh, const SolidReadOptions& options, Context& context)
@@ -210,7 +210,7 @@ class RemedySearch {
     PolygonMesh merged = mesh_;
     weld_points(merged, options_.repair.weld, context_);
     const bool is_torn = has_loose_faces(merged);
-    std::size_t longest = 0;  // The edges of the longest hole.
+    std::size_t longest = 0;  // The number of edges of the longest hole.
     if (!is_torn) {
       if (auto found = tried(turned, &longest)) return found;
       RepairOptions single = turned;
@@ -230,8 +230,9 @@ class RemedySearch {
     return longest > options_.repair.fill_holes ? tried(repair) : std::nullopt;
   }
 
-  /// Whether so many edges have one face only that the mesh is a heap of loose faces, such as an
-  /// STL file whose corners differ in the last bits. To mend it as it is would be slow and useless.
+  /// Whether so many edges have only one face that the mesh is a collection of loose faces, such as
+  /// an STL file whose corners differ in the last bits. A repair of such a mesh would be slow and
+  /// useless.
   static bool has_loose_faces(const PolygonMesh& mesh) {
     constexpr std::size_t kMostShare = 8;
     std::vector<std::uint64_t> edges;
@@ -253,8 +254,8 @@ class RemedySearch {
     return lonely > 100 && lonely > edges.size() / kMostShare;
   }
 
-  /// Returns the options without the steps that change nothing, if the mended mesh is read. Adds
-  /// the edges of holes that are left to `open_edges`.
+  /// Returns the options without the steps that have no effect, if the repaired mesh can be read.
+  /// Adds the edges of remaining holes to `open_edges`.
   std::optional<RepairOptions> tried(RepairOptions repair, std::size_t* longest = nullptr,
                                      std::size_t* open_edges = nullptr) const {
     PolygonMesh mesh = mesh_;
@@ -279,10 +280,10 @@ class RemedySearch {
     }
   }
 
-  /// Tries tolerances that are powers of ten, least first. Above 1e-5 of the size of the mesh, a
-  /// tolerance must be much shorter than every edge, so that welding takes no detail away. If no
-  /// tolerance is enough and the mesh is torn, the holes are filled that the tolerance leaves with
-  /// the fewest open edges.
+  /// Tries tolerances that are powers of ten, beginning with the least. Above 1e-5 of the size of
+  /// the mesh, a tolerance must be much shorter than every edge, so that welding removes no detail.
+  /// If no tolerance is sufficient and the mesh is torn, the holes are filled that remain after
+  /// welding with the tolerance that leaves the fewest open edges.
   std::optional<RepairOptions> welded(RepairOptions repair, bool fills) const {
     constexpr int kSafe = 5, kLast = 3;
     constexpr double kMostOfEdge = 0.125;
@@ -291,7 +292,7 @@ class RemedySearch {
     const int exponent = static_cast<int>(std::floor(std::log10(size)));
     std::optional<RepairOptions> nearly;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    std::size_t longest = 0;  // The edges of the longest hole that is left then.
+    std::size_t longest = 0;  // The number of edges of the longest hole that then remains.
     for (int digits = 9; digits >= kLast; --digits) {
       const std::string text = "1e" + std::to_string(exponent - digits);
       repair.weld = std::strtod(text.c_str(), nullptr);
@@ -310,7 +311,7 @@ class RemedySearch {
     return fills && nearly ? filled(*nearly, longest) : std::nullopt;
   }
 
-  /// Returns the length of the shortest edge between different points; 0 if there is none. The
+  /// Returns the length of the shortest edge between different points, or 0 if there is none. The
   /// last edge of a face is left out.
   double shortest_edge() const {
     double least = HUGE_VAL;

@@ -29,7 +29,7 @@ bool is_chosen(CellChoice chosen, CellId c) { return chosen.empty() || chosen[c.
 
 /// The triangles of the chosen cells, and new numbers for the points they use.
 struct ChosenTriangles {
-  std::vector<std::uint32_t> triangles;  // Sorted by cell.
+  std::vector<std::uint32_t> triangles;  // The triangles, sorted by cell.
   std::vector<std::uint32_t> points;
   std::vector<std::uint32_t> number;
 
@@ -66,7 +66,7 @@ std::string text_of(std::span<const SignedEntry> polygons) {
 
 using Json = nlohmann::ordered_json;
 
-/// Writes points once each, in the order of their first use.
+/// Writes each point once, in the order of its first use.
 class SceneWriter {
  public:
   explicit SceneWriter(const SurfaceScene& scene)
@@ -97,8 +97,8 @@ class SceneWriter {
     return place->second;
   }
 
-  /// Returns a point as written. Decimals are used only if the reader finds the same place by them:
-  /// well inside a face.
+  /// Returns a point in its written form. Decimals are used only well inside of a face, where the
+  /// reader finds the same place from them.
   Json written(SurfacePointId p, FaceId f) const {
     constexpr double kClear = 0x1p-30;
     const SurfacePointTable& points = polygons_.points;

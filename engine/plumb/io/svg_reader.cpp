@@ -35,10 +35,10 @@ namespace {
 
 constexpr double kThousandth = 1e-3;
 
-/// Elements that would be drawn but are left out.
+/// The elements that would be drawn, but are left out.
 constexpr std::array<std::string_view, 3> kLeftOut{"text", "image", "foreignObject"};
 
-/// What an open element is to the elements in it.
+/// The role of an open element for the elements in it.
 enum class SvgChoice : std::uint8_t {
   All,   ///< All of them are drawn.
   One,   ///< A switch: the first one without conditions is drawn.
@@ -46,8 +46,8 @@ enum class SvgChoice : std::uint8_t {
 };
 
 constexpr std::size_t kMostUsesNested = 64;
-/// Uses of uses can place an element any number of times. All that they place is at most this many
-/// bytes of the text, and as many times the text.
+/// Nested uses can place an element any number of times. All placed elements together have at most
+/// this many bytes of text, or this multiple of the text.
 constexpr std::uint64_t kMostUsedBytes = std::uint64_t{1} << 23U, kMostUsedTimes = 16;
 
 class SvgReader {
@@ -72,7 +72,7 @@ class SvgReader {
     Outline outline;
   };
   static const std::array<Kind, 7> kKinds;
-  /// Where the element that is used begins, and the size that the use states.
+  /// The place where the used element begins, and the size that the use states.
   struct Use {
     const char* tag;
     std::optional<double> width, height;
@@ -120,9 +120,10 @@ class SvgReader {
   void set_frame(double x, double y, double width, double height);
 
   SvgFrame frame_;
-  const XmlScanner document_;  // At the beginning.
-  std::vector<XmlScanner>
-      scanners_;  // Of the drawing, then of each element that is used, innermost last.
+  const XmlScanner document_;  // The scanner at the beginning.
+  // The scanner of the drawing, followed by the scanners of the used elements. The innermost is
+  // last.
+  std::vector<XmlScanner> scanners_;
   NumberReader numbers_;
   std::string_view text_;
   std::optional<double> tolerance_;
@@ -130,16 +131,19 @@ class SvgReader {
   Context& context_;
   // Transforms of the open elements, each the product of all above it.
   std::vector<SvgTransform> transforms_;
-  std::vector<std::uint8_t> even_odd_;  // Fill rules of the open elements.
+  std::vector<std::uint8_t> even_odd_;  // The fill rules of the open elements.
   std::vector<std::uint8_t> hidden_;    // Whether the open elements are invisible.
-  std::vector<SvgChoice> choices_;      // Of the open elements.
-  // Width and height of what percentages are parts of, for the open elements; 0 if unknown.
+  std::vector<SvgChoice> choices_;      // For the open elements.
+  // For the open elements, the width and the height to which percentages refer, or 0 if they are
+  // unknown.
   std::vector<Point2> sizes_;
-  Point2 inner_size_{0, 0};                          // That of the element that is being entered.
-  std::map<std::string_view, XmlScanner> elements_;  // By their ids, once a use has asked for one.
+  // The size of the element that is being entered.
+  Point2 inner_size_{0, 0};
+  // The elements by their ids, after a use has requested one.
+  std::map<std::string_view, XmlScanner> elements_;
   bool has_ids_ = false;
-  std::vector<Use> uses_;         // Those that are being read, innermost last.
-  std::uint64_t used_bytes_ = 0;  // Of all elements that uses have placed.
+  std::vector<Use> uses_;         // The elements that are being read. The innermost is last.
+  std::uint64_t used_bytes_ = 0;  // The size of all elements that uses have placed.
   std::set<std::string_view> left_out_;
   SvgStyleSheet style_sheet_;
 };
@@ -197,8 +201,8 @@ void SvgReader::end_element() {
   sizes_.pop_back();
 }
 
-/// Reads the size of the drawing from its viewBox, else from width and height. The root's transform
-/// puts the middle at the origin and turns the y axis upwards.
+/// Reads the size of the drawing from its viewBox, or otherwise from width and height. The
+/// transform of the root moves the middle to the origin, and turns the y axis upwards.
 void SvgReader::start_root() {
   if (plain_name(scanner().element()) != "svg") {
     scanner().fail(ErrorCode::UnknownFormat,
@@ -252,7 +256,7 @@ void SvgReader::set_frame(double x, double y, double width, double height) {
   }
 }
 
-/// Returns a length of the root in millimetres, if it has a physical unit.
+/// Returns a length of the root in millimetres, if the length has a physical unit.
 std::optional<double> SvgReader::millimetres(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, double>, 5> kPhysical{
       {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72}, {"pc", 25.4 / 6}}};
@@ -326,12 +330,13 @@ void SvgReader::skip_element() {
   }
 }
 
-/// Whether the element that started last is the one that a use names: a symbol is drawn only there.
+/// Whether the element that started last is the element that a use names. A symbol is drawn only
+/// there.
 bool SvgReader::is_used_root() const {
   return scanners_.size() > 1 && scanner().tag() == uses_.back().tag;
 }
 
-/// Finds the elements that have ids. An id that occurs twice means its first element.
+/// Finds the elements that have ids. If an id occurs twice, the first element counts.
 void SvgReader::find_ids() {
   constexpr std::uint64_t kElementBytes = 2 * sizeof(XmlScanner);
   if (std::exchange(has_ids_, true)) return;
@@ -347,8 +352,8 @@ void SvgReader::find_ids() {
   all.release_attributes();
 }
 
-/// Enters the element that the use names. A use of another file, or of what is missing, is left
-/// out.
+/// Enters the element that the use names. A use that refers to another file, or to a missing
+/// element, is left out.
 void SvgReader::start_use() {
   std::string_view name = scanner().attribute("href").value_or(
       scanner().attribute("xlink:href").value_or(std::string_view{}));
@@ -428,8 +433,9 @@ SvgTransform SvgReader::viewport(Point2 corner, double width, double height) {
           corner.y + down * (height - high * scale.y) - y * scale.y};
 }
 
-/// Whether the element that started last is drawn, if it is one of a switch. Of these, the first
-/// one without conditions is drawn: no extension is known here, and no language is preferred.
+/// Whether the element that started last is drawn, if it belongs to a switch. In a switch, the
+/// first element without conditions is drawn, because plumb knows no extensions and prefers no
+/// language.
 bool SvgReader::is_chosen() {
   SvgChoice& choice = choices_.back();
   if (choice == SvgChoice::All) return true;
@@ -442,7 +448,7 @@ bool SvgReader::is_chosen() {
   return true;
 }
 
-/// Enters a group, reads a shape, or skips an element with all it contains.
+/// Enters a group, reads a shape, or skips an element with its content.
 void SvgReader::start_element() {
   const std::string_view name = plain_name(scanner().element());
   const auto kind = std::ranges::find(kKinds, name, &Kind::name);
@@ -478,7 +484,8 @@ void SvgReader::start_element() {
   outline_.end_shape(fills_by_evenodd);
 }
 
-/// Notes what a program that draws would do to the element that started last, beyond its outline.
+/// Notes the effects that a drawing program would give the element that started last, in addition
+/// to its outline.
 void SvgReader::note_effects() {
   constexpr std::array<std::string_view, 2> kCuts{"clip-path", "mask"};
   constexpr std::array<std::string_view, 4> kMarkers{"marker", "marker-start", "marker-mid",
@@ -520,7 +527,7 @@ void SvgReader::end_value(SvgValue& text) {
   if (!text.at_end()) text.fail_expected("the end of the value");
 }
 
-/// Returns what a percentage in an attribute is a part of; 0 if that is unknown.
+/// Returns the length to which a percentage in an attribute refers, or 0 if it is unknown.
 double SvgReader::whole_of(std::string_view name) const {
   if (name == "r") return std::hypot(size().x, size().y) / std::numbers::sqrt2;
   const bool is_vertical = name == "height" || name.find('y') != name.npos;
@@ -584,7 +591,8 @@ SvgTransform SvgReader::read_one_transform(SvgValue& text) {
 
 void SvgReader::read_rect() {
   const double x = length("x"), y = length("y"), width = size("width"), height = size("height");
-  if (width == 0 || height == 0) return;  // SVG says that nothing is drawn.
+  // By the specification of SVG, such an element is not drawn.
+  if (width == 0 || height == 0) return;
   const std::optional<double> given_x = length_if("rx"), given_y = length_if("ry");
   const double rx = std::clamp(given_x.value_or(given_y.value_or(0)), 0., width / 2);
   const double ry = std::clamp(given_y.value_or(given_x.value_or(0)), 0., height / 2);

@@ -20,11 +20,12 @@
 namespace plumb {
 namespace {
 
-/// A word of the language, and the parameters that are understood or may be skipped without a note.
+/// A word of the language, the parameters that are read, and the parameters that are skipped
+/// without a note.
 struct CsgWord {
   std::string_view name;
   CsgKind kind;
-  std::string_view parameters;  // Names between blanks.
+  std::string_view parameters;  // The names are separated by blanks.
 };
 
 constexpr std::array kWords{
@@ -188,8 +189,8 @@ void CsgNodes::append_color() {
   }
 }
 
-/// Appends the numbers of a colour that is a text. An unknown name gives no colour, with a note, as
-/// it does in OpenSCAD.
+/// Appends the numbers of a colour that is given as text. As in OpenSCAD, an unknown name gives no
+/// colour, and a note names it.
 void CsgNodes::append_named_color(const CsgValue& text) {
   const std::string name = scanner_.text_of(text);
   if (const auto color = color_named(name)) {
@@ -350,7 +351,7 @@ void CsgNodes::append_text() {
   for (const GlyphOutline& glyph : outlines.glyphs) append_glyph(glyph);
 }
 
-/// Reads the outlines of a text; errors get the place of the node.
+/// Reads the outlines of a text. Adds the place of the node to every error.
 TextOutlines CsgNodes::outlines_of(const TextRequest& request) {
   TextOutlines outlines;
   try {
@@ -415,8 +416,8 @@ std::optional<CsgValue> CsgNodes::find(std::string_view name) {
   return {};
 }
 
-/// Does the same; if the parameter is missing, returns the value of the first one, if it has no
-/// name.
+/// Returns the same value. If the parameter is missing, and the first parameter has no name,
+/// returns the value of the first parameter.
 std::optional<CsgValue> CsgNodes::find_or_first(std::string_view name) {
   const std::optional<CsgValue> found = find(name);
   const auto parameters = scanner_.parameters();
@@ -466,8 +467,8 @@ void CsgNodes::count_step() {
   if (++steps_ % kStepsPerCheckpoint == 0) context_.check_limits("read");
 }
 
-/// Appends `count` numbers of a vector; a number stands for all of them. Missing ones are
-/// `otherwise`.
+/// Appends `count` numbers of a vector. A single number is repeated. Missing numbers are replaced
+/// by `otherwise`.
 void CsgNodes::append_vector(const std::optional<CsgValue>& value, std::size_t count,
                              double otherwise) {
   std::vector<double> numbers(count, otherwise);

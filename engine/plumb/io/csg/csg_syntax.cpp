@@ -51,7 +51,7 @@ void CsgScanner::fail(ErrorCode code, const std::string& message, const char* wh
   cursor_.fail(code, message);
 }
 
-/// Throws what is wrong with the token where the scanner is.
+/// Throws an error for the token at the position of the scanner.
 void CsgScanner::fail_unexpected(const char* what) {
   if (p_ > cursor_.position()) cursor_.move_to(p_);
   if (p_ == end_) {
@@ -60,7 +60,8 @@ void CsgScanner::fail_unexpected(const char* what) {
   cursor_.fail_token(token(), what);
 }
 
-/// Returns what a message quotes: a word, or one character that begins none.
+/// Returns the text that a message quotes: a word, or a single character that does not begin a
+/// word.
 std::string_view CsgScanner::token() const {
   const char* q = p_;
   while (q != end_ && (is_csg_letter(*q) || is_csg_digit(*q) || *q == '.')) ++q;
@@ -79,7 +80,7 @@ void CsgScanner::skip_comment() {
   p_ = close == rest.npos ? end_ : p_ + close + (is_line ? 1 : 2);
 }
 
-/// Returns whether there is more than blanks and comments.
+/// Returns whether the text has more than blanks and comments.
 bool CsgScanner::skip_blanks() {
   for (;;) {
     p_ = find_watched(p_, end_, context_, [](char c) { return !is_csg_blank(c); });
@@ -89,7 +90,7 @@ bool CsgScanner::skip_blanks() {
   }
 }
 
-/// Returns the next character that is no blank; 0 at the end.
+/// Returns the next character that is not a blank, or 0 at the end.
 char CsgScanner::peek() { return skip_blanks() ? *p_ : '\0'; }
 
 bool CsgScanner::take(char c) {
@@ -170,7 +171,7 @@ void CsgScanner::read_parameters() {
   expect('(', "'('");
   if (take(')')) return;
   do {
-    if (peek() == ')') break;  // A comma may end the list.
+    if (peek() == ')') break;  // A comma may be the last character of the list.
     if (p_ == end_) fail_unexpected("a parameter or ')'");
     read_parameter();
   } while (take(','));
@@ -203,7 +204,7 @@ void CsgScanner::push(CsgValue::Kind kind, double number, const char* at) {
   values_.push_back({kind, number, next, next, at});
 }
 
-/// Reads a value with all values within it. `open` has the vectors that are not closed.
+/// Reads a value with all values within it. `open` contains the vectors that are not closed.
 void CsgScanner::read_value() {
   std::vector<std::uint32_t> open;
   do {
@@ -265,7 +266,7 @@ void CsgScanner::read_number() {
     fail(ErrorCode::NumberOutOfRange, "the number is not finite: " + plumb::quoted(token), first);
   }
   double value = 0;
-  constexpr std::ptrdiff_t kMost = 64;  // Longer ones are rare, and may be very long.
+  constexpr std::ptrdiff_t kMost = 64;  // Longer numbers are rare, and may be very long.
   const auto [end, error] = double_from_chars(digits, std::min(last, digits + kMost), value);
   const bool is_read = error == std::errc() && end == last && std::isfinite(value);
   if (!is_read) {
@@ -285,7 +286,7 @@ void CsgScanner::read_text() {
   const char* const first = p_++;
   while (p_ != end_ && *p_ != '"') p_ += *p_ == '\\' && end_ - p_ > 1 ? 2 : 1;
   if (p_ == end_) fail(ErrorCode::Syntax, "this text does not end", first);
-  // OpenSCAD writes a line break within a text as it is.
+  // OpenSCAD writes a line break within a text without an escape.
   const char* line = first + 1;
   while (line <= p_) {
     const char* const end = std::find_if(line, p_, [](char c) { return c == '\n' || c == '\r'; });

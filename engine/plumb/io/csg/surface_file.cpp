@@ -18,7 +18,8 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kHeightBytes = 3 * sizeof(double);  // The rows, their copy while they grow.
+// The memory of the rows, and of their copy while they grow.
+constexpr std::uint64_t kHeightBytes = 3 * sizeof(double);
 
 /// The rows of a text, which may have different lengths.
 struct RaggedRows {
@@ -129,7 +130,8 @@ class SurfaceBuilder {
     mesh_.points.push_back(point(row, column, bottom_));
   }
 
-  /// Adds the four triangles between a corner and the corner before it in both directions.
+  /// Adds the four triangles of the square between a corner and the previous corner in both
+  /// directions.
   void add_square(std::size_t row, std::size_t column) {
     const std::array corners{top(row - 1, column - 1), top(row - 1, column), top(row, column),
                              top(row, column - 1)};
@@ -157,8 +159,8 @@ class SurfaceBuilder {
   Context& context_;
   double bottom_ = 0;
   PolygonMesh mesh_;
-  std::vector<std::uint32_t> border_;  // Corners of the field, clockwise seen from above.
-  std::vector<std::uint32_t> floor_;   // The points below them.
+  std::vector<std::uint32_t> border_;  // The corners of the field, clockwise when seen from above.
+  std::vector<std::uint32_t> floor_;   // The points below these corners.
 };
 
 }  // namespace

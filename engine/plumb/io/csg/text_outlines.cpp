@@ -34,7 +34,7 @@ namespace {
 
 constexpr double kEmOfSize = 100.0 / 72.0;
 constexpr double kAdvanceScale = 1000.0 / 1024.0;
-constexpr double kPixelsOfSize = 1600;  // In which heights are rounded, for a size of 1.
+constexpr double kPixelsOfSize = 1600;  // The unit to which heights are rounded, for a size of 1.
 
 template <class T, void (*destroy)(T*)>
 struct Destroyer {
@@ -66,7 +66,7 @@ struct FontFile {
   std::string path;
   int index = 0;
   std::string family;
-  bool is_named = true;  // Whether one of its families has the requested name.
+  bool is_named = true;  // Whether one of the families of the font has the requested name.
 };
 
 std::string text_in(const Pattern& pattern, const char* object, int which = 0) {
@@ -84,13 +84,14 @@ bool has_family(const Pattern& font, const std::string& family) {
   }
 }
 
-/// The installed fonts, of our own: those of the process belong to the program that plumb is in.
+/// The installed fonts. The configuration is separate, because the configuration of the process
+/// belongs to the program that uses plumb.
 FcConfig* installed_fonts() {
   static const Config config(FcInitLoadConfigAndFonts());
   return config.get();
 }
 
-/// Step 1 of the main flow.
+/// Performs step 1 of the main flow.
 FontFile find_font(const std::string& name) {
   const Pattern pattern(FcNameParse(bytes_of(name.empty() ? "Liberation Sans" : name)));
   if (!pattern) fail_without_font(name);
@@ -184,7 +185,8 @@ class OutlinePen {
     return 0;
   }
 
-  /// Leaves out the last point of a path if it is the first one, and paths without an inside.
+  /// Removes the last point of a path if it equals the first point, and removes paths without an
+  /// interior.
   void end_path() {
     std::vector<Point>& points = glyph_.points;
     if (points.size() > first_ + 1 && points.back() == points[first_]) points.pop_back();
@@ -201,7 +203,7 @@ class OutlinePen {
   std::size_t first_ = 0;  // The first point of the path.
 };
 
-/// Steps 2 to 4 of the main flow.
+/// Performs steps 2 to 4 of the main flow.
 class TextSetter {
  public:
   TextSetter(FT_Face face, const TextRequest& request, Context& context)
@@ -258,7 +260,7 @@ class TextSetter {
     if (request_.valign == "bottom") return depth;
     return request_.valign == "center" ? (depth - height) / 2 : 0;
   }
-  /// Returns a length in units of the font as OpenSCAD has it, in whole pixels.
+  /// Returns a length in units of the font as OpenSCAD computes it, in whole pixels.
   double rounded_up(double units) const {
     const double pixels = units * kEmOfSize / face_->units_per_EM * (kPixelsOfSize * kAdvanceScale);
     return std::ceil(pixels) / kPixelsOfSize * request_.size;
@@ -270,8 +272,8 @@ class TextSetter {
   MemoryCharge memory_;
   double unit_ = 0;                  // The length of a unit of the font.
   double x_ = 0;                     // The place of the next character.
-  double highest_ = 0, lowest_ = 0;  // Of all characters, in units of the font.
-  std::optional<FT_UInt> last_;      // The character before.
+  double highest_ = 0, lowest_ = 0;  // For all characters, in units of the font.
+  std::optional<FT_UInt> last_;      // The previous character.
   std::vector<GlyphOutline> glyphs_;
 };
 

@@ -23,7 +23,7 @@ namespace plumb {
 namespace {
 
 constexpr double kByteColor = 255;
-constexpr std::uint64_t kNameBytes = 256;  // A material or group, and its entry in a map.
+constexpr std::uint64_t kNameBytes = 256;  // A material or a group, with its entry in a map.
 constexpr std::string_view kAttributes = "the attributes of the mesh";
 
 }  // namespace

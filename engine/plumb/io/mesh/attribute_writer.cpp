@@ -57,7 +57,7 @@ bool have_equal_bits(std::span<const double> a, std::span<const double> b) {
   });
 }
 
-/// Numbers corners such that those with equal numbers are those for which `is_same` holds.
+/// Numbers corners such that two corners get the same number if and only if `is_same` holds.
 template <class Hash, class IsSame>
 DistinctCorners number_corners(std::size_t corners, Hash hash, IsSame is_same) {
   DistinctCorners numbers;

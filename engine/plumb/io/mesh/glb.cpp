@@ -31,7 +31,8 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kGlbHeaderBytes = 12, kGlbChunkBytes = 8;
-constexpr std::uint64_t kGlbRecordBytes = 12;  // Three floats of a vertex, or three corners.
+// A vertex has three floats, and a triangle has three corners.
+constexpr std::uint64_t kGlbRecordBytes = 12;
 
 void put_array(TextOutput& out, const std::array<double, 3>& numbers) {
   out << '[' << numbers[0] << ',' << numbers[1] << ',' << numbers[2] << ']';
@@ -67,7 +68,7 @@ struct GlbOrder {
   std::vector<GlbPart> parts;
 };
 
-/// Sorts triangles by their materials; those without one come last.
+/// Sorts triangles by their materials. Triangles without a material come last.
 GlbOrder order_by_material(const PolygonMesh& mesh, const MeshAttributes& attributes) {
   GlbOrder order;
   order.faces.resize(mesh.face_count());
@@ -195,7 +196,7 @@ void put_channel_accessors(TextOutput& out, const std::vector<GlbChannel>& chann
 }
 
 /// Returns the document, with blanks that make its length a multiple of four. Accessor 0 has the
-/// vertices, accessor i + 1 the corners of part i; those of the channels follow.
+/// vertices, and accessor i + 1 has the corners of part i. The accessors of the channels follow.
 std::string glb_document(const PolygonMesh& mesh, const MeshAttributes& attributes,
                          const std::vector<GlbChannel>& channels, const GlbOrder& order,
                          std::uint64_t vertex_bytes, std::uint64_t corner_bytes,
@@ -276,7 +277,7 @@ std::array<double, 3> normal_of_triangle(const PolygonMesh& mesh, std::size_t fa
   return n;
 }
 
-/// Returns a channel with the numbers that glTF wants.
+/// Returns a channel with the numbers that glTF requires.
 MeshChannel as_in_gltf(const MeshChannel& from, const PolygonMesh& mesh) {
   MeshChannel to = from;
   const std::size_t width = to.width;
@@ -299,7 +300,7 @@ MeshChannel as_in_gltf(const MeshChannel& from, const PolygonMesh& mesh) {
   return to;
 }
 
-/// Returns what a primitive calls a channel.
+/// Returns the name of a channel in a primitive.
 std::string member_of(const MeshChannel& channel) {
   if (channel.name == "color") return "COLOR_0";
   if (channel.name == "normal") return "NORMAL";

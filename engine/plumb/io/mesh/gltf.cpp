@@ -75,15 +75,15 @@ class GltfReader {
   static constexpr Id kDocument = GltfDocument::kDocument;
   static constexpr std::size_t kMostTexcoords = 8;
 
-  /// A node that is to be placed by the topmost transform of above_. That transform is dropped
+  /// A node that waits to be placed by the topmost transform of above_. The transform is dropped
   /// after the last of its nodes.
   struct Placed {
     std::uint32_t node;
     bool is_last;
   };
 
-  /// Returns the mesh with these notes and warnings. A file without triangles is refused, with them
-  /// for a reason.
+  /// Returns the mesh with these notes and warnings. A file without triangles is refused, and the
+  /// warnings are the reason.
   MeshFile finished(const std::vector<std::string>& notes,
                     const std::vector<std::string>& warnings) {
     const bool is_empty = triangles_.triangle_count() == 0;
@@ -106,7 +106,8 @@ class GltfReader {
 
   // ---------------------------------------------------------------- nodes
 
-  /// Counts steps of loops over what the document lists; asks the context now and then.
+  /// Counts steps of loops over the lists of the document, and checks the context from time to
+  /// time.
   void watch() const {
     if (++watched_ % kItemsPerCheckpoint == 0) context_.checkpoint("read", 0, 1);
   }
@@ -158,8 +159,8 @@ class GltfReader {
     open_.push_back({static_cast<std::uint32_t>(node), false});
   }
 
-  /// Ends the children opened since there were `first`. They are taken from the end. If there are
-  /// none, their transform is dropped at once.
+  /// Ends the list of children that were opened since there were `first`. They are processed from
+  /// the end. If there are none, their transform is dropped immediately.
   void end_children(std::size_t first) {
     if (open_.size() == first) {
       above_.pop_back();
@@ -196,7 +197,8 @@ class GltfReader {
     }
   }
 
-  /// Whether an object has weights of morph targets other than 0: then vertices are elsewhere.
+  /// Whether an object has weights of morph targets other than 0. In this case, the vertices are at
+  /// other places.
   bool has_weights(Id object) const {
     const auto weights = in_.json().find(object, "weights");
     if (!weights || !in_.json().is_list(*weights)) return false;
@@ -215,7 +217,7 @@ class GltfReader {
     }
   }
 
-  /// Notes meshes of nodes that the scene does not place. With several scenes, or with hidden
+  /// Notes meshes of nodes that the scene does not place. If there are several scenes or hidden
   /// nodes, other notes name them.
   void note_nodes_outside() {
     if (in_.entries("scenes").size() != 1 || !hidden_.empty()) return;
@@ -241,8 +243,8 @@ class GltfReader {
     }
   }
 
-  /// Reads the attributes of instances. Those that move nothing are not read, and a node that has
-  /// no others places its mesh once.
+  /// Reads the attributes of instances. Attributes that do not move the mesh are not read. If a
+  /// node has only such attributes, it places its mesh once.
   GltfInstances instances_of(Id extension, const std::string& where) {
     GltfInstances copies;
     const auto attributes = in_.object(extension, "attributes");
@@ -309,8 +311,8 @@ class GltfReader {
     }
     return result;
   }
-  /// Returns the file of a texture; an empty text if its image is in the document or if there is
-  /// none.
+  /// Returns the file of a texture. Returns an empty text if the image is in the document, or if
+  /// there is no image.
   std::string name_of_texture(std::size_t index) {
     const Id texture = in_.item("textures", index);
     if (!in_.has(texture, "source")) return {};
@@ -326,7 +328,7 @@ class GltfReader {
     return GltfDocument::entry("meshes", mesh) + '.' + GltfDocument::entry("primitives", primitive);
   }
 
-  /// Returns the primitives of a mesh, listed once, however many nodes place it.
+  /// Returns the primitives of a mesh. They are listed once, even if several nodes place the mesh.
   const std::vector<GltfPrimitive>& primitives_of(std::size_t mesh) {
     const auto [at, is_new] = primitives_.try_emplace(mesh);
     if (!is_new) return at->second;
@@ -358,7 +360,7 @@ class GltfReader {
     }
     const auto attributes = in_.object(primitive, "attributes");
     if (!attributes || !in_.has(*attributes, "POSITION")) {
-      return {};  // glTF says that there is nothing to draw.
+      return {};  // In glTF, this means that there is nothing to draw.
     }
     const std::size_t positions = in_.count(*attributes, "POSITION", {}, where);
     std::optional<std::size_t> indices;
@@ -387,8 +389,8 @@ class GltfReader {
     return p;
   }
 
-  /// Calls visit(member, name) with the member of a primitive and the name of the channel, for each
-  /// channel that is read.
+  /// For each channel that is read, calls visit(member, name) with the member of the primitive and
+  /// the name of the channel.
   template <class Visit>
   static void for_each_channel(const Visit& visit) {
     visit("COLOR_0", "color");
@@ -406,8 +408,8 @@ class GltfReader {
     });
   }
 
-  /// Reads a channel. As in other formats, what cannot be read of the looks of a mesh is named and
-  /// does not refuse the file.
+  /// Reads a channel. As in other formats, a part of the appearance that cannot be read is named in
+  /// a note, and the file is not refused.
   void add_channel(Id attributes, const std::string& member, const std::string& name,
                    const std::string& where, GltfPrimitive& p) {
     if (!in_.has(attributes, member)) return;
@@ -458,8 +460,8 @@ class GltfReader {
     return accessors_.type_of(accessor) == "VEC4" ? "VEC4" : "VEC3";
   }
 
-  /// Reads the triangles of a compressed primitive, and its channels if they are kept. The
-  /// triangles of a strip are listed, too.
+  /// Reads the triangles of a compressed primitive, and its channels if they are kept. Triangles of
+  /// strips are listed one by one, too.
   void decompress(Id draco, Id attributes, std::size_t positions, const std::string& where,
                   GltfPrimitive& p) {
     const auto ids = in_.object(draco, "attributes");
@@ -494,15 +496,15 @@ class GltfReader {
   GltfAccessors accessors_;
   GltfTriangles triangles_;
   Context& context_;
-  MemoryCharge charge_;  // Of lists of primitives and materials.
+  MemoryCharge charge_;  // The memory of lists of primitives and materials.
   const bool keeps_attributes_;
   bool has_own_images_ = false;  // Whether a texture of a material has no file of its own.
   mutable std::size_t watched_ = 0;
   std::vector<Placed> open_;
-  std::deque<GltfTransform> above_;                               // Of open nodes.
-  std::vector<std::uint8_t> is_placed_;                           // Per node.
-  std::vector<std::size_t> hidden_;                               // Nodes that are not placed.
-  std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;  // Per mesh that is placed.
+  std::deque<GltfTransform> above_;                               // The transforms of open nodes.
+  std::vector<std::uint8_t> is_placed_;                           // For each node.
+  std::vector<std::size_t> hidden_;                               // The nodes that are not placed.
+  std::map<std::size_t, std::vector<GltfPrimitive>> primitives_;  // For each mesh that is placed.
 };
 
 }  // namespace

@@ -1,12 +1,11 @@
 // Reading of accessors.
 //
-// Offsets, strides and counts are compared with the bytes of the view before anything points there,
-// so that elements are read without checks. A sparse accessor is copied, with some elements
-// replaced. An accessor without any bytes has zeros for elements; so that a small file cannot ask
-// for many elements, their number is at most the number of bytes that were read. If data are stored
-// both compressed and uncompressed, the uncompressed data are used, because they do not depend on a
-// library.
-// Tested by tests/io/gltf_accessors_test.cpp.
+// Offsets, strides and counts are compared with the bytes of the view in advance, so that elements
+// are read without checks. A sparse accessor is copied, with some elements replaced. An accessor
+// without any bytes has zeros for elements; so that a small file cannot ask for many elements,
+// their number is at most the number of bytes that were read. If data are stored both compressed
+// and uncompressed, the uncompressed data are used, because they do not depend on a library. Tested
+// by tests/io/gltf_accessors_test.cpp.
 #include "plumb/io/mesh/gltf_accessors.h"
 
 #include <algorithm>
@@ -102,7 +101,7 @@ const GltfAccessors::Accessor& GltfAccessors::accessor_of(std::size_t accessor,
   return accessors_.emplace(accessor, std::move(a)).first->second;
 }
 
-/// Returns the elements `e` of `bytes` bytes each, with their place in a view.
+/// Returns the elements `e`, each with `bytes` bytes, and their place in a view.
 GltfElements GltfAccessors::in_view(std::size_t view, std::size_t offset, GltfElements e,
                                     std::size_t bytes, const std::string& where) {
   const auto [data, stride] = view_bytes(view);
@@ -118,7 +117,8 @@ GltfElements GltfAccessors::in_view(std::size_t view, std::size_t offset, GltfEl
   return e;
 }
 
-/// Returns a copy of all elements, one behind the other, with those replaced that are to be.
+/// Returns a copy of all elements without gaps, in which the elements of the sparse accessor are
+/// replaced.
 const std::string& GltfAccessors::replaced(std::size_t accessor, const Accessor& a,
                                            std::size_t bytes, const std::string& where) {
   if (const auto known = replaced_.find(accessor); known != replaced_.end()) return known->second;
@@ -172,7 +172,7 @@ void GltfAccessors::replace_some(Id sparse, const Accessor& a, std::size_t bytes
 
 // ---------------------------------------------------------------- views
 
-/// Returns the bytes of a view and its stride, which is 0 if it names none.
+/// Returns the bytes of a view and its stride. The stride is 0 if the view states none.
 const GltfAccessors::ViewBytes& GltfAccessors::view_bytes(std::size_t view) {
   if (const auto known = views_.find(view); known != views_.end()) return known->second;
   charge_.add(sizeof(ViewBytes), "views of buffers");
@@ -251,8 +251,8 @@ GltfAccessors::Compressed GltfAccessors::compressed(std::size_t view,
   return c;
 }
 
-/// Decodes the positions of a stream, and those of the other vectors that it has. Requires
-/// accessors that require_vectors() has checked.
+/// Decodes the positions of a stream and the other vectors in it. Requires accessors that
+/// require_vectors() has checked.
 void GltfAccessors::decode(std::size_t view, const CompressedVectors& positions,
                            std::span<const CompressedVectors> others, Stream& stream) {
   const std::string_view bytes = view_bytes(view).first;
@@ -280,7 +280,7 @@ void GltfAccessors::decode(std::size_t view, const CompressedVectors& positions,
   });
 }
 
-/// Returns the vectors of a stream if they were decoded as their accessor states them.
+/// Returns the vectors of a stream, if they were decoded in the form that their accessor states.
 std::optional<GltfElements> GltfAccessors::vectors_in(const Stream& stream,
                                                       const CompressedVectors& wanted) {
   const Accessor& a =

@@ -61,7 +61,7 @@ namespace {
 
 using Filter = void (*)(void* elements, std::size_t count, std::size_t stride);
 
-/// Returns the filter of that name; null if elements are as they are decoded.
+/// Returns the filter of that name. Returns null if the decoded elements need no filter.
 Filter filter_of(const MeshoptStream& s) {
   if (s.filter.empty() || s.filter == "NONE") return nullptr;
   const bool is_short = s.stride == 8;
@@ -94,7 +94,7 @@ void require_shape(const MeshoptStream& s) {
     fail_stream(ErrorCode::UnknownFormat, "its mode is not read");
   }
   if (!fits) fail_stream(ErrorCode::Syntax, "its byteStride or count does not suit its mode");
-  // A block of 256 elements takes two bits at least for each byte of an element.
+  // In a block of 256 elements, each byte of an element takes at least two bits.
   constexpr std::size_t kMostPerByte = 1024;
   const std::size_t most = (s.bytes.size() + 1) * kMostPerByte;
   if (s.count > most / s.stride) {
@@ -141,7 +141,7 @@ struct DracoMesh::Decoded {
   explicit Decoded(Context& context) : charge(context) {}
   MemoryCharge charge;
   draco::Mesh mesh;
-  std::vector<int> read;  // The numbers of the attributes that were decoded, within the mesh.
+  std::vector<int> read;  // The numbers, within the mesh, of the attributes that were decoded.
 };
 
 namespace {
@@ -150,7 +150,7 @@ namespace {
   throw Error(code, "compressed by Draco: " + what);
 }
 
-/// Returns the number of the attribute with this id within a mesh; -1 if there is none.
+/// Returns the number of the attribute with this id within a mesh, or -1 if there is none.
 int number_of(const draco::PointCloud& points, std::size_t id) {
   return id > UINT32_MAX ? -1 : points.GetAttributeIdByUniqueId(static_cast<std::uint32_t>(id));
 }
@@ -165,8 +165,9 @@ class ChargedDecoder final : public Decoder {
       : attributes_(attributes), charge_(charge), read_(read) {}
 
  protected:
-  /// Looks ahead at the counts. Both methods begin with those of triangles and vertices; that of
-  /// edgebreaker goes on with the number of attributes that have a connectivity of their own.
+  /// Looks ahead at the counts. Both methods begin with the counts of triangles and vertices. In
+  /// the method edgebreaker, they are followed by the number of attributes that have their own
+  /// connectivity.
   bool DecodeConnectivity() override {
     draco::DecoderBuffer ahead = *this->buffer();
     std::uint32_t a = 0, b = 0;
@@ -176,26 +177,27 @@ class ChargedDecoder final : public Decoder {
       return false;
     }
     const std::uint64_t count = std::max(a, b);
-    // A flat grid has some thirty triangles for each byte.
+    // A flat grid has about thirty triangles for each byte.
     constexpr std::uint64_t kMostPerByte = 4096;
     if (count / kMostPerByte > static_cast<std::uint64_t>(ahead.remaining_size())) {
       fail_draco(ErrorCode::CountMismatch,
                  std::to_string(count) + " triangles are not in its bytes");
     }
-    // Tables of corners, vertices and triangles; those of a connectivity of an attribute.
+    // The memory of tables of corners, vertices and triangles, and of the connectivity of an
+    // attribute.
     constexpr std::uint64_t kBytes = 160, kConnectivityBytes = 64;
     charge_.add(count * (kBytes + connectivities * kConnectivityBytes), "compressed triangles");
     return Decoder::DecodeConnectivity();
   }
 
-  /// The numbers of points and the types of attributes are known, their values are not yet read.
-  /// Values behind those that are wanted stay unread.
+  /// The numbers of points and the types of attributes are known, but their values have not been
+  /// read. Values that follow the requested values are not read.
   bool DecodeAllAttributes() override {
     const draco::PointCloud& points = *this->point_cloud();
     std::uint64_t bytes = 0;
     for (int i = 0; i < points.num_attributes(); ++i) {
       const draco::PointAttribute& attribute = *points.attribute(i);
-      // The values, twice as integers, and their numbers.
+      // The memory of the values, twice as integers, and of their numbers.
       constexpr std::uint64_t kIntegers = 2 * sizeof(std::int32_t);
       constexpr std::uint64_t kNumbers = 3 * sizeof(std::uint32_t);
       bytes += static_cast<std::uint64_t>(attribute.byte_stride()) +
@@ -206,7 +208,7 @@ class ChargedDecoder final : public Decoder {
     for (const std::size_t id : attributes_) wanted.push_back(number_of(points, id));
     std::erase(wanted, -1);
     for (int i = 0; i < this->num_attributes_decoders() && !wanted.empty(); ++i) {
-      // The base class owns the parts, and shows them as constants only.
+      // The base class owns the parts, and gives access to constants only.
       auto* const part =
           const_cast<draco::AttributesDecoderInterface*>(this->attributes_decoder(i));
       if (!can_decode(*part)) return is_read(number_of(points, attributes_[0]));

@@ -36,7 +36,8 @@ GltfDocument::~GltfDocument() {
   for (const auto& [index, bytes] : loaded_) context_.release_memory(bytes.size());
 }
 
-/// Requires version 2. Any other JSON, such as GeoJSON, would otherwise be an empty document.
+/// Requires version 2. Without this check, any other JSON, such as GeoJSON, would be an empty
+/// document.
 void GltfDocument::require_version() const {
   const auto asset = object(kDocument, "asset");
   if (asset && text(*asset, "version").starts_with("2.")) return;

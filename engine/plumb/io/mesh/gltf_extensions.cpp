@@ -118,7 +118,7 @@ GltfExtensions check_extensions(const GltfDocument& document, Context& context) 
                   "cannot be read: " + plumb::quoted(name) +
                       " may change the shape; export the file without it");
   });
-  // Known ones are few, and of the others only the first are named.
+  // There are only few known extensions. Of the others, only the first ones are named.
   constexpr std::size_t kMostNamed = 64;
   std::vector<std::string> known, unknown;
   for_each_extension(document, "extensionsUsed", context, [&](const std::string& name) {

@@ -1,4 +1,4 @@
-// Parts of glTF files: the binary container, buffers behind uris, and triangles.
+// Parts of glTF files: the binary container, buffers that are given by uris, and triangles.
 //
 // The container is validated chunk by chunk: lengths are compared with the bytes that exist before
 // they are used, and unknown chunks are skipped. A uri is base64 data or the name of a file in the
@@ -36,8 +36,8 @@ std::optional<std::uint32_t> digit_of(char c) {
   return static_cast<std::uint32_t>(at);
 }
 
-/// Returns the bytes of base64 text, or no value if it is none. The signs that fill up the last
-/// group may be missing.
+/// Returns the bytes of base64 text, or no value if the text is not base64. The characters that
+/// fill up the last group may be missing.
 std::optional<std::string> from_base64(std::string_view text, Context& context) {
   for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
   if (text.size() % 4 == 1) return {};
@@ -65,7 +65,7 @@ std::optional<std::uint32_t> hex_of(char c) {
 
 /// Whether the name names a file of the same folder.
 bool is_file_name(const std::string& name) {
-  constexpr std::size_t kLongest = 255;  // Longest name that file systems allow.
+  constexpr std::size_t kLongest = 255;  // The longest name that file systems allow.
   return !name.empty() && name.size() <= kLongest && name != "." && name != ".." &&
          name.find_first_of(std::string_view("/\\:\0", 4)) == name.npos;
 }
@@ -176,8 +176,8 @@ namespace {
 constexpr std::uint64_t kMostVertices = 0xffff'0000;
 
 /// Returns the image of a normal under the inverse transpose of a map, with the length of the
-/// normal. The inverse transpose is the matrix of cofactors divided by the determinant, of which
-/// the sign matters.
+/// normal. The inverse transpose is the matrix of cofactors divided by the determinant. Only the
+/// sign of the determinant matters.
 std::array<double, 3> mapped_normal(const GltfTransform& m, bool is_mirrored,
                                     const std::array<double, 4>& n) {
   const auto cofactor = [&m](std::size_t i, std::size_t j) {
@@ -214,7 +214,7 @@ void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
     if (index < p.positions.count) return static_cast<std::uint32_t>(first + index);
     fail(ErrorCode::BadIndex, where, "no vertex " + std::to_string(index));
   };
-  // If there are points they are finite, and so is the transform that moves them.
+  // If there are points, they are finite, and the transform that moves them is finite, too.
   const bool is_mirrored = p.positions.count > 0 && mirrors(placed);
   const std::vector<Collected*> channels = channels_of(p);
   const std::size_t count = p.corner_count(), step = p.mode == GltfMode::kTriangles ? 3 : 1;
@@ -233,8 +233,8 @@ void GltfTriangles::add(const GltfPrimitive& p, const GltfTransform& placed,
   }
 }
 
-/// Returns where the channels of a primitive are collected, with room for its corners. The corners
-/// before them have the values of gaps.
+/// Returns the place where the channels of a primitive are collected, and reserves memory for its
+/// corners. The corners before them have the values of gaps.
 std::vector<GltfTriangles::Collected*> GltfTriangles::channels_of(const GltfPrimitive& p) {
   std::vector<Collected*> found;
   const std::size_t corners = mesh_.mesh().corners.size();

@@ -26,7 +26,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kStep = 4096;  // Records between two charges.
+constexpr std::uint64_t kStep = 4096;  // This is the number of records between two charges.
 constexpr std::uint64_t kMost = 0xffff'fffe - kStep;
 constexpr std::uint64_t kGrowth = 2;  // Vectors grow by doubling.
 
@@ -55,7 +55,7 @@ bool has_three_corners(std::span<const std::uint32_t> face) {
                      [&](std::uint32_t v) { return v != face[0] && v != *second; });
 }
 
-/// Adds a sentence that lists `items` behind `begin`, unless there are none.
+/// Adds a sentence that lists `items` after `begin`, unless the list is empty.
 void add_sentence(std::string_view begin, const std::vector<std::string_view>& items,
                   std::vector<std::string>& sentences) {
   if (items.empty()) return;
@@ -88,7 +88,8 @@ void MeshCollector::charge_corners() {
   charged_corners_ += kStep;
 }
 
-/// Adds a point with its exact coordinates beside the nearest doubles, unless these are exact.
+/// Adds a point. Its exact coordinates are stored in addition to the nearest doubles, unless these
+/// are exact.
 void MeshCollector::add_exact_point(const RationalPoint3& p) {
   const RoundedDouble x = round_to_double(p.x);
   const RoundedDouble y = round_to_double(p.y);
@@ -149,7 +150,8 @@ namespace {
 
 constexpr std::uint32_t kPointsPerCheckpoint = 4096;
 
-/// Returns the bits of a point, with -0 as 0. Subnormals are not zero, whatever FTZ and DAZ say.
+/// Returns the bits of a point, where -0 becomes 0. Subnormal numbers do not become zero, even
+/// under FTZ and DAZ.
 std::array<std::uint64_t, 3> bits_of(const Point3& p) {
   const auto bits = [](double value) {
     const auto all = std::bit_cast<std::uint64_t>(value);
@@ -158,7 +160,7 @@ std::array<std::uint64_t, 3> bits_of(const Point3& p) {
   return {bits(p.x), bits(p.y), bits(p.z)};
 }
 
-/// Returns for each point the first one with its coordinates.
+/// Returns for each point the first point with its coordinates.
 std::vector<std::uint32_t> first_equals(const PolygonMesh& mesh, Context& context) {
   std::vector<std::uint32_t> first;
   first.reserve(mesh.points.size());
@@ -173,7 +175,8 @@ std::vector<std::uint32_t> first_equals(const PolygonMesh& mesh, Context& contex
   return first;
 }
 
-/// Does the same if some coordinates are not doubles; kNone for points of no face.
+/// Computes the same result if some coordinates are not doubles. It is kNone for points that belong
+/// to no face.
 std::vector<std::uint32_t> first_exact_equals(const PolygonMesh& mesh) {
   SpaceTables tables;
   MeshVertices vertices = merge_equal_points(mesh, tables);
@@ -183,8 +186,8 @@ std::vector<std::uint32_t> first_exact_equals(const PolygonMesh& mesh) {
   return std::move(vertices.of_point);
 }
 
-/// Keeps the faces that stay valid when corner v becomes first[v], and lists them; returns how many
-/// do not.
+/// Keeps and lists the faces that remain valid when corner v becomes first[v]. Returns the number
+/// of the other faces.
 std::size_t renumber_faces(PolygonMesh& mesh, const std::vector<std::uint32_t>& first,
                            std::vector<std::uint32_t>* list) {
   PolygonMesh kept;
@@ -212,7 +215,7 @@ std::size_t used_points(const PolygonMesh& mesh) {
   return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
 }
 
-/// Keeps points with corners, in order of use.
+/// Keeps points with corners, in the order of their first use.
 void renumber_points(PolygonMesh& mesh) {
   std::vector<std::uint32_t> number(mesh.points.size(), kNone);
   PolygonMesh used;
@@ -238,11 +241,11 @@ void renumber_points(PolygonMesh& mesh) {
 }  // namespace
 
 std::size_t weld_vertices(PolygonMesh& mesh, Context& context, std::vector<std::uint32_t>* kept) {
-  // A number, its place in a set that doubles, and a copy.
+  // The memory of a number, its place in a set that doubles, and a copy.
   constexpr std::uint64_t kPointBytes = 64;
-  constexpr std::uint64_t kExactBytes = 320;  // Three planes and numbers.
-  constexpr std::uint64_t kCornerBytes = 4;   // A copy of the faces.
-  constexpr std::uint64_t kTableBytes = 192;  // A point of a table with an index.
+  constexpr std::uint64_t kExactBytes = 320;  // The memory of three planes and numbers.
+  constexpr std::uint64_t kCornerBytes = 4;   // The memory of a copy of the faces.
+  constexpr std::uint64_t kTableBytes = 192;  // The memory of a point of a table with an index.
   const bool is_exact = !mesh.exact.empty();
   MemoryCharge charge(context);
   charge.add((kPointBytes + (is_exact ? kTableBytes : 0)) * mesh.points.size() +

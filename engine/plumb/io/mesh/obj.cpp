@@ -4,10 +4,10 @@
 // mesh can represent. Statements with other geometry are skipped with a warning, and all other
 // statements with a note; programs add keywords of their own, so unknown keywords are named and
 // skipped, too. If a text has neither v nor f, it is not OBJ, and its first unknown keyword is an
-// error. Fields of v and f that are dropped are not parsed (exporters write nan there, or nothing).
-// The common corner, a short positive number, is read without taking a token. A face may precede
-// its vertices, so the largest number of a vertex that was still to come is compared with their
-// count at the end.
+// error. Fields of v and f that are dropped are not parsed, because exporters write nan there, or
+// leave them out. The most frequent form of a corner, a short positive number, is read without
+// making a token. A face may precede its vertices, so the largest vertex number that was not yet
+// defined is compared with the number of vertices at the end.
 //
 // Format: Wavefront OBJ, as in docs/formats.md, section OBJ. Tested by tests/io/obj_test.cpp.
 #include "plumb/io/mesh/obj.h"
@@ -33,13 +33,14 @@
 namespace plumb {
 namespace {
 
-/// Statements that are skipped: a name for the message, and their keywords between blanks.
+/// A group of statements that are skipped: its name for the message, and the keywords, separated by
+/// blanks.
 struct Skipped {
   std::string_view name;
   std::string_view keywords;
   bool is_geometry = false;
-  /// Whether the arguments are names. A backslash behind a blank continues such a statement, but
-  /// one at the end of a name is part of it ("mtllib C:\\models\\").
+  /// Whether the arguments are names. A backslash after a blank continues such a statement. A
+  /// backslash at the end of a name is a part of the name ("mtllib C:\\models\\").
   bool has_names = false;
 };
 
@@ -62,14 +63,15 @@ constexpr std::array<Skipped, 11> kSkipped{{
 constexpr std::string_view kCorner = "a corner: v, v/vt, v//vn or v/vt/vn";
 constexpr std::string_view kContinuation = "\\";
 
-/// Whether the text is a number of something, from the front or (negative) from the back.
+/// Whether the text is the number of an element, counted from the first one or, if it is negative,
+/// from the last one.
 bool is_reference(std::string_view text) {
   take_prefix(text, "-");
   return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
 }
 
-/// Returns the vertex of a corner, or an empty text if it does not have the form of one. Texture
-/// and normal may be missing behind their slashes.
+/// Returns the vertex of a corner, or an empty text if the corner has a different form. Texture and
+/// normal may be missing after their slashes.
 std::string_view vertex_of(std::string_view corner) {
   const std::string_view vertex = corner.substr(0, corner.find('/'));
   const bool is_corner = is_reference(vertex) && std::ranges::count(corner, '/') <= 2;
@@ -98,7 +100,7 @@ class ObjReader {
         cursor_ = start;
         mesh_.clear();
         attributes_.emplace(false, loader_, context_);
-        read_statements();  // Throws at the vertex.
+        read_statements();  // The error has the place of the vertex.
       }
       require_obj();
       require_vertices();
@@ -107,7 +109,7 @@ class ObjReader {
   }
 
  private:
-  /// A token, and where it is.
+  /// A token and its place.
   struct Mention {
     std::string_view token;
     std::size_t line = 0;
@@ -123,7 +125,7 @@ class ObjReader {
   void skip(std::string_view keyword);
   void skip_unknown(std::string_view keyword);
   void skip_arguments(bool has_names);
-  /// Whether the statement is at its end.
+  /// Whether the end of the statement is reached.
   bool at_end() {
     if (cursor_.at_line_end_or_comment()) return true;
     return *cursor_.position() == kContinuation[0] && is_at_end_if_continued();
@@ -157,11 +159,11 @@ class ObjReader {
   std::size_t total_bytes_;
   std::size_t statements_ = 0;
   ReadNumber x_, y_, z_;
-  std::uint32_t required_ = kNone;       // A vertex that must be finite.
+  std::uint32_t required_ = kNone;       // A vertex that must be finite, because a face uses it.
   Mention unknown_;                      // The first unknown keyword.
-  std::vector<std::string_view> named_;  // Unknown keywords, the first few.
+  std::vector<std::string_view> named_;  // The first few unknown keywords.
   bool has_more_unknown_ = false;
-  std::uint32_t latest_ = 0;  // The largest number of a vertex that was named before its v.
+  std::uint32_t latest_ = 0;  // The largest vertex number that was used before its v.
   Mention latest_place_;
   std::size_t latest_face_ = 0;
 };
@@ -190,14 +192,15 @@ void ObjReader::read_statement() {
   if (!at_end()) read_other(cursor_.word(kContinuation));
 }
 
-/// The statement fo is an f of old versions of the format.
+/// In old versions of the format, the statement fo is an f.
 void ObjReader::read_other(std::string_view keyword) {
   if (keyword == "v" || keyword == "V") return read_vertex();
   if (keyword == "f" || keyword == "F" || keyword == "fo") return read_face();
   if (!attributes_->is_wanted() || !keep(keyword)) skip(keyword);
 }
 
-/// Reads a statement of attributes; returns false, and takes nothing, if it is another one.
+/// Reads a statement of attributes. If it is a different statement, consumes no text and returns
+/// false.
 bool ObjReader::keep(std::string_view keyword) {
   if (keyword == "vt" || keyword == "vn") {
     const std::vector<AttributeNumber> numbers = take_numbers();
@@ -212,7 +215,8 @@ bool ObjReader::keep(std::string_view keyword) {
   if (keyword == "usemtl") {
     attributes_->use_material(name);
   } else if (keyword == "mtllib") {
-    attributes_->use_library(line);  // The name of a file may contain what looks like a comment.
+    // The name of a file may contain characters that look like a comment.
+    attributes_->use_library(line);
   } else {
     attributes_->use_group(name);
   }
@@ -220,7 +224,7 @@ bool ObjReader::keep(std::string_view keyword) {
   return true;
 }
 
-/// Takes the numbers of the rest of a statement, the first few of which are kept.
+/// Reads the numbers up to the end of a statement, and stores the first few.
 std::vector<AttributeNumber> ObjReader::take_numbers() {
   constexpr std::size_t kMostNumbers = 8;
   std::vector<AttributeNumber> numbers;
@@ -266,7 +270,7 @@ void ObjReader::skip_arguments(bool has_names) {
   while (!at_end()) cursor_.word(has_names ? std::string_view() : kContinuation);
 }
 
-/// Takes backslashes at the ends of lines. Returns whether the statement is then at its end.
+/// Skips backslashes at the ends of lines. Returns whether the end of the statement is reached.
 bool ObjReader::is_at_end_if_continued() {
   while (!cursor_.at_line_end_or_comment()) {
     if (!take_continuation()) return false;
@@ -274,8 +278,8 @@ bool ObjReader::is_at_end_if_continued() {
   return true;
 }
 
-/// Takes a backslash at the end of a line, which blanks may follow, and moves to the next line;
-/// returns false if there is none.
+/// Skips a backslash at the end of a line, and blanks after it, and moves to the next line. Returns
+/// false if there is no backslash.
 bool ObjReader::take_continuation() {
   std::string_view rest = cursor_.rest();
   if (!take_prefix(rest, kContinuation)) return false;
@@ -314,7 +318,7 @@ void ObjReader::read_vertex() {
   if (!at_end()) skip_rest_of_vertex();
 }
 
-/// Drops what follows the coordinates: a weight, a colour, both, or something else.
+/// Skips the fields after the coordinates: a weight, a colour, both, or other fields.
 void ObjReader::skip_rest_of_vertex() {
   std::size_t count = 0;
   for (; !at_end(); ++count) cursor_.word(kContinuation);
@@ -329,7 +333,7 @@ void ObjReader::read_face() {
   mesh_.end_face();
 }
 
-/// Reads a corner, usually a short number and nothing else.
+/// Reads a corner, which is usually a short number.
 void ObjReader::read_corner() {
   const char* const start = cursor_.position();
   const auto token = [&] {
@@ -348,8 +352,8 @@ void ObjReader::read_corner() {
   mesh_.add_corner(find_vertex(vertex));
 }
 
-/// Returns the index of a vertex that is counted from the front, where it may come later, or from
-/// the back.
+/// Returns the index of a vertex. The number counts from the first vertex, and may refer to a later
+/// vertex, or it counts backwards.
 std::uint32_t ObjReader::find_vertex(std::string_view number) {
   constexpr std::int64_t kMost = 0xffff'ffff;
   const std::int64_t count = mesh_.point_count();
@@ -373,7 +377,7 @@ std::uint32_t ObjReader::find_vertex(std::string_view number) {
   return static_cast<std::uint32_t>(vertex);
 }
 
-/// Notes that vertex `number` must come later.
+/// Notes that vertex `number` must be defined later.
 void ObjReader::expect_vertex(std::uint32_t number, std::string_view token) {
   if (number <= latest_) return;
   latest_ = number;

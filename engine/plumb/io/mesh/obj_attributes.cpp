@@ -42,7 +42,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kBlanks) + 1);
 }
 
-/// Takes the first word of a line, and leaves what follows it.
+/// Returns the first word of a line, and removes it from the line.
 std::string_view take_first(std::string_view& line) {
   line = trimmed(line);
   const std::string_view word = line.substr(0, line.find_first_of(kBlanks));
@@ -50,7 +50,7 @@ std::string_view take_first(std::string_view& line) {
   return word;
 }
 
-/// Returns the name of a texture from the arguments of map_Kd. Options precede it; the name is then
+/// Returns the name of a texture from the arguments of map_Kd. If options precede the name, it is
 /// the last word.
 std::string_view texture_name(std::string_view arguments) {
   if (!arguments.starts_with('-')) return arguments;
@@ -94,7 +94,7 @@ void ObjAttributes::add_vertex(const std::vector<AttributeNumber>& numbers) {
   push(colors_, color);
 }
 
-/// Keeps the number of a vt or vn, from 0. An empty text names none.
+/// Stores the number of a vt or vn, counted from 0. An empty text refers to none.
 void ObjAttributes::add_reference(List& list, std::size_t width, std::string_view text) {
   std::uint32_t index = MeshAttributes::kNone;
   std::int64_t value = 0;
@@ -203,8 +203,8 @@ void ObjAttributes::load_libraries(std::vector<std::string>& notes) {
   }
 }
 
-/// Loads a library whose name is all of the arguments, or all of them up to a comment, or else
-/// libraries whose names are its words.
+/// Loads a library. Its name is the whole argument, or the argument up to a comment. If there is no
+/// such file, the words of the argument are the names of libraries.
 bool ObjAttributes::load_library(const std::string& name, std::string& why) {
   if (!loader_) {
     why = "the name of the folder of the file is not known";
@@ -251,7 +251,7 @@ void ObjAttributes::read_library(std::string_view text) {
   }
 }
 
-/// Reads a statement of a library. Materials that no face has are passed over.
+/// Reads a statement of a library. Materials that are not used by any face are skipped.
 void ObjAttributes::read_library_line(std::string_view line, MeshMaterial*& material) {
   const std::string_view keyword = take_first(line);
   if (keyword == "newmtl") {
@@ -269,7 +269,7 @@ void ObjAttributes::read_library_line(std::string_view line, MeshMaterial*& mate
   };
   const bool is_number = !line.empty() && !line.starts_with("spectral") && !line.starts_with("xyz");
   if (keyword == "Kd" && is_number) {
-    // A single number is a grey.
+    // A single number is a shade of grey.
     for (std::size_t i = 0; i < 3; ++i) color()[i] = line.empty() ? color()[0] : number();
   } else if (keyword == "d") {
     take_prefix(line, "-halo ");
@@ -285,8 +285,8 @@ void ObjAttributes::read_library_line(std::string_view line, MeshMaterial*& mate
 
 namespace {
 
-/// Returns the names of materials or groups as they are written: without characters that a reader
-/// would not take for a part of a name, not empty, and all different.
+/// Returns the names of materials or groups in their written form. They have no characters that a
+/// reader would not accept in a name, are not empty, and are all different.
 std::vector<std::string> written_names(const std::vector<std::string>& names,
                                        std::string_view otherwise, std::string_view reserved) {
   std::vector<std::string> written;
@@ -309,7 +309,7 @@ std::vector<std::string> material_names(const MeshAttributes& attributes) {
   return written_names(names, "material", kNoMaterial);
 }
 
-/// Writes a statement if the entry of a face differs from that of the face before it.
+/// Writes a statement if the entry of a face differs from the entry of the previous face.
 class ObjStatement {
  public:
   ObjStatement(const char* keyword, std::string_view none, std::vector<std::string> names,

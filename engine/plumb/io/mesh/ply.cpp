@@ -51,7 +51,8 @@ std::string_view name_of(Kind kind) {
 
 // ---------------------------------------------------------------- geometry
 
-/// Whether three of the corners of a face differ. Without, it has no area, and no solid has it.
+/// Whether three of the corners of a face differ. If they do not, the face has no area, and belongs
+/// to no solid.
 bool has_three_vertices(std::span<const std::uint32_t> face) {
   const auto is_other = [&](std::uint32_t v) { return v != face.front(); };
   const auto second = std::find_if(face.begin(), face.end(), is_other);
@@ -60,8 +61,8 @@ bool has_three_vertices(std::span<const std::uint32_t> face) {
          });
 }
 
-/// What both readers read, on its way into the mesh: vertices, which need not be finite if no face
-/// with area uses them, faces and strips.
+/// The data of both readers before the mesh is made: vertices, faces and strips. A vertex need not
+/// be finite if no face with an area uses it.
 class PlyGeometry {
  public:
   PlyGeometry(MeshCollector& mesh, const PlyHeader& header, Context& context)
@@ -74,15 +75,17 @@ class PlyGeometry {
   PlyAttributes& attributes() { return attributes_; }
   std::uint32_t vertex_count() const { return vertices_; }
 
-  /// Whether faces may use vertex v. They may if it has not been read yet.
+  /// Whether faces may use vertex v. This is the case if the vertex has not been read yet.
   bool is_usable(std::uint32_t v) const { return missing_ == 0 || !is_missing_[v]; }
-  /// Returns a vertex that is not finite if the face of the last corners has one and has area.
+  /// If the face of the last corners has an area and a vertex that is not finite, returns this
+  /// vertex.
   std::optional<std::uint32_t> needed_missing(std::size_t corners) const;
   /// Adds a vertex that is not finite. Returns false if a face needs it.
   bool add_missing_point();
 
-  /// Adds the next vertex of a strip. From the third on, each one makes a triangle with the two
-  /// before it, and every other triangle is turned round, so that all have the same orientation.
+  /// Adds the next vertex of a strip. From the third vertex on, each vertex makes a triangle with
+  /// the two vertices before it. Every other triangle is reversed, so that all have the same
+  /// orientation.
   void add_to_strip(std::uint32_t v);
   void end_strip();
 
@@ -96,7 +99,7 @@ class PlyGeometry {
   std::uint32_t vertices_;
   MemoryCharge charge_;
   PlyAttributes attributes_;
-  std::vector<bool> is_missing_, is_used_;  // Of each vertex, from the first missing one on.
+  std::vector<bool> is_missing_, is_used_;  // For each vertex, from the first missing one on.
   std::uint32_t missing_ = 0;
   std::array<std::uint32_t, 2> strip_end_{};  // The last two vertices of the strip.
   std::uint32_t strip_length_ = 0;
@@ -168,7 +171,8 @@ MeshFile PlyGeometry::take(const PlyHeader& header, std::uint64_t stray_bytes) {
   return file;
 }
 
-/// Whether a number in a list of strips ends a strip: -1, which unsigned types cannot hold.
+/// Whether a number in a list of strips ends a strip. The number is -1, or its value as an unsigned
+/// number.
 bool ends_strip(double value, PlyType type, std::uint32_t vertices) {
   const double all_bits = type == PlyType::UInt8    ? 0xff
                           : type == PlyType::UInt16 ? 0xffff
@@ -214,10 +218,11 @@ class PlyTextReader {
   PlyGeometry& geometry_;
   bool is_first_ = true;  // Whether no record has been read yet.
   bool is_free_form_ = false;
-  bool may_wrap_ = false;           // Whether the values of a record may stand on several lines.
-  const char* value_ = nullptr;     // The beginning of the last value.
-  const char* missing_ = nullptr;   // A coordinate of this vertex that is not finite.
-  const char* unusable_ = nullptr;  // A corner of this face whose vertex is not finite.
+  bool may_wrap_ = false;          // Whether the values of a record may stand on several lines.
+  const char* value_ = nullptr;    // The beginning of the last value.
+  const char* missing_ = nullptr;  // The vertex has a coordinate that is not finite at this place.
+  // The face has a corner whose vertex is not finite at this place.
+  const char* unusable_ = nullptr;
   std::array<ReadNumber, 3> at_;
   ReadNumber whole_;
 };
@@ -245,9 +250,9 @@ void PlyTextReader::begin_record(const PlyElement& element, std::uint32_t index)
   if (is_free_form(element)) may_wrap_ = is_free_form_ = true;
 }
 
-/// Whether line breaks mean nothing: some programs write all vertices on one line, or each value on
-/// its own. The first line says so. Otherwise each record is a line, which shows earlier and better
-/// where a file is not what its header says.
+/// Whether line breaks have no meaning. Some programs write all vertices on one line, or each value
+/// on a separate line. The first line shows this. In all other files, each record is a line, so a
+/// file that contradicts its header is detected earlier and better.
 bool PlyTextReader::is_free_form(const PlyElement& first) {
   const auto is_list = [](const PlyProperty& property) { return property.length.has_value(); };
   if (std::any_of(first.properties.begin(), first.properties.end(), is_list)) return false;
@@ -286,7 +291,7 @@ void PlyTextReader::read_property(const PlyElement& element, const PlyProperty& 
   }
 }
 
-/// Reads a property that is not geometry. Its values are kept if they are attributes.
+/// Reads a property that is not geometry. Its values are stored if they are attributes.
 void PlyTextReader::read_other(const PlyElement& element, const PlyProperty& property) {
   PlyAttributes& attributes = geometry_.attributes();
   const std::uint32_t count = property.length ? take_length("the length of a list") : 1;
@@ -306,7 +311,8 @@ void PlyTextReader::find_value() {
   value_ = in_.cursor().position();
 }
 
-/// Returns the next number if a double holds it, else a number that is not whole.
+/// Returns the next number if a double can represent it; otherwise, a number that is not an
+/// integer.
 double PlyTextReader::take_whole(std::string_view needs) {
   find_value();
   std::uint32_t small = 0;
@@ -369,7 +375,7 @@ void PlyTextReader::read_coordinate(ReadNumber& number) {
   }
 }
 
-/// Skips a value of any form; real files contain "nan".
+/// Skips a value of any form, because real files contain "nan".
 void PlyTextReader::skip_value() {
   find_value();
   if (in_.cursor().at_line_end()) {
@@ -378,8 +384,8 @@ void PlyTextReader::skip_value() {
   in_.cursor().token();
 }
 
-/// Returns how many bytes there are behind the last element. Numbers are refused, because they may
-/// be more elements.
+/// Returns the number of bytes after the last element. Numbers are refused, because they may be
+/// further elements.
 std::uint64_t PlyTextReader::pass_over_rest() {
   TextCursor& cursor = in_.cursor();
   if (cursor.at_line_end() && !cursor.next_line()) return 0;
@@ -428,12 +434,12 @@ class PlyBinaryReader {
   std::uint32_t vertices_;
   Context& context_;
   std::size_t total_bytes_;
-  Kind kind_ = Kind::Other;  // Kind of the record.
+  Kind kind_ = Kind::Other;  // The kind of the record.
   std::uint32_t index_ = 0;
-  std::uint64_t spare_ = 0;  // Bytes available for the lists of this record.
+  std::uint64_t spare_ = 0;  // The number of bytes that are available for the lists of this record.
   std::array<double, 3> at_{};
-  std::size_t missing_ = 0;   // Where a coordinate of this vertex is that is not finite.
-  std::size_t unusable_ = 0;  // Where a corner of this face is whose vertex is not finite.
+  std::size_t missing_ = 0;   // The place of the coordinate of this vertex that is not finite.
+  std::size_t unusable_ = 0;  // The place of the corner of this face whose vertex is not finite.
 };
 
 /// Reads the records of one element. Before each, the bytes of its fixed parts must exist; what is
@@ -480,7 +486,7 @@ void PlyBinaryReader::read_property(const PlyProperty& property) {
   }
 }
 
-/// Reads a property that is not geometry. Its values are kept if they are attributes.
+/// Reads a property that is not geometry. Its values are stored if they are attributes.
 void PlyBinaryReader::read_other(const PlyProperty& property) {
   const std::uint64_t count = property.length ? take_length(property) : 1;
   if (!property.is_kept) return in_.skip(count * size_of(property.type));
@@ -561,7 +567,8 @@ double PlyBinaryReader::take_coordinate(PlyType type) {
   return value;
 }
 
-/// Reads the corners of a face in one of the types that nearly all files have. A hot path.
+/// Reads the corners of a face in one of the types that nearly all files use. This function takes a
+/// large part of the time.
 template <class Number>
 void PlyBinaryReader::read_usual_corners(std::uint64_t count, PlyType type) {
   for (; count > 0; --count) {
@@ -575,7 +582,7 @@ void PlyBinaryReader::read_usual_corners(std::uint64_t count, PlyType type) {
   }
 }
 
-/// Takes a number of a list of corners or strips, which has just been read.
+/// Processes a number of a list of corners or strips that has just been read.
 void PlyBinaryReader::read_corner(double value, PlyType type) {
   const std::size_t at = in_.position() - size_of(type);
   if (kind_ == Kind::Strips && ends_strip(value, type, vertices_)) return geometry_.end_strip();
@@ -655,7 +662,7 @@ void PlyReader::expect() {
   mesh_.expect(header_.vertex_count(), faces);
 }
 
-/// Returns what follows the line break of the header.
+/// Returns the text after the line break of the header.
 BinaryInput PlyReader::data() const {
   const std::size_t end = in_.cursor().bytes_read();
   const std::endian order =
@@ -663,8 +670,8 @@ BinaryInput PlyReader::data() const {
   return {bytes_, std::min(end + 1, bytes_.size()), order, name_};
 }
 
-/// Returns how many bytes of a file whose lines end with CR are lines: the header, and the elements
-/// if they are text.
+/// If the lines of a file end with CR, returns the number of bytes in lines: the header, and the
+/// elements if they are text.
 std::size_t bytes_of_lines(std::string_view bytes) {
   const std::string_view header = bytes.substr(0, bytes.find("\rend_header"));
   const std::string_view from_format =
@@ -763,7 +770,7 @@ WrittenFaces faces_of(const MeshAttributes& attributes) {
   return faces;
 }
 
-/// Returns the colour of a face. A face without one is white.
+/// Returns the colour of a face. A face without a colour is white.
 std::array<double, 4> color_of_face(const MeshAttributes& attributes, std::size_t face) {
   const std::uint32_t material = attributes.face_material[face];
   if (material == MeshAttributes::kNone) return kNoColor;
@@ -792,7 +799,7 @@ void write_header(TextOutput& out, std::string_view format, const PolygonMesh& m
   out << "end_header\n";
 }
 
-/// Writes numbers as text, each after a blank except the first of a line.
+/// Writes numbers as text. Each number except the first of a line follows a blank.
 class PlyTextNumbers {
  public:
   explicit PlyTextNumbers(TextOutput& out) : out_(out) {}

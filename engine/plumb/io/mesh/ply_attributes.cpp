@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 9> kIdNames{"face_id",   "id",    "faceid
                                                    "object_id", "label", "segment",
                                                    "category",  "group", "material_index"};
 
-/// Returns how many columns from `first` on have the given names, or 0 if one is missing.
+/// Returns the number of columns from `first` on that have the given names, or 0 if one is missing.
 std::size_t count_named(const std::vector<PlyProperty>& columns, std::size_t first,
                         const std::array<std::string_view, 4>& names) {
   std::size_t count = 0;
@@ -58,8 +58,8 @@ std::size_t count_named(const std::vector<PlyProperty>& columns, std::size_t fir
   return count;
 }
 
-/// Returns how many columns from `first` on are called NAME_0, NAME_1 and so on; 0 if the first one
-/// is not called so.
+/// Returns the number of columns from `first` on that have the names NAME_0, NAME_1 and so on, or 0
+/// if the first one has a different name.
 std::size_t count_numbered(const std::vector<PlyProperty>& columns, std::size_t first) {
   const std::string& name = columns[first].name;
   if (name.size() < 3 || !name.ends_with("_0")) return 0;
@@ -72,7 +72,7 @@ std::size_t count_numbered(const std::vector<PlyProperty>& columns, std::size_t 
   return count;
 }
 
-/// Returns the number that stands for 1 in a colour of this type; 0 if the values decide.
+/// Returns the number that represents 1 in a colour of this type, or 0 if the values decide.
 double one_of(PlyType type) {
   switch (type) {
     case PlyType::UInt16:
@@ -143,7 +143,7 @@ std::vector<PlyAttributes::Group> PlyAttributes::groups_of(const Table& table, b
   return groups;
 }
 
-/// Returns the values of the columns of a group, row by row, and those of colours from 0 to 1.
+/// Returns the values of the columns of a group, row by row. Values of colours are between 0 and 1.
 std::vector<double> PlyAttributes::column(const Table& table, const Group& group) {
   std::vector<double> values;
   const std::size_t width = table.properties.size();
@@ -185,7 +185,8 @@ void PlyAttributes::give_vertices(const PolygonMesh& mesh, std::vector<std::stri
   }
 }
 
-/// The list of texture coordinates comes first: it says more than coordinates of vertices.
+/// The list of texture coordinates has precedence over coordinates of vertices, because it contains
+/// more information.
 void PlyAttributes::give_faces(const PolygonMesh& mesh, std::vector<std::string>& lost) {
   if (!textures_.begins.empty()) give_textures(mesh, lost);
   bool has_id = false;
@@ -248,7 +249,7 @@ void PlyAttributes::give_constants(const Group& group, const PolygonMesh& mesh,
   if (!is_added) lost.push_back(group.channel + " of faces");
 }
 
-/// A list that has not two numbers for each corner is passed over.
+/// A list that does not have two numbers for each corner is skipped.
 void PlyAttributes::give_textures(const PolygonMesh& mesh, std::vector<std::string>& lost) {
   charge_.add(mesh.corners.size() * 2 * sizeof(double), kPlyAttributes);
   std::vector<double> of_corners(mesh.corners.size() * 2);

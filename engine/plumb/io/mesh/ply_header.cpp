@@ -41,7 +41,7 @@ const Names<PlyFormat> kFormats{{"ascii", PlyFormat::Text},
                                 {"binary_little_endian", PlyFormat::LittleEndian},
                                 {"binary_big_endian", PlyFormat::BigEndian}};
 
-/// The names by which programs call the list of the corners of a face.
+/// The names that programs use for the list of the corners of a face.
 constexpr std::array<std::string_view, 14> kCornerNames{
     "vertex_indices", "vertex_index",  "vertex_indexes", "vertex_indicies", "vertex_ids",
     "vertex_list",    "vertexindices", "vertices",       "verts",           "indices",
@@ -51,7 +51,8 @@ bool is_corner_name(std::string_view name) {
   return std::find(kCornerNames.begin(), kCornerNames.end(), name) != kCornerNames.end();
 }
 
-/// Names of what is passed over, each once. Only the first few are kept: a file can have many.
+/// The names of skipped elements and properties, each once. Only the first few are stored, because
+/// a file may have many.
 class NameList {
  public:
   void add(std::string_view name) {
@@ -122,7 +123,7 @@ class HeaderReader {
   TextCursor& cursor_;
   bool keeps_attributes_;
   std::uint32_t lines_read_ = 0;
-  std::size_t kept_ = 0;  // Properties of the last element that are kept as single numbers.
+  std::size_t kept_ = 0;  // The properties of the last element that are stored as single numbers.
   PlyHeader header_;
   bool has_format_ = false;
   std::string_view element_;  // The name of the last element.
@@ -170,9 +171,9 @@ void HeaderReader::skip_line() {
   while (!cursor_.at_line_end()) cursor_.token();
 }
 
-/// Passes over a line that belongs to no header: some programs write comments without the word. A
-/// line that seems to declare something, or to be one of numbers, says that the rest of the file is
-/// not what the header makes of it.
+/// Skips a line that does not belong to a header, because some programs write comments without the
+/// keyword. If the line looks like a declaration, or consists of numbers, the rest of the file
+/// contradicts the header, and the line is an error.
 void HeaderReader::pass_over_line(std::string_view keyword) {
   constexpr std::array<std::string_view, 4> kBeginnings{"form", "elem", "prop", "end"};
   const bool is_declaration =
@@ -255,13 +256,13 @@ bool HeaderReader::is_attribute(const PlyProperty& property) const {
   return kept_ < kMostNumbersOfCorner;
 }
 
-/// Notes a property of the last element that no mesh holds, or the element if it is unknown. An
-/// element with lists of vertices has faces in a form that is not read, such as fans.
+/// Notes a property of the last element that a mesh cannot represent, or the element if it is
+/// unknown. An element with lists of vertices has faces in a form that is not read, such as fans.
 void HeaderReader::pass_over(std::string_view property, bool is_list) {
   const PlyElement& element = header_.elements.back();
   if (element.count == 0) return;
   if (element.kind == Kind::Other) {
-    // A range_grid says where vertices lie in a scan; its faces are those of the element face.
+    // A range_grid states the positions of vertices in a scan. Its faces are in the element face.
     const bool has_corners = is_list && is_corner_name(property) && element_ != "range_grid";
     (has_corners ? faces_elsewhere_ : others_).add(element_);
   } else {
@@ -307,7 +308,8 @@ void HeaderReader::require_mesh() const {
   if (!has_vertices) fail(ErrorCode::Syntax, "the header names no vertices");
 }
 
-/// Requires enough bytes for each element on its own: a sum of hostile counts could overflow.
+/// Requires enough bytes for each element separately, because a sum of hostile counts could
+/// overflow.
 void HeaderReader::require_bytes() const {
   for (const PlyElement& element : header_.elements) {
     const std::uint64_t least = element.least_bytes(header_.format);

@@ -1,17 +1,17 @@
 // Reading and writing of STL, text and binary.
 //
-// The kind of a file is decided by its content: by its size, which a binary file fixes through its
-// count of triangles, else by control characters, which no text has. The word "solid" alone does
-// not decide, because many binary files begin with it. Writers that stream leave the count of
-// triangles open, and others append bytes, so layout_of() compares count and size, and accepts a
-// file only if there is exactly one way to read it. A file whose count fits its size when read in
-// the other order of bytes is refused. Programs do not agree on one grammar of the text form
-// either, so a text is read as a list of statements. Only the statements that every facet needs are
-// required: a facet that the end of the file cuts off is refused. STL has no shared vertices, so
-// equal points are welded, exactly, after reading; a triangle that then has two equal corners is
-// left out with a note. Binary coordinates are floats, which are exact in doubles. Format: 3D
-// Systems, StereoLithography Interface Specification; docs/formats.md, section STL.
-// Tested by tests/io/stl_test.cpp.
+// The content of a file determines whether it is binary. The number of triangles in a binary file
+// determines its size. If the size does not decide, control characters do, because no text has
+// them. The word "solid" alone does not decide, because many binary files begin with it. Writers
+// that stream leave the count of triangles open, and others append bytes, so layout_of() compares
+// count and size, and accepts a file only if there is exactly one way to read it. A file whose
+// count fits its size when read in the other order of bytes is refused. Programs do not agree on
+// one grammar of the text form either, so a text is read as a list of statements. Only the
+// statements that every facet needs are required: a facet that the end of the file cuts off is
+// refused. STL has no shared vertices, so equal points are welded, exactly, after reading; a
+// triangle that then has two equal corners is left out with a note. Binary coordinates are floats,
+// which are exact in doubles. Format: 3D Systems, StereoLithography Interface Specification;
+// docs/formats.md, section STL. Tested by tests/io/stl_test.cpp.
 #include "plumb/io/mesh/stl.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool is_word(std::string_view token, std::string_view lower_case) {
                     [](char a, char b) { return lower(a) == b; });
 }
 
-/// Returns where a word begins for the first time, in capital or small letters; npos if it does not
+/// Returns the first position of a word, in capital or small letters, or npos if the word does not
 /// occur.
 std::size_t place_of(std::string_view text, std::string_view lower_case) {
   const auto found = std::search(text.begin(), text.end(), lower_case.begin(), lower_case.end(),
@@ -60,7 +60,7 @@ bool begins_comment(std::string_view token) {
          token.starts_with("//");
 }
 
-/// Whether the token is a word or a number that belongs into a facet.
+/// Whether the token is a word or a number that belongs to a facet.
 bool is_of_facet(std::string_view token) {
   constexpr std::array<std::string_view, 5> kWords{"normal", "loop", "vertex", "endloop",
                                                    "endfacet"};
@@ -98,7 +98,7 @@ class StlTextReader {
       do {
         read_statement();
       } while (find_token());
-      // Without a single facet, the file may be cut off anywhere.
+      // If there is not a single facet, the file may be cut off at any place.
       if (is_open_ && mesh_.face_count() == 0) require_token("facet or endsolid");
       MeshFile file = mesh_.take();
       if (is_open_) file.notes.push_back("the last endsolid is missing; every facet is whole");
@@ -127,7 +127,7 @@ class StlTextReader {
   MeshCollector mesh_;
   Context& context_;
   std::size_t total_bytes_;
-  bool is_open_ = false;  // Whether a solid has begun that has not ended yet.
+  bool is_open_ = false;  // Whether the current solid has not ended yet.
   std::optional<bool> is_facet_ahead_;
   ReadNumber x_, y_, z_;
 };
@@ -138,7 +138,7 @@ class StlTextReader {
 void StlTextReader::read_statement() {
   const std::string_view token = cursor_.token();
   if (is_word(token, "facet")) return read_facet();
-  if (is_word(token, "outer")) return read_loop();  // Some writers leave facet out.
+  if (is_word(token, "outer")) return read_loop();  // Some writers leave out the word facet.
   if (is_word(token, "solid")) {
     is_open_ = true;
     return skip_name();
@@ -160,8 +160,8 @@ void StlTextReader::read_statement() {
   skip_name();
 }
 
-/// Whether a facet follows that begins with its word. The text is searched once: as long as no
-/// facet was read, one that is ahead stays there.
+/// Whether a facet follows that begins with the word facet. The text is searched once. As long as
+/// no facet was read, the position of the next facet does not change.
 bool StlTextReader::has_facet_ahead() {
   if (!is_facet_ahead_) {
     is_facet_ahead_ = place_of(cursor_.rest(), "facet") < place_of(cursor_.rest(), "outer");
@@ -169,8 +169,8 @@ bool StlTextReader::has_facet_ahead() {
   return *is_facet_ahead_;
 }
 
-/// Skips the rest of a line: a name may be anything. A facet is no name: a file may have no line
-/// breaks at all.
+/// Skips the rest of a line, because a name may be any text. A facet is not a name, because a file
+/// may have no line breaks at all.
 void StlTextReader::skip_name() {
   while (!cursor_.at_line_end() && !is_at_facet()) cursor_.token();
 }
@@ -193,8 +193,8 @@ void StlTextReader::read_facet() {
   read_loop();
 }
 
-/// Skips what is between facet and loop: the word normal, up to three numbers of any form (real
-/// files contain "nan"), and the word outer. Some writers leave the normal out, or parts of it.
+/// Skips the text between facet and loop: the word normal, up to three numbers of any form (real
+/// files contain "nan"), and the word outer. Some writers leave out the normal, or parts of it.
 void StlTextReader::skip_normal() {
   constexpr int kMostTokens = 4;
   for (int i = 0; i < kMostTokens; ++i) {
@@ -203,8 +203,9 @@ void StlTextReader::skip_normal() {
   expect("outer");
 }
 
-/// Reads the rest of a facet, from the word loop on. Some writers leave endfacet out. Then it must
-/// be clear what follows the facet: at the end of the file, the facet may be cut off.
+/// Reads the rest of a facet, beginning with the word loop. Some writers leave out endfacet. In
+/// this case, the text after the facet must be unambiguous, because at the end of the file the
+/// facet may be cut off.
 void StlTextReader::read_loop() {
   if (mesh_.face_count() % kTrianglesPerCheckpoint == 0) {
     context_.checkpoint("read", cursor_.bytes_read(), total_bytes_);
@@ -305,9 +306,9 @@ struct BinaryLayout {
   std::size_t stray_bytes = 0;  ///< Bytes behind the last triangle.
 };
 
-/// Whether the file has exactly its announced triangles, each followed by as many bytes as its last
-/// number says. That is what this number was made for, but most writers that use it keep a colour
-/// there, so nothing less than an exact fit counts.
+/// Whether the file has exactly the announced number of triangles, each followed by as many bytes
+/// as its last number states. The number was intended for this purpose, but most writers that use
+/// it store a colour there. Therefore only an exact fit counts.
 bool has_attribute_bytes(std::string_view bytes) {
   BinaryInput in(bytes, kLeastBinaryBytes, std::endian::little, {});
   for (std::uint32_t left = announced(bytes); left > 0; --left) {
@@ -331,7 +332,7 @@ bool has_attribute_bytes(std::string_view bytes) {
                 "; it announces " + count_of(announced(bytes), "triangle"));
 }
 
-/// Refuses a file whose count is that of its triangles if its bytes are read in the other order.
+/// Refuses a file if its count, read in the other byte order, is the number of its triangles.
 void refuse_big_endian(std::string_view bytes, const ReadOptions& options) {
   BinaryInput in(bytes, kHeaderBytes, std::endian::big, options.name);
   const std::uint64_t triangles = in.take<std::uint32_t>();
@@ -341,9 +342,9 @@ void refuse_big_endian(std::string_view bytes, const ReadOptions& options) {
           kHeaderBytes);
 }
 
-/// Compares the count that a binary file announces with its size. If they differ by less than a
-/// triangle, the count is right. If the size is one of whole triangles, it is the size that is
-/// right. Writers that do not know the count beforehand write 0 or the largest number.
+/// Compares the count of a binary file with its size. If they differ by less than a triangle, the
+/// count is right. If the size is a multiple of the size of a triangle, the size is right. Writers
+/// that do not know the count in advance write 0 or the largest number.
 BinaryLayout layout_of(std::string_view bytes, const ReadOptions& options) {
   const std::uint32_t count = announced(bytes);
   const std::size_t room = bytes.size() - kLeastBinaryBytes;
@@ -352,7 +353,7 @@ BinaryLayout layout_of(std::string_view bytes, const ReadOptions& options) {
   if (has_attribute_bytes(bytes)) return {count, true};
   refuse_big_endian(bytes, options);
   const bool has_more = needed < room;
-  // The attribute of the last triangle, which means nothing, may be cut off.
+  // The attribute of the last triangle has no meaning, and may be cut off.
   if (!has_more && needed - room <= sizeof(std::uint16_t)) return {count};
   if (has_more && room - needed < kTriangleBytes) {
     return {count, false, static_cast<std::size_t>(room - needed)};
@@ -390,7 +391,7 @@ bool add_points(const BinaryInput& in, std::size_t begin, const std::array<float
 }
 
 void read_triangle(BinaryInput& in, const BinaryLayout& layout, MeshCollector& mesh) {
-  in.skip(3 * sizeof(float));  // The normal.
+  in.skip(3 * sizeof(float));  // The normal is skipped.
   const std::size_t begin = in.position();
   std::array<float, 9> coordinates{};
   for (float& value : coordinates) value = in.take<float>();
@@ -459,8 +460,8 @@ std::size_t first_control_byte(std::string_view bytes) {
                                           std::to_string(bytes.size()) + " bytes are there");
 }
 
-/// Whether the text has facets near its beginning: comments may stand before the first solid, and
-/// some writers leave the word solid out.
+/// Whether the text has facets near its beginning. Comments may precede the first solid, and some
+/// writers leave out the word solid.
 bool begins_with_facets(std::string_view text) {
   constexpr std::size_t kInspected = 4096;
   return place_of(text.substr(0, kInspected), "vertex") != text.npos;
@@ -517,8 +518,8 @@ Triangle triangle(const PolygonMesh& mesh, std::size_t f) {
   return {mesh.points[face[0]], mesh.points[face[1]], mesh.points[face[2]]};
 }
 
-/// Returns a normal for programs that do not compute it themselves: of length 1 up to rounding, or
-/// 0 0 0 if doubles do not determine it.
+/// Returns a normal for programs that do not compute it. Its length is 1 up to rounding. If doubles
+/// do not determine the normal, it is 0 0 0.
 Point3 rough_normal(const Triangle& t) {
   const Point3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z};
   const Point3 v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};

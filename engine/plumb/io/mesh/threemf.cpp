@@ -54,7 +54,7 @@ class RelationshipReader : public XmlListener {
   std::optional<std::string> target_;
 };
 
-/// Returns the name of the model part. Archives without relationships have it at its usual place.
+/// Returns the name of the model part. In archives without relationships, it has its usual name.
 std::string start_part(ZipArchive& archive, const std::string& file) {
   constexpr const char* kUsual = "3D/3dmodel.model";
   std::optional<std::string> target;
@@ -77,7 +77,7 @@ bool ends_with_any(std::string_view name, std::initializer_list<std::string_view
                      [&](std::string_view end) { return name.ends_with(end); });
 }
 
-/// Names the files of the archive that are not read.
+/// Notes the files of the archive that are not read.
 void note_other_files(const ZipArchive& archive, ThreeMfScene& scene) {
   for (const std::string& path : archive.names()) {
     std::string_view name = path;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::uint64_t kRatio = 256;
 constexpr std::uint64_t kAlwaysRead = std::uint64_t{64} << 20U;
-constexpr std::uint64_t kEntryBytes = 512;  // A record of libzip and its name.
+constexpr std::uint64_t kEntryBytes = 512;  // The memory of a record of libzip and its name.
 
 std::string reason_of(zip_error_t* error) {
   std::string text = zip_error_strerror(error);
@@ -138,7 +138,7 @@ class ZipWriter {
       fail_archive(ErrorCode::CannotWrite, reason_of(&error));
     }
     zip_error_fini(&error);
-    zip_source_keep(source_);  // zip_close() gives its own reference back.
+    zip_source_keep(source_);  // zip_close() releases its own reference.
   }
   ~ZipWriter() {
     if (zip_ != nullptr) zip_discard(zip_);

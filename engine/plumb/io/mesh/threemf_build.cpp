@@ -74,7 +74,7 @@ class PointMap {
   }
 
  private:
-  /// Returns the axis and the double by which a row moves it, if the row does nothing else.
+  /// If a row only moves along an axis, returns the axis and the double by which the row moves.
   [[nodiscard]] std::optional<std::pair<std::size_t, double>> axis_moved(std::size_t row) const {
     std::optional<std::size_t> axis;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -88,8 +88,8 @@ class PointMap {
     return std::pair(*axis, move);
   }
 
-  /// Returns the sum of two doubles if it is a double: the error of the rounded sum is computed
-  /// exactly.
+  /// If the sum of two doubles is a double, returns the sum. The error of the rounded sum is
+  /// computed exactly.
   static std::optional<double> exact_sum(double a, double b) {
     const double sum = a + b;
     const double part = sum - a;
@@ -144,7 +144,8 @@ class SceneBuilder3mf {
   struct Open {
     std::uint32_t object;
     std::uint32_t next_component;
-    std::optional<ThreeMfTransform> transform;  // No value is the identity.
+    // If there is no value, the transform is the identity.
+    std::optional<ThreeMfTransform> transform;
   };
 
   void place(const ThreeMfPlacement& item) {
@@ -164,7 +165,7 @@ class SceneBuilder3mf {
     }
   }
 
-  /// Places the objects of the first part that are no components.
+  /// Places the objects of the first part that are not components.
   void place_free_objects() {
     std::vector<std::uint8_t> is_component(scene_.objects.size());
     for (const ThreeMfPlacement& component : scene_.components) {
@@ -187,7 +188,7 @@ class SceneBuilder3mf {
     return true;
   }
 
-  /// Puts an object on the path, and adds its mesh if it has one.
+  /// Appends an object to the path. If the object has a mesh, adds it.
   void open(const ThreeMfPlacement& placement, const std::optional<ThreeMfTransform>& above) {
     count_placement(placement);
     const std::uint32_t number = object_of(placement);
@@ -228,7 +229,8 @@ class SceneBuilder3mf {
                                                   : "objects that are no parts of the model");
   }
 
-  /// Returns the transform of a placement below `above`. Its move is in the unit of its part.
+  /// Returns the transform of a placement below `above`. Its translation is in the unit of its
+  /// part.
   std::optional<ThreeMfTransform> composed(const std::optional<ThreeMfTransform>& above,
                                            const ThreeMfPlacement& placement) const {
     if (placement.transform == ThreeMfPlacement::kNoTransform) return above;
@@ -285,7 +287,7 @@ class SceneBuilder3mf {
     }
   }
 
-  /// Adds the triangles that are parts of the shape, without those that repeat a corner.
+  /// Adds the triangles that belong to the shape, except those with equal corners.
   void add_faces(const ThreeMfObject& object, std::uint32_t base, bool turns) {
     const std::uint32_t name = name_of_top();
     std::vector<ThreeMfSettings::Range> excluded;
@@ -306,8 +308,8 @@ class SceneBuilder3mf {
     }
   }
 
-  /// Returns the name of the object on top of the path, or of the innermost one above it that has
-  /// one.
+  /// Returns the name of the last object of the path. If it has no name, returns the name of the
+  /// innermost object above it that has one.
   std::uint32_t name_of_top() const {
     for (std::size_t i = path_.size(); i-- > 0;) {
       const std::uint32_t name = scene_.objects[path_[i].object].name;
@@ -345,7 +347,8 @@ class SceneBuilder3mf {
     }
   }
 
-  /// Throws at the tag of a placement. An object that is placed without an item has no tag.
+  /// Throws an error with the place of the tag of a placement. An object that is placed without an
+  /// item has no tag.
   [[noreturn]] void fail(const ThreeMfPlacement& placement, ErrorCode code,
                          const std::string& message) const {
     throw Error(code, message,

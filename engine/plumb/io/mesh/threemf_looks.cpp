@@ -23,7 +23,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint32_t kMaterialGroup = 2, kColorGroup = 3;  // The object is 1.
+constexpr std::uint32_t kMaterialGroup = 2, kColorGroup = 3;  // The number of the object is 1.
 constexpr std::uint32_t kWhite = 0xffffffff;
 
 std::optional<std::uint32_t> hex_value(std::string_view digits) {
@@ -53,7 +53,7 @@ void put_color(TextOutput& out, std::uint32_t color) {
   for (unsigned i = 0; i < digits; ++i) out << kDigits[color >> (28 - 4 * i) & 0xfU];
 }
 
-/// Writes a text as the value of an attribute. What XML does not allow becomes `_`.
+/// Writes a text as the value of an attribute. Characters that XML does not allow become `_`.
 void put_text(TextOutput& out, std::string_view text) {
   while (!text.empty()) {
     const std::size_t valid = text_prefix(text);
@@ -144,7 +144,8 @@ ThreeMfResources::ThreeMfResources(const PolygonMesh& mesh, const MeshAttributes
   find_names();
 }
 
-/// A single name of all faces is that of the object. Otherwise each name is a set of triangles.
+/// If all faces have the same name, it is the name of the object. Otherwise, each name is a set of
+/// triangles.
 void ThreeMfResources::find_names() {
   const std::vector<std::uint32_t>& group = attributes_.face_group;
   if (group.empty()) return;
@@ -229,7 +230,8 @@ void ThreeMfResources::write_groups(TextOutput& out) const {
   out << "</m:colorgroup>\n";
 }
 
-/// If all triangles have a look, the object has that of the first one, which some programs need.
+/// If all triangles have a look, the object gets the look of the first triangle, because some
+/// programs require it.
 void ThreeMfResources::write_object(TextOutput& out) const {
   if (!name_.empty()) {
     out << " name=\"";

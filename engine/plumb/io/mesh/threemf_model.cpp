@@ -36,7 +36,7 @@ constexpr std::string_view kTriangleSets2 =
     "http://schemas.3mf.io/3dmanufacturing/trianglesets/2021/07";
 constexpr std::string_view kSlic3r = "http://schemas.slic3r.org/3mf/2017/06";
 
-/// Extensions that may be required, because what they add is read or does not change the shape.
+/// The extensions that a file may require, because they are read or do not change the shape.
 constexpr std::array<std::string_view, 5> kUnderstood{kCore, kProduction, kMaterials, kTriangleSets,
                                                       kTriangleSets2};
 
@@ -91,7 +91,7 @@ constexpr std::array<GrammarRule, 15> kGrammar{{
     {ModelElement::Settings, "metadata", ModelElement::Setting},
 }};
 
-/// Elements that state looks. They are skipped if attributes are not kept.
+/// The elements that state looks. They are skipped if attributes are not kept.
 struct LookRule {
   ModelElement parent;
   std::string_view space;
@@ -114,7 +114,7 @@ constexpr std::array<LookRule, 12> kLookGrammar{{
     {ModelElement::TriangleSet, kTriangleSets2, "refrange", ModelElement::SetRange},
 }};
 
-/// Elements that are not read: what a note or a warning calls them.
+/// The elements that are not read, and their names in a note or a warning.
 struct SkippedElement {
   std::string_view name;
   std::string_view called;
@@ -141,7 +141,7 @@ constexpr std::array<SkippedElement, 17> kSkippedElements{{
     {"implicitfunction", "implicit functions", true},
 }};
 
-/// Settings of Cura that make an object something else than a part of the model.
+/// The settings of Cura that exclude an object from the model.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kCuraMeshes{{
     {"support_mesh", "support volumes"},
     {"anti_overhang_mesh", "support blockers"},
@@ -164,7 +164,7 @@ constexpr std::array<NamedUnit, 6> kUnits{{
     {"meter", 1000, 1},
 }};
 
-/// Returns the next word of a list between blanks, and removes it; an empty one at the end.
+/// Returns the next word of a list with blanks, and removes it. At the end, the word is empty.
 std::string_view take_word(std::string_view& list) {
   constexpr std::string_view kBlanks = " \t\r\n";
   list.remove_prefix(std::min(list.find_first_not_of(kBlanks), list.size()));
@@ -241,15 +241,15 @@ class ModelReader3mf : public XmlListener {
   XmlStream stream_;
   NumberReader numbers_;
   std::vector<ModelElement> open_;
-  std::size_t skipped_depth_ = 0;  // Open elements that are skipped.
+  std::size_t skipped_depth_ = 0;  // The number of open elements that are skipped.
   bool has_root_ = false;
-  std::map<std::string, std::string, std::less<>> spaces_;  // Prefixes at the root.
+  std::map<std::string, std::string, std::less<>> spaces_;  // The prefixes at the root.
   std::string setting_name_;
   std::string setting_;
   ThreeMfGroup* group_ = nullptr;                // The group that is open.
-  std::uint32_t set_name_ = ThreeMfLook::kNone;  // Of the set of triangles that is open.
-  std::size_t set_steps_ = 0;                    // Triangles that sets of the object name.
-  std::optional<std::uint32_t> object_group_, object_entry_;  // Defaults of triangles.
+  std::uint32_t set_name_ = ThreeMfLook::kNone;  // The name of the open set of triangles.
+  std::size_t set_steps_ = 0;                    // The triangles of the object that belong to sets.
+  std::optional<std::uint32_t> object_group_, object_entry_;  // The defaults of triangles.
   ReadNumber x_, y_, z_;
 };
 
@@ -376,7 +376,8 @@ void ModelReader3mf::require_extensions(const XmlTag& tag) const {
 // ---------------------------------------------------------------- objects
 
 void ModelReader3mf::start_object(const XmlTag& tag) {
-  constexpr std::uint64_t kObjectBytes = 256;  // The object, twice, and its entry in the map.
+  // The memory of the object, twice, and its entry in the map.
+  constexpr std::uint64_t kObjectBytes = 256;
   scene_.charge.add(kObjectBytes, "the objects of the file");
   ThreeMfObject object;
   object.part = part_;
@@ -452,7 +453,7 @@ void ModelReader3mf::add_item(const XmlTag& tag) {
   scene_.items.push_back(placement_of(tag));
 }
 
-/// Reads a setting of Cura, which says what an item or an object is.
+/// Reads a setting of Cura, which states the kind of an item or an object.
 void ModelReader3mf::end_setting() {
   scene_.passed.insert("metadata");
   std::string_view name = setting_name_;
@@ -468,7 +469,8 @@ void ModelReader3mf::end_setting() {
     }
     if (part_ == 0 && !scene_.items.empty()) scene_.items.pop_back();
     scene_.has_lost_items = true;
-    owner = open_.back() = ModelElement::Passed;  // The item is gone; other settings do not matter.
+    // The item is removed, so other settings do not matter.
+    owner = open_.back() = ModelElement::Passed;
     return;
   }
 }
@@ -477,7 +479,8 @@ void ModelReader3mf::end_setting() {
 //
 // A look never decides whether a file is refused. What is wrong with one is named in a note.
 
-/// Starts a group of base materials or colours. Of two groups with one id, the first counts.
+/// Starts a group of base materials or colours. If two groups have the same id, the first one
+/// counts.
 void ModelReader3mf::start_group(const XmlTag& tag) {
   constexpr std::uint64_t kGroupBytes = 96;
   group_ = nullptr;
@@ -503,7 +506,7 @@ void ModelReader3mf::add_entry(const XmlTag& tag, const char* color) {
   group_->end = static_cast<std::uint32_t>(scene_.looks.entries.size());
 }
 
-/// Returns the index of the name of an object or a set of triangles; kNone if it has none.
+/// Returns the index of the name of an object or a set of triangles, or kNone if it has no name.
 std::uint32_t ModelReader3mf::name_of(const XmlTag& tag) {
   const std::string_view name = tag.attribute("name").value_or("");
   if (name.empty()) return ThreeMfLook::kNone;
@@ -512,7 +515,8 @@ std::uint32_t ModelReader3mf::name_of(const XmlTag& tag) {
   return static_cast<std::uint32_t>(scene_.looks.names.size() - 1);
 }
 
-/// Gives triangles of the object the name of the open set. Of several sets, the first counts.
+/// Gives triangles of the object the name of the open set. If a triangle belongs to several sets,
+/// the first one counts.
 void ModelReader3mf::add_to_set(const XmlTag& tag, const char* first, const char* last) {
   if (set_name_ == ThreeMfLook::kNone) return;
   const auto begin = look_number(tag, first), end = look_number(tag, last);
@@ -520,7 +524,7 @@ void ModelReader3mf::add_to_set(const XmlTag& tag, const char* first, const char
   if (!begin || !end || *begin > *end || *end >= count) {
     return pass_over("sets of triangles that there are not");
   }
-  // Without a bound, a few ranges of many triangles would take long.
+  // Without a bound, a few ranges with many triangles would take long.
   constexpr std::size_t kMostSetsOfTriangle = 64;
   set_steps_ += *end - *begin + 1;
   if (set_steps_ > kMostSetsOfTriangle * count) return pass_over("sets of triangles that overlap");
@@ -530,7 +534,7 @@ void ModelReader3mf::add_to_set(const XmlTag& tag, const char* first, const char
   }
 }
 
-/// Adds the look of the last triangle. What it lacks is that of the object.
+/// Adds the look of the last triangle. Missing parts are taken from the object.
 void ModelReader3mf::add_look(const XmlTag& tag) {
   if (tag.attribute("paint_color") || tag.attribute(kSlic3r, "mmu_segmentation")) {
     pass_over("colours painted in slicers");
@@ -549,7 +553,7 @@ void ModelReader3mf::add_look(const XmlTag& tag) {
     if (!entry) return pass_over("references to materials that are not read");
     look.entry[i] = *entry;
   }
-  // A face has one base material: that of its first corner.
+  // A face has one base material, which is the material of its first corner.
   if (!scene_.looks.entries[look.entry[0]].name.empty()) look.entry.fill(look.entry[0]);
   look_of(scene_.source.face_count() - 1).entry = look.entry;
 }
@@ -574,7 +578,7 @@ std::optional<std::uint32_t> ModelReader3mf::entry_of(std::uint32_t group,
   return index < end - first ? std::optional(first + index) : std::nullopt;
 }
 
-/// Returns the whole number that an attribute states, or nothing.
+/// Returns the integer that an attribute states, or nothing.
 std::optional<std::uint32_t> ModelReader3mf::look_number(const XmlTag& tag, const char* name) {
   const std::string_view text = tag.attribute(name).value_or("");
   std::uint32_t value = 0;
@@ -602,7 +606,7 @@ ThreeMfPlacement ModelReader3mf::placement_of(const XmlTag& tag) {
   return placement;
 }
 
-/// Reads twelve numbers. The identity needs no transform.
+/// Reads twelve numbers. If they are the identity, no transform is needed.
 std::uint32_t ModelReader3mf::transform_of(std::string_view text) {
   ThreeMfTransform m;
   std::uint64_t limbs = 0;
@@ -614,7 +618,7 @@ std::uint32_t ModelReader3mf::transform_of(std::string_view text) {
     limbs += mpz_size(mpq_numref(entry.mpq())) + mpz_size(mpq_denref(entry.mpq()));
   }
   if (!take_word(text).empty()) fail(ErrorCode::Syntax, "a transform has 12 numbers");
-  constexpr std::uint64_t kHeapBytes = 64;  // Two blocks of each number.
+  constexpr std::uint64_t kHeapBytes = 64;  // The memory of two blocks for each number.
   scene_.charge.add(sizeof m + m.size() * kHeapBytes + limbs * sizeof(mp_limb_t), "the transforms");
   const Rational determinant = m[0] * (m[4] * m[8] - m[5] * m[7]) -
                                m[1] * (m[3] * m[8] - m[5] * m[6]) +
@@ -647,7 +651,7 @@ std::uint32_t ModelReader3mf::whole_number(const XmlTag& tag, const char* name) 
   return value;
 }
 
-/// Reads a number. Its place is that of the tag.
+/// Reads a number. Errors have the place of the tag.
 void ModelReader3mf::read_number(std::string_view text, const char* name, ReadNumber& number) {
   bool is_whole = false;
   try {
@@ -662,7 +666,7 @@ void ModelReader3mf::read_number(std::string_view text, const char* name, ReadNu
   if (!is_whole) fail(ErrorCode::Syntax, std::string(name) + " is " + quoted(text) + ", no number");
 }
 
-/// Returns the value of a hexadecimal digit; 16 if it is none.
+/// Returns the value of a hexadecimal digit, or 16 if the character is not a digit.
 unsigned hex_digit(char c) {
   if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
   if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a') + 10;
@@ -673,7 +677,8 @@ unsigned hex_digit(char c) {
 }  // namespace
 
 std::uint32_t ThreeMfScene::part_of(const std::string& name) {
-  constexpr std::uint64_t kPartBytes = 512;  // The part, twice, and an entry of the map.
+  // The memory of the part, twice, and an entry of the map.
+  constexpr std::uint64_t kPartBytes = 512;
   const auto number = static_cast<std::uint32_t>(parts.size());
   const auto [entry, is_new] = part_numbers.try_emplace(name, number);
   if (is_new) {

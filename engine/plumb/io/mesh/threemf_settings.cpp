@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<const char*, 2> kSettingsFiles{"Metadata/Slic3r_PE_model.config",
                                                     "Metadata/model_settings.config"};
 
-/// Returns what a kind of volume is called; an empty text for a part of the shape.
+/// Returns the name of a kind of volume, or an empty text if the volume is a part of the shape.
 std::string_view called_by_slicers(std::string_view kind) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kKinds{{
       {"NegativeVolume", "negative volumes"},

@@ -25,7 +25,7 @@
 namespace plumb {
 namespace {
 
-constexpr char kSpaceEnd = '|';  // Between a name space and a name.
+constexpr char kSpaceEnd = '|';  // The character between a name space and a name.
 
 }  // namespace
 
@@ -63,7 +63,7 @@ constexpr std::int64_t kMostTagBytes = std::int64_t{1} << 20U;
 constexpr std::size_t kMostNames = 4096;
 constexpr std::size_t kMostNameBytes = 4096;
 
-/// Allows to look for a view among strings.
+/// Allows searches for a string view among strings.
 struct NameHash {
   using is_transparent = void;
   std::size_t operator()(std::string_view name) const {
@@ -111,7 +111,7 @@ struct XmlStream::Parser {
     if (thrown) XML_StopParser(xml.get(), XML_FALSE);
   }
 
-  /// Counts a name that expat keeps, once. There are few names of one or two bytes.
+  /// Counts a name that expat stores, once. There are only few names of one or two bytes.
   void count_name(std::string_view full) {
     if (full.size() <= 2 || names.find(full) != names.end()) return;
     if (full.size() > kMostNameBytes) throw Error(ErrorCode::ResourceLimit, "a name is too long");

@@ -2,9 +2,9 @@
 //
 // A pair is a line with a code, which says what the next line means. Code 0 begins an entity, and
 // the values up to the next code 0 belong to it. A POLYLINE is followed by entities VERTEX and ends
-// with SEQEND. Values are kept as they come, and an entity is made of them at its end, so their
-// order does not matter; only the values of corners belong together. In a HATCH the order of all
-// values matters: HatchParser takes them one after the other.
+// with SEQEND. Values are stored as they are read, and the entity is made at its end, so their
+// order does not matter, except that the values of a corner belong together. In a HATCH, the order
+// of all values matters, so HatchParser reads them one after the other.
 //
 // Format: Autodesk, DXF Reference (AutoCAD 2012); docs/formats.md, section DXF.
 // Tested by tests/io/dxf_test.cpp.
@@ -44,10 +44,10 @@ std::string_view trimmed(std::string_view line) {
   return line.substr(0, line.find_last_not_of(kDxfBlanks) + 1);
 }
 
-/// The map of a plane that is seen from below.
+/// The affine map of a plane that is seen from below.
 constexpr SvgTransform kFromBelow{-1, 0, 0, 1, 0, 0};
 
-/// The units that $INSUNITS numbers.
+/// The units that the values of $INSUNITS denote.
 constexpr std::array<const char*, 7> kDxfUnits{"",           "inch",       "foot", "mile",
                                                "millimetre", "centimetre", "metre"};
 
@@ -100,7 +100,7 @@ class DxfReader {
 
   // ---------------------------------------------------------------- pairs
 
-  /// Returns the next line and moves behind it.
+  /// Returns the next line and moves the position behind it.
   std::string_view take_line() {
     ++line_;
     const std::size_t end = rest_.find('\n');
@@ -109,7 +109,7 @@ class DxfReader {
     return line;
   }
 
-  /// Reads the next pair; returns false behind the end of the drawing.
+  /// Reads the next pair. Returns false at the end of the drawing.
   bool next_pair() {
     constexpr std::size_t kPairsPerCheckpoint = 4096;
     if (has_end_) return false;
@@ -148,7 +148,7 @@ class DxfReader {
     }
     if (section_ == "HEADER") return take_variable();
     if (section_ == "BLOCKS" && entity_ == "BLOCK" && code_ == 2) {
-      constexpr std::uint64_t kBlockBytes = 256;  // The nodes of two maps.
+      constexpr std::uint64_t kBlockBytes = 256;  // The memory of the nodes of two maps.
       with_line([&] { charge_.add(kBlockBytes, "the drawing"); });
       block_places_.insert({value_, {block_rest_, block_line_}});
     }
@@ -160,7 +160,7 @@ class DxfReader {
     if (code_ == 70 && variable_ == "$INSUNITS") unit_ = number();
   }
 
-  /// Keeps a value of the current entity, if an entity that is read can need it.
+  /// Stores a value of the current entity, if an entity that is read may need it.
   void take_value() {
     constexpr std::uint64_t kStep = 4096;
     if (code_ == 8) layer_ = value_;
@@ -198,7 +198,7 @@ class DxfReader {
     if (section_ == "ENTITIES" && !is_read_) skipped_.insert({entity_, 0}).first->second += 1;
   }
 
-  /// Ends the entity before the one that the current pair begins.
+  /// Ends the entity before the entity that the current pair begins.
   void close_entity() {
     if (section_ == "ENTITIES") end_entity();
     if (is_in_polyline_ && value_ != "VERTEX" && value_ != "SEQEND") {
@@ -233,9 +233,10 @@ class DxfReader {
   void end_entity() {
     if (!is_read_) return;
     is_read_ = false;
-    // The vertices of a POLYLINE are on its layer, whatever layer they state.
+    // The vertices of a POLYLINE are on the layer of the POLYLINE, even if they state a different
+    // layer.
     const bool is_part = entity_ == "VERTEX" || entity_ == "SEQEND";
-    // What is in a block, or inserted, can be on a layer that only the inserts decide.
+    // The layer of an entity in a block, or of an insert, may depend on the inserts of the block.
     const bool is_placed_later = block_ != nullptr || entity_ == "INSERT";
     if (!only_layer_.empty() && layer_ != only_layer_ && !is_part && !is_placed_later) return;
     if (value(67, 0) == 1) {
@@ -305,13 +306,13 @@ class DxfReader {
   void make_line() {
     const DxfCurve curve = new_curve(DxfKind::Polyline);
     const Point2 from = required_point(10), to = required_point(11);
-    if (from == to) return;  // A line without length.
+    if (from == to) return;  // A line without length is skipped.
     push_vertex(from, 0);
     push_vertex(to, 0);
     push_curve(curve);
   }
 
-  /// Makes a polyline of corners that each begin with the code 10.
+  /// Makes a polyline. Each of its corners begins with the code 10.
   void make_polyline() {
     DxfCurve curve = new_curve(DxfKind::Polyline);
     curve.is_closed = has_flag(1);
@@ -344,7 +345,7 @@ class DxfReader {
     is_in_polyline_ = true;
   }
 
-  /// Adds a corner. A corner of the frame of a spline is not on the curve.
+  /// Adds a corner. A corner of the control frame of a spline is not on the curve.
   void add_vertex() {
     constexpr unsigned kOfFrame = 16;
     if (is_in_polyline_ && !has_flag(kOfFrame)) push_vertex(required_point(10), value(42, 0));
@@ -369,7 +370,8 @@ class DxfReader {
     if (radius > 0) push_curve(curve);
   }
 
-  /// The axes of an ellipse are in the coordinates of the drawing, unlike the centre of an arc.
+  /// The axes of an ellipse are in the coordinates of the drawing, while the centre of an arc is
+  /// not.
   void make_ellipse() {
     DxfCurve curve = new_curve(DxfKind::Arc);
     const double ratio = required(40) * (is_seen_from_below() ? -1 : 1);
@@ -378,13 +380,13 @@ class DxfReader {
     curve.u = required_point(11);
     curve.v = {-ratio * curve.u.y, ratio * curve.u.x};
     set_angles(curve, value(41, 0) * kDegrees, value(42, 2 * 3.14159265358979323846) * kDegrees);
-    curve.is_closed = std::fabs(curve.to - curve.from - 360) < 1e-6;  // 2 pi is rounded in files.
+    curve.is_closed = std::fabs(curve.to - curve.from - 360) < 1e-6;  // In files, 2 pi is rounded.
     if (curve.is_closed) curve.to = curve.from + 360;
     divide(curve, std::hypot(curve.u.x, curve.u.y));
     if (ratio != 0 && curve.u != Point2{0, 0}) push_curve(curve);
   }
 
-  /// Sets the number of chords as OpenSCAD does, if the drawing is read for it.
+  /// Sets the number of chords to the number of OpenSCAD, if the drawing is read for OpenSCAD.
   void divide(DxfCurve& curve, double radius) const {
     if (!selection_.division || !(radius > 0)) return;
     with_line([&] {
@@ -408,7 +410,7 @@ class DxfReader {
     DxfCurve curve = new_curve(DxfKind::Spline);
     curve.is_closed = has_flag(1);
     curve.first_knot = static_cast<std::uint32_t>(content_.curves.knots.size());
-    std::size_t weight = curve.first_vertex;  // The vertex that the next weight belongs to.
+    std::size_t weight = curve.first_vertex;  // The vertex to which the next weight belongs.
     for (const Value& each : values_) {
       auto& vertices = content_.curves.vertices;
       if (each.code == 10) push_vertex({each.number, 0}, 0);
@@ -427,7 +429,7 @@ class DxfReader {
   }
 
   void set_weight(std::size_t vertex, double weight) {
-    constexpr double kMost = 1e100;  // Products with coordinates of drawings stay doubles.
+    constexpr double kMost = 1e100;  // Products with coordinates of drawings remain doubles.
     if (!(weight >= 1 / kMost && weight <= kMost)) {
       fail_entity(ErrorCode::BadShape, "has a weight that is not above zero, or that is huge");
     }
@@ -465,8 +467,8 @@ class DxfReader {
     push_curve(curve);
   }
 
-  /// Makes the curve through fit points. Returns false if there are none. Bezier curves that follow
-  /// each other are a spline whose inner knots occur three times.
+  /// Makes the curve through fit points. Returns false if there are none. A sequence of Bezier
+  /// curves is a spline whose inner knots occur three times.
   bool make_fit_curve(DxfCurve& curve) {
     std::vector<Point2> points;
     for (const Value& each : values_) {
@@ -474,7 +476,7 @@ class DxfReader {
       if (each.code == 21 && !points.empty()) points.back().y = each.number;
     }
     if (points.empty()) return false;
-    constexpr std::uint64_t kBytesOfPoint = 256;  // Of fit_curve() and of what it returns.
+    constexpr std::uint64_t kBytesOfPoint = 256;  // The memory of fit_curve() and of its result.
     with_line([&] { charge_.add(kBytesOfPoint * points.size(), "the drawing"); });
     FitEnds ends{curve.is_closed, {}, {}};
     if (has(12)) ends.begin = Point2{value(12, 0), value(22, 0)};
@@ -514,8 +516,8 @@ class DxfReader {
   }
   void make_face() { add_area(std::array{10, 11, 12, 13}, {}); }
 
-  /// Adds an area of its own with three or four corners. Of a triangle, the fourth corner is
-  /// missing or equal to the third.
+  /// Adds a separate area with three or four corners. In a triangle, the fourth corner is missing
+  /// or equal to the third.
   void add_area(const std::array<int, 4>& codes, const SvgTransform& transform) {
     ++areas_;
     DxfCurve curve = new_edge(DxfKind::Polyline);
@@ -532,8 +534,8 @@ class DxfReader {
 
   // ---------------------------------------------------------------- hatches
 
-  /// Adds the borders of a hatch. All of them belong to one area, or, where islands are ignored,
-  /// each border encloses an area of its own.
+  /// Adds the borders of a hatch. They all belong to one area. If islands are ignored, each border
+  /// bounds a separate area.
   void make_hatch() {
     const SvgTransform transform = is_seen_from_below() ? kFromBelow : SvgTransform{};
     next_value_ = 0;
@@ -552,7 +554,7 @@ class DxfReader {
     }
   }
 
-  /// Returns the next value of a hatch, which must have this code.
+  /// Returns the next value of a hatch, which must have the given code.
   double next_number(int code) {
     if (next_value_ == values_.size() || values_[next_value_].code != code) {
       fail_entity(ErrorCode::CountMismatch,
@@ -643,8 +645,9 @@ class DxfReader {
     if (ratio != 0 && curve.u != Point2{0, 0}) push_curve(curve);
   }
 
-  /// Sets the angles of an arc, which its next value says to run counter-clockwise or clockwise.
-  /// The angles of an ellipse are those of its points, not those of the circle it is the image of.
+  /// Sets the angles of an arc. The next value states whether they are counter-clockwise or
+  /// clockwise. The angles of an ellipse are the angles of its points, not those of the circle
+  /// whose image it is.
   void set_edge_angles(DxfCurve& curve, double from, double to, double ratio) {
     const bool is_whole = std::fabs(std::fabs(to - from) - 360) < 1e-6;
     const bool is_clockwise = next_number(73, 1) == 0;
@@ -678,8 +681,7 @@ class DxfReader {
     skip_hatch_data();
   }
 
-  /// Passes over the points that a spline was fitted to, and the count of the entities that a
-  /// border was made of.
+  /// Skips the fit points of a spline, and the number of the entities from which a border was made.
   void skip_hatch_data() {
     constexpr std::array kCodes{97, 11, 21, 12, 22, 13, 23};
     while (next_value_ < values_.size() &&
@@ -690,8 +692,8 @@ class DxfReader {
 
   // ---------------------------------------------------------------- blocks
 
-  /// Reads the blocks that are inserted, each once. A block that no insert names is not read, so
-  /// nothing in it can be refused.
+  /// Reads the blocks that are inserted, each once. A block that no insert names is not read, so it
+  /// causes no errors.
   void read_blocks() {
     for (std::size_t i = 0; i < content_.inserts.size(); ++i) {
       const std::string_view name = content_.inserts[i].block;
@@ -728,7 +730,7 @@ class DxfReader {
     if (block_ != nullptr) block_->base = {value(10, 0), value(20, 0)};
   }
 
-  /// Keeps an insert. The array turns with the block; the scales do not change its steps.
+  /// Stores an insert. The array is rotated with the block, but the scales do not change its steps.
   void make_insert() {
     DxfInsert insert;
     insert.block = name_;
@@ -799,13 +801,13 @@ class DxfReader {
   }
 
  public:
-  /// Throws at the line that was read last.
+  /// Throws an error with the place of the line that was read last.
   [[noreturn]] void fail(ErrorCode code, const std::string& message) const {
     throw Error(code, message, {options_.name, std::max<std::size_t>(line_, 1), 1});
   }
 
  private:
-  /// Throws at the first line of the entity.
+  /// Throws an error with the place of the first line of the entity.
   [[noreturn]] void fail_entity(ErrorCode code, const std::string& message) const {
     throw Error(code, "the " + std::string(entity_) + ' ' + message,
                 {options_.name, entity_line_, 1});
@@ -814,7 +816,7 @@ class DxfReader {
   std::string_view text_;
   std::string_view rest_;
   DxfSelection selection_;
-  std::string_view only_layer_;  // Empty for all layers.
+  std::string_view only_layer_;  // Empty if all layers are read.
   const ReadOptions& options_;
   NumberReader numbers_;
   Context& context_;
@@ -836,12 +838,12 @@ class DxfReader {
   std::size_t entity_line_ = 0;
   bool is_read_ = false;
   std::vector<Value> values_;
-  std::size_t next_value_ = 0;  // Of a hatch.
-  std::uint32_t areas_ = 0;     // How many areas the hatches have.
+  std::size_t next_value_ = 0;  // For a hatch.
+  std::uint32_t areas_ = 0;     // The number of areas of the hatches.
   std::uint64_t charged_values_ = 0;
   bool is_in_polyline_ = false;
   DxfCurve polyline_;
-  // Blocks: where the text of each begins, and the one that is read.
+  // Blocks: the place where the text of each block begins, and the block that is being read.
   std::map<std::string_view, std::pair<std::string_view, std::size_t>, DxfNameOrder> block_places_;
   std::string_view block_rest_;
   std::size_t block_line_ = 0;
@@ -849,7 +851,7 @@ class DxfReader {
   // All entities.
   DxfContent content_;
   bool has_heights_ = false;
-  std::size_t fitted_ = 0;  // How many splines have fit points and no control points.
+  std::size_t fitted_ = 0;  // The number of splines that have fit points but no control points.
   std::map<std::string_view, std::size_t> skipped_;
   std::set<std::string> layers_;
 };

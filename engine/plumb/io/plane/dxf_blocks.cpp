@@ -45,8 +45,8 @@ class BlockPlacer {
     }
   }
 
-  /// Returns the number of an area, where each placing of a hatch is an area of its own. The curves
-  /// of a hatch follow each other.
+  /// Returns the number of an area. Each placement of a hatch is a separate area. The curves of a
+  /// hatch are consecutive.
   std::uint32_t placed_area(std::uint32_t area) {
     if (area != 0 && area != last_area_) ++areas_;
     last_area_ = area;
@@ -99,7 +99,7 @@ class BlockPlacer {
     }
   }
 
-  /// Bounds the work: nested inserts of blocks can double it with every few lines of text.
+  /// Limits the work, because nested inserts of blocks can double it with every few lines of text.
   void count_step() {
     constexpr std::size_t kMost = std::size_t{1} << 20, kStepsPerCheckpoint = 4096;
     if (++steps_ > kMost) {
@@ -117,10 +117,11 @@ class BlockPlacer {
   const std::string& name_;
   MemoryCharge& charge_;
   Context& context_;
-  std::vector<const DxfBlock*> open_;  // The blocks that are being placed, the outermost first.
+  // The blocks that are being placed. The outermost block is first.
+  std::vector<const DxfBlock*> open_;
   const DxfInsert* insert_ = nullptr;
   std::size_t steps_ = 0;
-  std::uint32_t areas_ = 0;      // How many hatches have been placed.
+  std::uint32_t areas_ = 0;      // The number of hatches that have been placed.
   std::uint32_t last_area_ = 0;  // The area of the last curve, in its block.
   std::vector<DxfCurve> placed_;
 };

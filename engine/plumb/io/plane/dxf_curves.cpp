@@ -40,7 +40,7 @@ Point2 on_arc(const DxfCurve& curve, double degrees) {
           curve.centre.y + turn.x * curve.u.y + turn.y * curve.v.y};
 }
 
-/// Gives curves to an outline.
+/// Adds curves to an outline.
 class CurveFlattener {
  public:
   CurveFlattener(const DxfCurves& drawing, SvgOutline& outline)
@@ -168,7 +168,7 @@ class CurveFlattener {
   SvgOutline& outline_;
 };
 
-/// An open chain: points of a drawing, and where it was stated.
+/// An open chain: points of a drawing, and the place in the file.
 struct OpenChain {
   std::uint32_t ring;
   const char* where;
@@ -191,10 +191,10 @@ class ChainJoiner {
 
   void add(const OpenChain& chain) { chains_.push_back(chain); }
 
-  /// Returns how many ends of lines were moved to others by join().
+  /// Returns the number of ends of lines that join() moved to other ends.
   std::size_t moved() const { return moved_; }
 
-  /// Returns how many open chains join() closed.
+  /// Returns the number of open chains that join() closed.
   std::size_t closed() const { return closed_; }
 
   /// Calls `take` with the points of each ring.
@@ -223,7 +223,7 @@ class ChainJoiner {
     return drawing_.points[end == 0 ? begin : drawing_.ring_begin[chain.ring + 1] - 1];
   }
 
-  /// Finds the nodes of the ends of a chain. A computed end moves to its node.
+  /// Finds the nodes at the ends of a chain. An end that was computed moves to its node.
   void find_nodes(OpenChain& chain) {
     const auto number = static_cast<std::uint32_t>(&chain - chains_.data());
     for (std::size_t end = 0; end < 2; ++end) {
@@ -241,8 +241,8 @@ class ChainJoiner {
     }
   }
 
-  /// Returns the nearest node within `reach`; the point itself if there is none. The other end of
-  /// a short curve is no node for it.
+  /// Returns the nearest node within `reach`, or the point itself if there is none. The other end
+  /// of a short curve does not count as a node.
   Key nearest_node(Point2 p, double reach, const Point2* other) {
     Key best{p.x + 0.0, p.y + 0.0};
     double least = reach;
@@ -259,8 +259,8 @@ class ChainJoiner {
     return best;
   }
 
-  /// Takes the walks that end at nodes with an odd number of ends; what is left has even numbers. A
-  /// walk from an odd node ends at another one.
+  /// Finds the walks that end at nodes with an odd number of ends. Afterwards, all nodes have even
+  /// numbers of ends. A walk that begins at an odd node ends at another odd node.
   template <class Take>
   void take_open_chains(Take take) {
     std::vector<char> is_odd(ends_.size(), 0);
@@ -338,8 +338,8 @@ class ChainJoiner {
     return ends.back();
   }
 
-  /// Uses a chain from one of its ends: appends its points without the last, and returns the node
-  /// at its other end.
+  /// Uses a chain from one of its ends. Appends its points without the last one, and returns the
+  /// node at its other end.
   std::uint32_t append(std::uint32_t end, std::vector<Point2>& ring) {
     OpenChain& chain = chains_[end / 2];
     chain.is_used = true;
@@ -362,7 +362,7 @@ class ChainJoiner {
   Context& context_;
   std::vector<OpenChain> chains_;
   std::map<Key, std::uint32_t> nodes_;
-  std::vector<std::vector<std::uint32_t>> ends_;  // Per node: chains and their ends.
+  std::vector<std::vector<std::uint32_t>> ends_;  // For each node, the chains and their ends.
   std::size_t steps_ = 0;
   std::size_t moved_ = 0;
   std::size_t closed_ = 0;
@@ -399,8 +399,8 @@ class RingAdder {
   ReadNumber x_, y_;
 };
 
-/// Whether the curve is a ring by itself. A spline ends at its last control point if its first and
-/// last knots are repeated.
+/// Whether the curve alone is a ring. A spline ends at its last control point if its first and last
+/// knots are repeated.
 bool is_ring(const DxfCurves& drawing, const DxfCurve& curve) {
   if (curve.is_closed) return true;
   if (curve.kind == DxfKind::Arc) return curve.to - curve.from >= 360;
@@ -413,7 +413,7 @@ bool is_ring(const DxfCurves& drawing, const DxfCurve& curve) {
   return drawing.vertices[curve.first_vertex].p == drawing.vertices[curve.end_vertex - 1].p;
 }
 
-/// Returns how far ends of lines may be apart that rounding separates.
+/// Returns the greatest distance between ends of lines that rounding may cause.
 double reach_of_rounding(const SvgDrawing& drawing) {
   constexpr double kShare = 0x1p-40;
   double largest = 0;
@@ -423,7 +423,7 @@ double reach_of_rounding(const SvgDrawing& drawing) {
   return largest * kShare;
 }
 
-/// Flattens all curves. `curve_of_ring` gets the curve of each ring.
+/// Flattens all curves. On return, `curve_of_ring` has the curve of each ring.
 SvgDrawing flattened(const DxfCurves& drawing, SvgOutline outline, TextCursor& cursor,
                      std::vector<std::uint32_t>& curve_of_ring, Context& context) {
   constexpr std::uint32_t kCurvesPerCheckpoint = 1024;
@@ -471,7 +471,7 @@ void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOp
   SvgDrawing flat =
       flattened(drawing, SvgOutline(text, tolerance, context), cursor, curve_of_ring, context);
   const double reach = reach_of_rounding(flat);
-  std::vector<std::uint32_t> order(flat.ring_count());  // The rings, area by area.
+  std::vector<std::uint32_t> order(flat.ring_count());  // The rings, sorted by area.
   std::iota(order.begin(), order.end(), 0U);
   const auto area_of = [&](std::uint32_t r) { return drawing.curves[curve_of_ring[r]].area; };
   std::stable_sort(order.begin(), order.end(),
@@ -489,7 +489,8 @@ void add_dxf_rings(const DxfCurves& drawing, std::string_view text, const ReadOp
         rings.add(flat.ring(r));
         continue;
       }
-      constexpr std::uint64_t kChainBytes = 256;  // The chain, two nodes and their ends.
+      // The memory of the chain, two nodes and their ends.
+      constexpr std::uint64_t kChainBytes = 256;
       charge.add(kChainBytes, "the chains of lines");
       const bool is_computed = curve.kind != DxfKind::Polyline;
       joiner.add({r, curve.where, is_computed, is_computed ? tolerance.value_or(0) : reach});

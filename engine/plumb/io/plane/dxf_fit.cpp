@@ -1,7 +1,7 @@
 // The cubic spline through points with chord lengths as parameters.
 //
-// Unknown are the derivatives m at the points. The second derivative is continuous at point i with
-// the chords h before it and g behind it if
+// The unknowns are the derivatives m at the points. The second derivative is continuous at point i
+// with the chords h before it and g behind it if
 //   g m[i-1] + 2 (h + g) m[i] + h m[i+1] = 3 (g s + h t),
 // where s and t are the slopes of the two chords. At an open end the direction is given, or the
 // curvature is 0, which is the same equation with one chord: 2 m[0] + m[1] = 3 t. Each diagonal
@@ -67,7 +67,7 @@ class FitSolver {
     return {(3 * slope.x - next.x) / 2, (3 * slope.y - next.y) / 2};
   }
 
-  /// Returns the derivative where chord `before` ends and chord `after` begins.
+  /// Returns the derivative at the point where chord `before` ends and chord `after` begins.
   Point2 between(std::size_t before, std::size_t after) const {
     const double h = chords_[before], g = chords_[after];
     const Point2 s = slopes_[before], t = slopes_[after];

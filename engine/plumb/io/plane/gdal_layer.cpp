@@ -1,14 +1,14 @@
 // Layers through GDAL, by its C interface.
 //
-// GDAL is a large library that reads files of strangers by its own code, so it gets as little to do
-// as possible: only the drivers below are registered, plugins are not loaded, the path must name an
-// ordinary file or folder, and is made absolute (so it cannot begin like "GPKG:" or "/vsi"), and
-// none of these drivers follows names in a file to places outside of its folder. Geometries leave
-// GDAL as WKB, whose reader checks them.
+// GDAL is a large library that reads untrusted files with its own code, so its use is restricted.
+// Only the drivers below are registered, plugins are not loaded, the path must name an ordinary
+// file or folder, and is made absolute (so it cannot begin like "GPKG:" or "/vsi"), and none of
+// these drivers follows names in a file to places outside of its folder. Geometries leave GDAL as
+// WKB, whose reader checks them.
 //
-// A layer is written to a file in memory (/vsimem/), whose bytes then go to the output: so outputs
-// are complete or absent, as all others. All times in the file are fixed, so the same layer gives
-// the same bytes.
+// A layer is written to a file in memory (/vsimem/), whose bytes are then copied to the output. So
+// an output is complete or absent, as for all other formats. All times in the file are fixed, so
+// equal layers give equal bytes.
 //
 // Without PLUMB_WITH_GDAL this file has only the messages of its errors.
 // Tested by tests/io/gdal_layer_test.cpp.
@@ -122,7 +122,8 @@ void register_drivers() {
   });
 }
 
-/// Collects the first error of GDAL while it lives, so that GDAL prints nothing.
+/// While an object of this class exists, it collects the first error of GDAL, so that GDAL prints
+/// no messages.
 class GdalMessages {
  public:
   GdalMessages() { CPLPushErrorHandlerEx(&GdalMessages::take, this); }
@@ -131,7 +132,7 @@ class GdalMessages {
   GdalMessages& operator=(const GdalMessages&) = delete;
 
   bool has_failed() const { return has_failed_; }
-  /// Throws what GDAL has said.
+  /// Throws the error that GDAL reported.
   [[noreturn]] void fail(ErrorCode code, const std::string& what, const std::string& file) const {
     throw Error(code, what + (text_.empty() ? "" : ": " + plumb::quoted(text_)), {file});
   }
@@ -184,7 +185,7 @@ Dataset opened(const std::string& path, const GdalMessages& messages) {
   return set;
 }
 
-/// Whether the type of a layer says that it has points or lines only, or no geometries.
+/// Whether the type of a layer states that the layer has only points or lines, or no geometries.
 bool lacks_polygons(OGRLayerH layer) {
   const OGRwkbGeometryType type = wkbFlatten(OGR_L_GetGeomType(layer));
   return type == wkbNone || type == wkbPoint || type == wkbMultiPoint || type == wkbLineString ||
@@ -192,8 +193,8 @@ bool lacks_polygons(OGRLayerH layer) {
          type == wkbMultiCurve;
 }
 
-/// Returns the layer of that name; without a name, the first one that may have polygons, or the
-/// first one.
+/// Returns the layer of that name. Without a name, returns the first layer that may have polygons,
+/// or the first layer.
 OGRLayerH chosen_layer(const Dataset& set, const std::string& path, const std::string& object,
                        std::vector<std::string>& notes) {
   std::vector<OGRLayerH> layers;
@@ -245,7 +246,7 @@ Json list_of_field(OGRFeatureH feature, int i, OGRFieldType type) {
   return list;
 }
 
-/// Returns the value of a field. Dates are texts, and bytes are hexadecimal digits.
+/// Returns the value of a field. Dates become texts, and bytes become hexadecimal digits.
 Json value_of_field(OGRFeatureH feature, int i) {
   if (OGR_F_IsFieldNull(feature, i) != 0) return nullptr;
   OGRFieldDefnH const field = OGR_F_GetFieldDefnRef(feature, i);
@@ -281,13 +282,13 @@ Json properties_of(OGRFeatureH feature) {
 
 std::string wkb_of(OGRGeometryH geometry) {
   std::string bytes(OGR_G_WkbSizeEx(geometry), '\0');
-  // GDAL writes bytes through a pointer to unsigned ones.
+  // GDAL returns bytes through a pointer to unsigned bytes.
   auto* const begin = reinterpret_cast<unsigned char*>(bytes.data());
   if (OGR_G_ExportToIsoWkb(geometry, wkbNDR, begin) != OGRERR_NONE) bytes.clear();
   return bytes;
 }
 
-/// Returns the name of a coordinate reference system: by its authority, or as WKT.
+/// Returns the name of a coordinate reference system: the code of its authority, or WKT.
 std::string crs_name(OGRSpatialReferenceH crs) {
   const char* const authority = OSRGetAuthorityName(crs, nullptr);
   const char* const code = OSRGetAuthorityCode(crs, nullptr);
@@ -349,7 +350,7 @@ class GeoJsonOfLayer {
       text_ += "null";
       return;
     }
-    constexpr std::uint64_t kCopies = 8;  // WKB, shapes and text.
+    constexpr std::uint64_t kCopies = 8;  // The memory of WKB, shapes and text.
     MemoryCharge memory(context_);
     memory.add(kCopies * OGR_G_WkbSizeEx(geometry), "a feature of the layer");
     const std::string name = path_ + ", feature " + std::to_string(count_);
@@ -387,7 +388,7 @@ std::string read_gdal_layer(const std::string& path, const std::string& object,
 
 namespace {
 
-/// The type of a field that holds all values of a property.
+/// The type of a field that can represent all values of a property.
 enum class FieldKind : std::uint8_t { Nothing, Boolean, Integer, Real, Text };
 
 FieldKind kind_of_value(const Json& value) {
@@ -414,7 +415,7 @@ Json parsed(std::string_view text) {
   return text.empty() ? Json() : Json::parse(text.begin(), text.end(), nullptr, false);
 }
 
-/// The fields of a layer, in the order in which features name them.
+/// The fields of a layer, in the order in which the features use them.
 struct FieldTable {
   std::vector<std::pair<std::string, FieldKind> > fields;
   std::map<std::string, std::size_t> place;
@@ -528,7 +529,8 @@ struct DestroyCrs {
 };
 using Crs = std::unique_ptr<std::remove_pointer_t<OGRSpatialReferenceH>, DestroyCrs>;
 
-/// Returns the system of a name, or null if it is unknown. Opens no files and no addresses.
+/// Returns the reference system of a name, or null if it is unknown. The function opens no files
+/// and no addresses.
 Crs crs_named(const std::string& name) {
   constexpr std::string_view kEpsg = "urn:ogc:def:crs:EPSG:";
   if (name.empty()) return nullptr;
@@ -547,7 +549,7 @@ Crs crs_named(const std::string& name) {
   return error == OGRERR_NONE ? std::move(crs) : nullptr;
 }
 
-/// A file in memory with a name that no other one has. Removed when this object dies.
+/// A file in memory with a unique name. The destructor removes the file.
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& extension) : MemoryFile(new_stem(), extension) {}
@@ -561,7 +563,7 @@ class MemoryFile {
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
   const std::string& name() const { return name_; }
-  /// Returns the bytes; none if GDAL has not written the file.
+  /// Returns the bytes, or none if GDAL has not written the file.
   std::string_view bytes() const {
     vsi_l_offset size = 0;
     const GByte* const bytes = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
@@ -576,7 +578,7 @@ class MemoryFile {
   std::string name_;
 };
 
-/// Fixes the time that files state, while it lives.
+/// While an object of this class exists, the time that files state is fixed.
 class FixedTime {
  public:
   FixedTime() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "1980-01-01T00:00:00.000Z"); }
@@ -644,8 +646,8 @@ void write_features(Dataset set, const Layer& layer, const std::string& crs,
   require(!messages.has_failed());
 }
 
-/// What the table of a shapefile cannot hold: it has names of 10 bytes, texts of 254 bytes, and
-/// numbers of 24 characters with 15 digits behind the point.
+/// The limits of the table of a shapefile: names of 10 bytes, texts of 254 bytes, and numbers of 24
+/// characters with 15 digits after the point.
 struct TableLosses {
   std::size_t names = 0, texts = 0, numbers = 0;
 
@@ -692,8 +694,8 @@ TableLosses losses_of(const Layer& layer, const FieldTable& table, Context& cont
   return losses;
 }
 
-/// Throws Error{BadArgument} if a feature has no polygons. GDAL leaves such features out of
-/// FlatGeobuf without a word.
+/// Throws Error{BadArgument} if a feature has no polygons. For FlatGeobuf, GDAL would drop such
+/// features silently.
 void require_polygons(const Layer& layer) {
   for (std::size_t f = 0; f < layer.feature_count(); ++f) {
     if (layer.feature_begin[f] < layer.feature_begin[f + 1]) continue;
@@ -716,7 +718,7 @@ void write_gdal_layer(std::ostream& out, const Layer& layer, const std::string& 
   const MemoryFile file(is_package ? ".gpkg" : ".fgb");
   Dataset set(
       GDALCreate(GDALGetDriverByName(driver), file.name().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  // The spatial index of FlatGeobuf would sort features.
+  // The spatial index of FlatGeobuf would change the order of features.
   write_features(std::move(set), layer, crs, table,
                  {is_package ? nullptr : "SPATIAL_INDEX=NO", nullptr}, messages, driver, context);
   file.copy_to(out);

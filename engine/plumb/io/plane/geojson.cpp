@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t kMostNestedObjects = 64;
 constexpr std::size_t kMostNamesNoted = 12;
 
-/// Members with a meaning; the first four say what an object holds.
+/// The members with a meaning. The first four state the content of an object.
 enum class Member : std::uint8_t { Coordinates, Geometries, Geometry, Features, Type, Other };
 
 constexpr std::array<std::string_view, 5> kMemberNames{"coordinates", "geometries", "geometry",
@@ -68,8 +68,8 @@ bool is_geometry(const Type& type) {
   return type.content == Member::Coordinates || type.content == Member::Geometries;
 }
 
-/// Coordinates of a geometry, whose type may not be known yet. The lists keep their memory from one
-/// geometry to the next.
+/// The coordinates of a geometry, whose type may not be known yet. The lists keep their memory from
+/// one geometry to the next.
 struct Coordinates {
   struct ListEnd {
     std::uint32_t position;
@@ -95,7 +95,7 @@ struct Coordinates {
   }
 };
 
-/// What an object may be.
+/// The kinds that an object may have.
 enum class Role : std::uint8_t { Any, Geometry, Feature };
 
 struct Object {
@@ -110,14 +110,14 @@ struct Object {
   bool has(Member m) const { return (seen & bit(m)) != 0; }
 };
 
-/// Returns a bound on the number of positions: each ends with a bracket, and "[0,0]," are six
-/// bytes.
+/// Returns a bound on the number of positions. Each position ends with a bracket, and "[0,0]," has
+/// six bytes.
 std::size_t most_positions(std::string_view text) {
   const auto ends = std::count(text.begin(), text.end(), ']');
   return std::min(static_cast<std::size_t>(ends), text.size() / 6);
 }
 
-/// Whether the value of a member says that there is none.
+/// Whether the value of a member states that there is none.
 bool is_nothing(std::string_view value) {
   return value == "null" || value == "{}" || value == "[]";
 }
@@ -173,19 +173,20 @@ class GeoJsonReader {
   NumberReader numbers_;
   bool keeps_features_;  // Whether the caller keeps ids and properties.
   ShapeCollector shapes_;
-  std::vector<Object> objects_;                 // Open objects.
-  Coordinates coordinates_;                     // Of the object that had coordinates last.
-  bool is_in_coordinates_ = false;              // Whether the reader is among them.
-  bool has_more_numbers_ = false;               // Whether a position had more than x and y.
+  std::vector<Object> objects_;  // The objects that are open.
+  // The coordinates of the object that had coordinates last.
+  Coordinates coordinates_;
+  bool is_in_coordinates_ = false;              // Whether the reader is in the coordinates.
+  bool has_more_numbers_ = false;               // Whether a position had numbers after x and y.
   std::size_t null_geometries_ = 0;             // Features and members without a geometry.
-  std::vector<std::string_view> passed_names_;  // Names of members that were skipped.
+  std::vector<std::string_view> passed_names_;  // The names of members that were skipped.
   ReadNumber x_, y_;
 };
 
 PlaneFile GeoJsonReader::read() {
   for (JsonToken token = json_.next(); token != JsonToken::End; token = json_.next()) take(token);
   if (has_more_numbers_) shapes_.pass_over("numbers of positions after x and y");
-  // A file without any shape is told to be empty.
+  // For a file without any shape, a note states that it is empty.
   if (null_geometries_ > 0 && shapes_.position_count() > 0) {
     shapes_.pass_over("geometries that are null (" + std::to_string(null_geometries_) + ')');
   }
@@ -240,7 +241,7 @@ void GeoJsonReader::fail_expected() const {
   fail(ErrorCode::Syntax, message, json_.token());
 }
 
-/// Takes null, true, false or a word that is no JSON.
+/// Processes null, true, false or a word that is not JSON.
 void GeoJsonReader::take_word(JsonToken token) {
   if (is_in_coordinates_ && take_no_number()) return;
   const std::string_view word = json_.token_text();
@@ -289,7 +290,7 @@ void GeoJsonReader::take_name() {
   object.seen |= Object::bit(object.member);
 }
 
-/// Skips a member without a meaning for shapes; the first ones of different names are noted.
+/// Skips a member without a meaning for shapes. The first ones with different names are noted.
 void GeoJsonReader::pass_over(std::string_view name) {
   const std::string_view written = json_.token_text();
   const bool is_kept = keeps_features_ && (name == "id" || name == "properties");
@@ -344,7 +345,7 @@ void GeoJsonReader::take_number() {
   if (!is_in_coordinates_) fail_expected();
   Coordinates& c = coordinates_;
   if (c.depth < 0) c.depth = c.level;
-  // A list deeper than this one has occurred: its numbers would be no position.
+  // A list that is nested more deeply has occurred, so the numbers would not be a position.
   if (c.level != c.depth || c.deepest > c.depth) fail_uneven();
   ++c.numbers;
   if (c.numbers > 2) {
@@ -354,7 +355,7 @@ void GeoJsonReader::take_number() {
   numbers_.read(json_.cursor_at_token(), json_.token_text(), c.numbers == 1 ? x_ : y_);
 }
 
-/// Takes null or a word such as NaN in place of a number after x and y, which is dropped anyway.
+/// Skips null or a word such as NaN in place of a number after x and y, which is not used.
 bool GeoJsonReader::take_no_number() {
   Coordinates& c = coordinates_;
   if (c.level != c.depth || c.numbers < 2) return false;
@@ -404,7 +405,7 @@ void GeoJsonReader::check_members(const Object& object) const {
   for (const Member m :
        {Member::Coordinates, Member::Geometries, Member::Geometry, Member::Features}) {
     const bool is_needed = m == object.type->content;
-    // Some programs leave out the member if a feature has no geometry.
+    // If a feature has no geometry, some programs leave out the member.
     const bool may_lack = is_needed && m == Member::Geometry;
     if (object.has(m) == is_needed || may_lack) continue;
     fail(ErrorCode::Syntax, "a " + name + (is_needed ? " needs " : " has no ") + quoted_name(m),
@@ -412,8 +413,8 @@ void GeoJsonReader::check_members(const Object& object) const {
   }
 }
 
-/// Adds the coordinates that were read last. They are those of the finished object: only an object
-/// that check_members() refuses has coordinates and other objects in it.
+/// Adds the coordinates that were read last. They belong to the object that ends, because
+/// check_members() refuses an object that has both coordinates and inner objects.
 void GeoJsonReader::add_coordinates(const Type& type) {
   const Coordinates& c = coordinates_;
   const bool is_empty = c.depth < 0;

@@ -27,7 +27,7 @@ struct Part {
   RationalSum area;
 };
 
-/// Bounded cells, by where they lie.
+/// Bounded cells, by the maps that contain them.
 struct Parts {
   Part both, first_only, second_only, neither;
 
@@ -172,7 +172,8 @@ void write_overlay_text(std::ostream& stream, const OverlayReport& report) {
   TextOutput out(stream);
   const PlaneComplex& complex = report.overlay.complex;
   const Parts parts = parts_of(report);
-  const auto short_text = [](const Rational& area) {  // Exact areas of crossings have many digits.
+  // The exact areas of cells at crossings have many digits.
+  const auto short_text = [](const Rational& area) {
     const std::string exact = format_exact(area);
     return exact.size() <= 40 ? exact : "about " + format_double(nearest_double(area));
   };

@@ -34,7 +34,7 @@ class Nef2Reader {
       : in_(text, options, context, "the set", ResultNumbers::All) {}
 
   PlaneRecords read();
-  /// Returns the line of a vertex or edge that has been read; 0 for anything else.
+  /// Returns the line of a vertex or an edge that has been read, or 0 for other records.
   std::size_t line_of(const RecordError& error) const;
 
  private:
@@ -151,7 +151,7 @@ void Nef2Reader::read_vertices() {
   }
 }
 
-/// Returns a vertex, or kUnbounded for an end at infinity, which the file calls 0.
+/// Returns a vertex, or kUnbounded for an end at infinity, which has the number 0 in the file.
 std::uint32_t Nef2Reader::read_end() {
   const std::uint32_t id = in_.read_id("vertex", vertices_, 0);
   return id == 0 ? PlaneRecords::kUnbounded : id - 1;

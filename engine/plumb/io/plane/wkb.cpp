@@ -23,7 +23,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::size_t kHeadBytes = 5;  // Byte order and code.
+constexpr std::size_t kHeadBytes = 5;  // The byte order and the code.
 constexpr std::size_t kPositionBytes = 2 * sizeof(double);
 
 /// Codes of geometries.
@@ -46,7 +46,7 @@ enum Code : std::uint32_t {
 constexpr std::uint32_t bit(Code code) { return 1U << code; }
 constexpr std::uint32_t kAnything = 0xffff'ffff;
 
-/// Returns the set of codes that members of a geometry may have; 0 if it has no members.
+/// Returns the set of codes that members of a geometry may have, or 0 if it has no members.
 constexpr std::uint32_t members_of(std::uint32_t code) {
   switch (code) {
     case kMultiPoint:
@@ -66,7 +66,7 @@ constexpr std::uint32_t members_of(std::uint32_t code) {
   }
 }
 
-/// Whether geometries of that code are read; all others are curves.
+/// Whether geometries of that code are read. All other geometries are curves.
 constexpr bool is_read(std::uint32_t code) {
   constexpr std::uint32_t kSimple = bit(kPoint) | bit(kLine) | bit(kPolygon) | bit(kTriangle);
   return ((kSimple >> code) & 1U) != 0 || members_of(code) != 0;
@@ -80,7 +80,7 @@ struct Head {
   bool has_srid;
 };
 
-/// Takes a code apart: EWKB sets bits, ISO adds thousands.
+/// Splits a code into its parts. EWKB sets bits, and ISO adds thousands.
 std::optional<Head> head_of(std::uint32_t value) {
   constexpr std::uint32_t kHeight = 0x8000'0000, kMeasure = 0x4000'0000, kSrid = 0x2000'0000;
   constexpr std::uint32_t kThousand = 1000, kMostThousands = 3;
@@ -129,10 +129,11 @@ class WkbReader {
 
   BinaryInput in_;
   ShapeCollector& shapes_;
-  Head head_{};  // Of the geometry that is being read.
+  Head head_{};  // The geometry that is being read.
   int nested_ = 0;
-  bool is_flat_ = false;          // Whether heights must be equal, for the faces of a surface.
-  std::optional<double> height_;  // Of an earlier position of the surface.
+  // Whether heights must be equal, because the position belongs to a surface.
+  bool is_flat_ = false;
+  std::optional<double> height_;  // The height of an earlier position of the surface.
   bool has_srid_ = false, drops_heights_ = false, drops_measures_ = false;
   ReadNumber x_, y_;
 };
@@ -143,7 +144,7 @@ void WkbReader::require_bytes(std::size_t bytes) const {
   }
 }
 
-/// Reads a number of items, of at least so many bytes each.
+/// Reads a number of items, each with at least the given number of bytes.
 std::uint32_t WkbReader::read_count(std::size_t bytes_each) {
   require_bytes(sizeof(std::uint32_t));
   const std::size_t start = in_.position();
@@ -235,8 +236,7 @@ Point2 WkbReader::read_numbers() {
   return {x, y};
 }
 
-/// Requires equal heights within a surface. Seen from above, faces that stand upright would be
-/// lines.
+/// Requires equal heights within a surface, because vertical faces would become lines in the plane.
 void WkbReader::check_height(double height) {
   if (!is_flat_ || std::isnan(height)) return;
   if (height_.value_or(height) != height) {
@@ -254,7 +254,7 @@ void WkbReader::add_position(Point2 p, std::size_t start) {
   shapes_.add_position(in_, x_, y_);
 }
 
-/// Reads a list of positions and returns the first.
+/// Reads a list of positions and returns the index of the first one.
 std::uint32_t WkbReader::read_positions() {
   const std::uint32_t first = shapes_.position_count();
   for (std::uint32_t left = read_count(position_bytes()); left > 0; --left) {
@@ -264,7 +264,7 @@ std::uint32_t WkbReader::read_positions() {
   return first;
 }
 
-/// Reads a point; an empty one has coordinates that are no numbers.
+/// Reads a point. The coordinates of an empty point are NaNs.
 void WkbReader::read_point() {
   const std::size_t start = in_.position();
   const Point2 p = read_numbers();
@@ -292,7 +292,7 @@ bool is_binary(std::string_view bytes) {
   return bytes.starts_with('\0') || bytes.starts_with('\1');
 }
 
-/// Returns the value of a hexadecimal digit; -1 for another character.
+/// Returns the value of a hexadecimal digit, or -1 for another character.
 int digit_value(char c) {
   if ('0' <= c && c <= '9') return c - '0';
   if ('a' <= c && c <= 'f') return c - 'a' + 10;
@@ -300,7 +300,7 @@ int digit_value(char c) {
   return -1;
 }
 
-/// Removes what databases write before the digits.
+/// Removes the prefix that databases write before the digits.
 std::string_view without_prefix(std::string_view token) {
   for (const std::string_view prefix : {"\\x", "0x", "0X"}) {
     if (take_prefix(token, prefix)) break;
@@ -308,7 +308,7 @@ std::string_view without_prefix(std::string_view token) {
   return token;
 }
 
-/// Returns the bytes that hexadecimal digits stand for, or those before the first other character.
+/// Returns the bytes that hexadecimal digits represent, up to the first other character.
 std::string decoded(std::string_view digits) {
   std::string bytes;
   bytes.reserve(digits.size() / 2);

@@ -11,14 +11,16 @@ namespace plumb {
 namespace {
 
 constexpr std::uint32_t kWkbPoint = 1, kWkbLine = 2, kWkbPolygon = 3, kWkbCollection = 7;
-constexpr std::uint32_t kWkbMultiple = 3;  // From the code of a shape to that of many.
+// The difference between the code of a shape and the code of several shapes.
+constexpr std::uint32_t kWkbMultiple = 3;
 
 class WkbWriter {
  public:
   WkbWriter(std::ostream& out, const PlaneShapes& shapes, Context& context)
       : out_(out, context), shapes_(shapes) {}
 
-  /// Writes a geometry of the only kind of shape there is, or a collection of geometries.
+  /// If all shapes are of one kind, writes a geometry of this kind; otherwise, a collection of
+  /// geometries.
   void write() {
     const std::uint32_t kinds = (shapes_.polygon_count() > 0 ? 1U : 0U) +
                                 (shapes_.line_count() > 0 ? 1U : 0U) +
@@ -41,7 +43,7 @@ class WkbWriter {
     head(code);
     put_little_endian(out_, static_cast<std::uint32_t>(count));
   }
-  /// Writes one geometry of all shapes of a kind: a shape alone, or many as one.
+  /// Writes one geometry with all shapes of a kind: a single shape, or several shapes.
   template <class Shape>
   void write_kind(std::uint32_t code, std::size_t count, const Shape& shape) {
     if (count > 1) begin(code + kWkbMultiple, count);
@@ -55,7 +57,7 @@ class WkbWriter {
     put_little_endian(out_, last - first);
     for (std::uint32_t r = first; r < last; ++r) positions(shapes_.ring(r), /*is_ring=*/true);
   }
-  /// Writes a chain; a ring has its first position again at the end.
+  /// Writes a chain. A ring is written with its first position again at the end.
   void positions(std::span<const std::uint32_t> chain, bool is_ring) {
     put_little_endian(out_, static_cast<std::uint32_t>(chain.size() + (is_ring ? 1 : 0)));
     for (const std::uint32_t i : chain) position(i);

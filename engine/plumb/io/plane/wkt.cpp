@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 9> kCurves{
     "CIRCULARSTRING",  "COMPOUNDCURVE", "CURVEPOLYGON", "CIRCLE",     "GEODESICSTRING",
     "ELLIPTICALCURVE", "NURBSCURVE",    "CLOTHOID",     "SPIRALCURVE"};
 
-/// Whether a word names a curve, with Z or M at its end or without.
+/// Whether a word is the name of a curve, with or without Z or M at its end.
 bool is_curve(std::string_view word) {
   return std::ranges::any_of(kCurves,
                              [&](std::string_view c) { return starts_with_word(word, c); });
@@ -62,7 +62,7 @@ struct More {
   bool has_height = true;  ///< Whether the first one is Z, not M.
 };
 
-/// The words behind the name of a geometry that announce them.
+/// The words after the name of a geometry that announce them.
 struct Dimension {
   std::string_view name;
   More more;
@@ -70,16 +70,15 @@ struct Dimension {
 constexpr std::array<Dimension, 3> kDimensions{
     {{"ZM", {2, true}}, {"Z", {1, true}}, {"M", {1, false}}}};
 
-/// Whether a token stands for a number that is missing: nan, inf and NULL in any case, with a sign,
-/// and 1.#QNAN and its like.
+/// Whether a token represents a missing number: nan, inf and NULL in any case, with a sign, and
+/// forms such as 1.#QNAN.
 bool is_no_number(std::string_view token) {
   if (token.starts_with('-') || token.starts_with('+')) token.remove_prefix(1);
   return is_word(token, "NAN") || is_word(token, "INF") || is_word(token, "INFINITY") ||
          is_word(token, "NULL") || token.starts_with("1.#");
 }
 
-/// Whether a number that is dropped may be written so. No value is made of it, so none is too
-/// large.
+/// Whether the token is a number in form. Its value is not needed, so it may have any size.
 bool looks_like_number(std::string_view token, const Context& context) {
   const char* const end = token.data() + token.size();
   const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
@@ -116,7 +115,7 @@ class WktReader {
   };
   static const std::array<Kind, 15> kKinds;
 
-  /// What a word such as POINTZ names.
+  /// The parts of a word such as POINTZ.
   struct Named {
     const Kind* kind;  ///< Null for another word.
     More more;
@@ -166,12 +165,14 @@ class WktReader {
   NumberReader numbers_;
   ShapeCollector shapes_;
   const Context& context_;
-  std::string_view next_;       // The token looked at and not yet taken; empty if there is none.
-  const char* last_ = nullptr;  // The token taken last.
+  // The next token, which has not been consumed yet, or an empty text if there is none.
+  std::string_view next_;
+  const char* last_ = nullptr;  // The token that was consumed last.
   More more_;
   int nested_ = 0;
-  bool is_flat_ = false;     // Whether heights must be equal, for the faces of a surface.
-  bool has_height_ = false;  // Whether height_ is that of an earlier position of the surface.
+  // Whether heights must be equal, because the position belongs to a surface.
+  bool is_flat_ = false;
+  bool has_height_ = false;  // Whether height_ is the height of an earlier position of the surface.
   bool drops_heights_ = false, drops_measures_ = false;
   bool has_rings_as_polygons_ = false;
   ReadNumber x_, y_, height_, other_;
@@ -192,11 +193,11 @@ const std::array<WktReader::Kind, 15> WktReader::kKinds{{
     {"TIN", &WktReader::read_patches},
     {"POLYHEDRALSURFACE", &WktReader::read_patches},
     {"GEOMETRYCOLLECTION", &WktReader::read_collection},
-    {"GEOMCOLLECTION", &WktReader::read_collection},  // MySQL.
+    {"GEOMCOLLECTION", &WktReader::read_collection},  // MySQL writes this.
 }};
 
-/// Returns a bound on the number of positions: each ends with a comma or parenthesis, and "0 0,"
-/// are four bytes.
+/// Returns a bound on the number of positions. Each position ends with a comma or a parenthesis,
+/// and "0 0," has four bytes.
 std::size_t most_positions_of_wkt(std::string_view text) {
   const auto ends =
       std::count_if(text.begin(), text.end(), [](char c) { return c == ',' || c == ')'; });
@@ -227,7 +228,7 @@ void WktReader::fail_without_geometry() const {
                "the file has no content; expected a geometry such as POINT (1 2)");
 }
 
-/// Looks at the next token, on whatever line; returns false at the end of the text.
+/// Finds the next token, possibly on a later line. Returns false at the end of the text.
 bool WktReader::find_token() {
   if (!next_.empty()) return true;
   while (cursor_.at_line_end()) {
@@ -258,7 +259,7 @@ bool WktReader::take_if(std::string_view upper_case) {
   return true;
 }
 
-/// Reads what dialects put before a geometry: SRID=4326; (EWKT) or <URI> (GeoSPARQL).
+/// Reads the prefixes of dialects: SRID=4326; (EWKT) or <URI> (GeoSPARQL).
 void WktReader::read_reference_system() {
   constexpr std::string_view kSrid = "SRID=";
   const bool is_uri = next_.starts_with('<');
@@ -287,7 +288,7 @@ WktReader::Named WktReader::named(std::string_view word) {
   return {nullptr, {}};
 }
 
-/// Takes the name of a geometry, with Z, M or ZM at its end or without.
+/// Reads the name of a geometry, with or without Z, M or ZM at its end.
 const WktReader::Kind& WktReader::take_kind() {
   const std::string_view token = take("a geometry");
   const Named found = named(token);
@@ -318,7 +319,7 @@ void WktReader::fail_kind(std::string_view token) const {
                      "GEOMETRYCOLLECTION or another geometry of straight edges");
 }
 
-/// Takes "Z", "M", "ZM" or nothing behind the name of a geometry.
+/// Reads "Z", "M" or "ZM" after the name of a geometry, if there is one.
 void WktReader::take_dimension() {
   if (more_.numbers != More::kUndecided) return;
   for (const auto& [name, more] : kDimensions) {
@@ -352,8 +353,8 @@ void WktReader::read_list(Item read_item) {
   }
 }
 
-/// Reads x, y and the numbers behind them. All positions of a geometry have as many as the first:
-/// otherwise a comma may be missing.
+/// Reads x, y and the numbers after them. All positions of a geometry must have the same count of
+/// numbers as the first one. Otherwise, a comma may be missing.
 void WktReader::read_position() {
   for (ReadNumber* const number : {&x_, &y_}) {
     const std::string_view token = take("a number");
@@ -371,7 +372,7 @@ void WktReader::read_position() {
   shapes_.add_position(cursor_, x_, y_);
 }
 
-/// Reads the number at `index` of those behind x and y, which is dropped, so that it may be
+/// Reads the number at `index` among the numbers after x and y. Its value is not used, so it may be
 /// missing.
 void WktReader::read_more(int index) {
   const bool is_height = index == 0 && more_.has_height;
@@ -383,14 +384,15 @@ void WktReader::read_more(int index) {
   (is_height ? drops_heights_ : drops_measures_) = true;
 }
 
-/// Skips "(ind)" and its like, which some C libraries write behind nan.
+/// Skips texts such as "(ind)", which some C libraries write after nan.
 void WktReader::skip_payload() {
   take_mark("(");
   take("the end of nan(...)");
   take_mark(")");
 }
 
-/// Reads a height of a surface. Seen from above, faces that stand upright would be lines.
+/// Reads a height of a surface. Heights must be equal, because vertical faces would become lines in
+/// the plane.
 void WktReader::read_height(std::string_view token) {
   numbers_.read(cursor_, token, other_);
   if (has_height_ && !are_equal(height_, other_)) {
@@ -400,7 +402,7 @@ void WktReader::read_height(std::string_view token) {
   has_height_ = true;
 }
 
-/// Reads a list of positions and returns the first.
+/// Reads a list of positions and returns the index of the first one.
 std::uint32_t WktReader::read_positions() {
   const std::uint32_t first = shapes_.position_count();
   read_list([this] { read_position(); });
@@ -425,7 +427,7 @@ void WktReader::read_line() {
   require_good(shapes_.add_line(first, shapes_.position_count()));
 }
 
-/// Reads a closed line. That it has no inside would surprise whoever means a polygon.
+/// Reads a closed line. A note states that it has no interior, because users may expect a polygon.
 void WktReader::read_ring_as_polygon() {
   const std::uint32_t first = shapes_.position_count();
   read_ring();
@@ -444,8 +446,8 @@ void WktReader::read_polygon() {
   shapes_.end_polygon();
 }
 
-/// Reads a polygon of rings of any kind, if all are straight: then they may have their kind before
-/// them.
+/// Reads a polygon with rings of any kind, if all are straight. In this case, the name of the kind
+/// may precede each ring.
 void WktReader::read_curve_polygon() {
   read_list([this] {
     take_if("LINESTRING");
@@ -455,7 +457,7 @@ void WktReader::read_curve_polygon() {
   shapes_.end_polygon();
 }
 
-/// Reads points with or without parentheses of their own: both forms occur.
+/// Reads points with or without their own parentheses, because both forms occur.
 void WktReader::read_points() {
   read_list([this] {
     if (is_at_list()) return read_point();
@@ -474,8 +476,7 @@ void WktReader::read_polygons() {
   shapes_.join_polygons(cursor_, first);
 }
 
-/// Reads a member of a collection whose members have their names only if they are not of the
-/// ordinary kind.
+/// Reads a member of a collection. Members have names only if they are not of the ordinary kind.
 void WktReader::read_member(Body body, std::string_view expected) {
   if (!is_at_list()) {
     const Kind& kind = take_kind();
@@ -504,7 +505,7 @@ void WktReader::read_faces() {
   read_list([this] { read_member(&WktReader::read_polygon, "a POLYGON or '('"); });
 }
 
-/// Reads the faces of a surface, which is one of the plane if all its heights are equal.
+/// Reads the faces of a surface. It is a set of the plane if all its heights are equal.
 void WktReader::read_patches() {
   is_flat_ = true;
   has_height_ = false;

@@ -19,7 +19,7 @@ Boundary read_boundary(TextCursor& cursor) {
   cursor.fail(ErrorCode::Syntax, "expected closed or open, found " + quoted(word), begin);
 }
 
-/// Returns a bound on the number of half-spaces: a line has at least 13 bytes, "0 0 1 0 open" and
+/// Returns a bound on the number of half-spaces. A line has at least 13 bytes: "0 0 1 0 open" and
 /// its end.
 std::size_t most_lines(std::string_view text) {
   constexpr std::size_t kLeastBytes = 13;

@@ -82,7 +82,7 @@ void describe(const RoundingReport& rounding, std::vector<std::string>& losses) 
   add(rounding.crossing_count, "pairs of faces cross");
 }
 
-/// Describes a repair: as a loss if the shape is another one, else as a change.
+/// Describes a repair. It is a loss if the shape changes; otherwise, a change.
 void describe(const RoundingRepair& repair, std::vector<std::string>& losses,
               std::vector<std::string>& changes) {
   if (repair.rounds == 0) return;
@@ -99,7 +99,7 @@ void describe(const RoundingRepair& repair, std::vector<std::string>& losses,
   }
 }
 
-/// Describes what a mesh does not say of a set.
+/// Describes the properties of a set that a mesh does not represent.
 void describe(const ToMeshReport& report, std::vector<std::string>& losses,
               std::vector<std::string>& changes) {
   if (report.dropped.total() != 0) {
@@ -114,7 +114,7 @@ void describe(const ToMeshReport& report, std::vector<std::string>& losses,
   }
 }
 
-/// Returns what attributes the sources of a set have: lists without values.
+/// Returns the attributes that the sources of a set have, as lists without values.
 MeshAttributes outline_of(const Nef3& set) {
   MeshAttributes all;
   for (const PlacedSource& placed : set.sources()) {
@@ -130,7 +130,7 @@ MeshAttributes outline_of(const Nef3& set) {
   return all;
 }
 
-/// Whether a file of this format holds anything of these attributes. If it does not, the faces stay
+/// Whether a file of this format can store any of these attributes. If it cannot, the faces remain
 /// polygons.
 bool holds_any(const MeshAttributes& outline, MeshFormat format) {
   const bool is_off = format == MeshFormat::Off || format == MeshFormat::ExactOff;
@@ -181,7 +181,7 @@ SolidText::SolidText(const Nef3& set, const SolidFormat& format, OutputRounding 
                      Context& context, std::string library, SolidFaces faces)
     : set_(set), format_(format), faces_(faces), library_(std::move(library)) {
   const bool has_attributes = !set.sources().empty() && writes_attributes(rounding);
-  // The mesh of an unbounded set is refused with the words for all meshes.
+  // For an unbounded set, the error has the same words for all mesh formats.
   if (format.mesh && !(has_attributes && set.is_bounded())) {
     make_mesh(*format.mesh, rounding, context);
   }
@@ -192,8 +192,9 @@ bool SolidText::has_library() const {
   return format_.mesh == MeshFormat::Obj && !library_.empty() && !attributes_.materials.empty();
 }
 
-/// Whether the mesh is divided as the sources are: the format holds any of their attributes, or
-/// their faces stay apart. Notes which attributes the format does not hold.
+/// Whether the mesh is divided as the sources are. This is the case if the format can store some of
+/// their attributes, or if their faces are kept apart. Notes the attributes that the format cannot
+/// store.
 bool SolidText::writes_attributes(OutputRounding rounding) {
   const MeshAttributes outline = outline_of(set_);
   if (!format_.mesh) {
@@ -214,7 +215,7 @@ MeshFaces SolidText::mesh_faces() const {
                                                                 : MeshFaces::PlanarPolygons;
 }
 
-/// Takes the mesh with the attributes of the sources.
+/// Makes the mesh with the attributes of the sources.
 void SolidText::add_attributes(Context& context) {
   AttributeOptions options;
   options.join = faces_.join;
@@ -265,7 +266,7 @@ void SolidText::make_mesh(MeshFormat format, OutputRounding rounding, Context& c
   mesh_ = std::move(made.mesh);
 }
 
-/// Throws if the format cannot hold a mesh without faces and this is one.
+/// Throws if this is a mesh without faces, and the format cannot represent such a mesh.
 void SolidText::require_faces(const PolygonMesh& mesh) const {
   if (format_.mesh == MeshFormat::Gltf && mesh.face_count() == 0) {
     throw Error(ErrorCode::CannotWrite, "the set has no volume: a .glb file cannot hold it");
@@ -371,7 +372,8 @@ void LinkCheck::check_uses() {
   }
 }
 
-/// Checks the cycles around edges. Requires a permutation: then walking on leads back.
+/// Checks the cycles around edges. Requires that the links are a permutation, so that each walk
+/// returns to its start.
 void LinkCheck::check_radial_cycles() {
   IdVector<EdgeId, std::uint32_t> at_edge(c_.edge_count(), 0);
   for (const HalfedgeId h : c_.use_halfedge) ++at_edge[SpaceComplex::edge_of(h)];

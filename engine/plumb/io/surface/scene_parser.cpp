@@ -31,7 +31,8 @@
 namespace plumb {
 namespace {
 
-constexpr double kClear = 0x1p-40;  // So far from the sides rounding a weight changes nothing.
+// At this distance from the sides, rounding a weight has no effect on the topology.
+constexpr double kClear = 0x1p-40;
 constexpr std::uint64_t kBytesPerPoint = 2 * (sizeof(Point2) + 2 * sizeof(std::size_t));
 
 const Rational& tiny() {
@@ -82,8 +83,8 @@ void ScenePointReader::end(ScenePoints& to) {
     return tokens_[0].find_first_of(characters) != std::string_view::npos ||
            tokens_[1].find_first_of(characters) != std::string_view::npos;
   };
-  // A fraction is meant exactly; a decimal beside it is then rounded on its own, whatever the
-  // weights add up to.
+  // A fraction is exact. A decimal in the same point is rounded independently, even if the sum of
+  // the weights is then not 1.
   const bool is_fraction = any_has("/"), is_decimal = !exact_decimals_ && any_has(".eE");
   to.rounds.push_back(is_decimal && !is_fraction ? 1 : 0);
   if (weights_[0].is_double() && weights_[1].is_double()) {
@@ -95,7 +96,8 @@ void ScenePointReader::end(ScenePoints& to) {
   }
   std::array<Rational, 2> weights;
   for (std::size_t i = 0; i < 2; ++i) {
-    // A weight whose nearest double is zero is zero, however small it is.
+    // If the nearest double of a weight is zero, the weight is zero, even if it is not exactly
+    // zero.
     const bool is_zero = weights_[i].is_double() && weights_[i].as_double() == 0;
     if (!is_fraction && !is_zero) {
       exact_.read(places_.cursor_at_token(), tokens_[i], weights_[i]);
@@ -105,7 +107,8 @@ void ScenePointReader::end(ScenePoints& to) {
   add_near_side(weights, is_decimal, to);
 }
 
-/// Adds a point on a side or near one: exactly as written, up to what decimals may be rounded to.
+/// Adds a point on a side or near a side. The point is stored exactly as written, except for the
+/// rounding that decimals allow.
 void ScenePointReader::add_near_side(const std::array<Rational, 2>& weights, bool is_decimal,
                                      ScenePoints& to) {
   auto [u, v] = weights;
@@ -134,7 +137,7 @@ void ScenePointReader::add_near_side(const std::array<Rational, 2>& weights, boo
 
 namespace {
 
-// Numbers are read from the text again. The parser must only not refuse a large one.
+// Numbers are read again from the text. The parser only must not refuse a large number.
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
@@ -190,7 +193,7 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   bool number_integer(number_integer_t value) override { return take_number({}, value); }
   bool number_unsigned(number_unsigned_t value) override { return take_number(value); }
   bool number_float(number_float_t, const string_t&) override { return take_number({}); }
-  bool binary(binary_t&) override { return false; }  // Does not occur in texts.
+  bool binary(binary_t&) override { return false; }  // The event does not occur in texts.
   bool string(string_t& value) override;
   bool start_object(std::size_t) override;
   bool key(string_t& name) override;
@@ -237,15 +240,15 @@ class SceneHandler : public nlohmann::json_sax<Json> {
   const char* begin_;
   JsonPlaces places_;
   ScenePointReader points_;
-  NumberReader numbers_reader_;  // Of drawings.
+  NumberReader numbers_reader_;  // Reads the numbers of drawings.
   Context& context_;
   ParsedScene scene_;
 
-  bool is_open_ = false;  // Whether the object is open, and which member of it.
+  bool is_open_ = false;  // Whether the object is open, and which of its members is being read.
   Member member_ = Member::Other;
   std::array<bool, kMemberNames.size()> seen_{};
-  int depth_ = 0;            // Number of lists open in the member.
-  std::size_t skipped_ = 0;  // Number of open lists and objects without a meaning.
+  int depth_ = 0;            // The number of open lists in the member.
+  std::size_t skipped_ = 0;  // The number of open lists and objects without a meaning.
 
   // The level being read.
   std::size_t numbers_ = 0;
@@ -406,7 +409,7 @@ void SceneHandler::check_indices(const ParsedScene::Lists& lists, std::size_t co
   }
 }
 
-/// Checks the shapes of levels. With drawings the number of shapes is not yet known, and
+/// Checks the shapes of levels. If there are drawings, the number of shapes is not yet known, and
 /// make_scene() checks them.
 void SceneHandler::check_levels() const {
   const std::size_t shapes = scene_.shapes ? scene_.shapes->size() : scene_.polygons.size();
@@ -426,7 +429,7 @@ bool SceneHandler::string(string_t& value) {
   if (!means_something() || is_other()) return true;
   const bool is_file = is_open_ && (is_drawing_ ? part_ == Part::File : member_ == Member::Model);
   if (is_file) {
-    constexpr std::size_t kLongest = 4095;  // Longest name that systems allow.
+    constexpr std::size_t kLongest = 4095;  // The longest name that systems allow.
     const bool is_path = value.size() <= kLongest && value.find('\0') == value.npos;
     if (value.empty() || !is_path) fail_expected("a file name");
     (is_drawing_ ? drawing_.file : scene_.model) = value;

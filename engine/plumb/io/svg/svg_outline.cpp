@@ -32,8 +32,9 @@ namespace {
 constexpr std::uint64_t kPointBytes = 2 * (sizeof(Point2) + sizeof(std::size_t));
 constexpr std::uint64_t kRingBytes = 5 * sizeof(std::uint32_t);
 constexpr std::size_t kPointsOfAnyText = std::size_t{1} << 20U;
-constexpr std::size_t kBytesPerPoint = 7;  // Bytes of the text for each further point.
-constexpr std::size_t kMostPoints = std::size_t{1} << 30U;  // As many as a surface can hold.
+constexpr std::size_t kBytesPerPoint = 7;  // The memory of the text for each further point.
+// This is the greatest number of points that a surface can hold.
+constexpr std::size_t kMostPoints = std::size_t{1} << 30U;
 constexpr std::size_t kPointsPerCheckpoint = 4096;
 
 Point2 mixed(Point2 a, double s, Point2 b, double t) {
@@ -180,7 +181,7 @@ bool SvgOutline::is_flat(std::span<const WeightedPoint> placed, double tolerance
 /// Adds chords for a placed curve, which is halved (de Casteljau) until all its parts are flat.
 void SvgOutline::add_rational(const TextCursor& at, std::span<WeightedPoint> placed,
                               double tolerance, int depth) {
-  constexpr int kMostHalvings = 48;  // Below this, parameters are equal in a double.
+  constexpr int kMostHalvings = 48;  // Below this length, parameters are equal as doubles.
   step();
   const WeightedPoint end = placed.back();
   if (depth == kMostHalvings || is_flat(placed, tolerance)) {
@@ -232,7 +233,7 @@ void SvgOutline::close_ring() {
   auto& points = drawing_.points;
   const std::size_t begin = drawing_.ring_begin.back();
   while (points.size() > begin + 1 && points.back() == points[begin]) points.pop_back();
-  if (points.size() == begin + 1) points.pop_back();  // A ring of one point is no ring.
+  if (points.size() == begin + 1) points.pop_back();  // A ring of one point is dropped.
   drawing_.places.resize(points.size());
   if (points.size() > begin) {
     drawing_.ring_begin.push_back(static_cast<std::uint32_t>(points.size()));
@@ -292,7 +293,7 @@ class PathReader {
   double coordinate(bool is_relative, double origin) {
     return text_.number() + (is_relative ? origin : 0);
   }
-  /// Opens a subpath. After Z it begins where the last one did.
+  /// Opens a subpath. After Z, it begins at the point where the previous subpath began.
   void open() {
     if (is_open_) return;
     outline_.move_to(text_.cursor(), start_);
@@ -324,7 +325,7 @@ class PathReader {
   bool is_first_ = true, is_open_ = false;
   const char* place_ = nullptr;
   Point2 start_, at_;
-  Point2 cubic_, quadratic_;  // The last control points, if the last command had one.
+  Point2 cubic_, quadratic_;  // The last control points, if the last command had any.
 };
 
 void PathReader::run(char command) {
@@ -379,13 +380,13 @@ void PathReader::arc(bool is_relative) {
   open();
   const Point2 axis = unit_vector(turn);
   const Point2 half{(at_.x - to.x) / 2, (at_.y - to.y) / 2};
-  // In units of the radii, along them.
+  // The coordinates are in units of the radii, along the radii.
   Point2 p{(axis.x * half.x + axis.y * half.y) / rx, (axis.x * half.y - axis.y * half.x) / ry};
   const double reach = std::hypot(p.x, p.y);
   if (!std::isfinite(reach)) {
     text_.fail(ErrorCode::NumberOutOfRange, "an arc beyond the largest double", place_);
   }
-  if (reach == 0) return line(to);  // The arc is as good as straight.
+  if (reach == 0) return line(to);  // The arc is nearly straight.
   double off = 0;
   if (reach >= 1) {
     rx *= reach;
@@ -400,8 +401,8 @@ void PathReader::arc(bool is_relative) {
                       (at_.y + to.y) / 2 + c.x * u.y + c.y * v.y};
   const double from = arc_tangent(p.y - c.y, p.x - c.x);
   double end = arc_tangent(-p.y - c.y, -p.x - c.x);
-  // A large arc has at least half a turn, any other at most that. With a quarter turn of margin,
-  // rounding cannot make an arc of half a turn none or a whole turn.
+  // A large arc has at least a half turn, and any other arc has at most a half turn. With a margin
+  // of a quarter turn, rounding cannot change an arc of a half turn to an empty arc or a full turn.
   const double least = is_large ? kPi / 2 : -kPi / 2;
   if (is_clockwise && end - from < least) end += 2 * kPi;
   if (!is_clockwise && from - end < least) end -= 2 * kPi;

@@ -26,14 +26,15 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kMostNested = 256;
-constexpr std::size_t kMostAttributes = 4096;  // Of one element.
+constexpr std::size_t kMostAttributes = 4096;  // The limit applies to one element.
 constexpr std::size_t kStepsPerCheckpoint = 1024;
 constexpr std::size_t kBytesPerCheckpoint = std::size_t{1} << 16U;
 constexpr std::size_t kLongestCharacter = 4;
 constexpr std::string_view kBlanks = " \t\r\n";
 
 bool is_blank(char c) { return kBlanks.find(c) != kBlanks.npos; }
-/// Whether the byte ends a name. Any other byte that could not be part of a name is no mark-up.
+/// Whether the byte ends a name. If any other byte cannot be a part of a name, the text is not
+/// mark-up.
 bool ends_name(char c) {
   constexpr std::string_view kMarks = "=<>/\"'&?!";
   return is_blank(c) || kMarks.find(c) != kMarks.npos;
@@ -158,8 +159,8 @@ void XmlScanner::skip_document_type() {
   p_ = last + 1;
 }
 
-/// Returns the first byte that is no blank behind the declarations that begin with '[': strings and
-/// comments in them may have brackets.
+/// Returns the first byte after the declarations that begin with '[', without blanks. Strings and
+/// comments in these declarations may contain brackets.
 const char* XmlScanner::end_of_subset(const char* from) const {
   const char* at = from + 1;
   while (at != end_ && *at != ']') {
@@ -174,7 +175,7 @@ const char* XmlScanner::end_of_subset(const char* from) const {
   return at == end_ ? end_ : std::find_if_not(at + 1, end_, is_blank);
 }
 
-/// Moves to the next tag; returns false at the end of the text.
+/// Moves to the next tag. Returns false at the end of the text.
 bool XmlScanner::find_tag() {
   for (;;) {
     if (steps_++ % kStepsPerCheckpoint == 0) context_.checkpoint("read", steps_, steps_);
@@ -315,7 +316,7 @@ std::size_t digits(std::string_view text, std::size_t from) {
   return from;
 }
 
-/// Returns the length of the number that `text` begins with; 0 if it begins with none. In "1em" the
+/// Returns the length of the number at the beginning of `text`, or 0 if there is none. In "1em" the
 /// number is 1, in "1.2.3" it is 1.2.
 std::size_t number_length(std::string_view text) {
   std::size_t at = !text.empty() && is_sign(text[0]) ? 1 : 0;
@@ -381,7 +382,7 @@ void SvgValue::skip_separator() {
 }
 
 double SvgValue::number_alone() {
-  // Longer ones are refused in any case, and the value may be a hundred times as long.
+  // Longer values are refused in any case, and this value may be a hundred times as long.
   constexpr std::size_t kMost = std::size_t{1} << 21U;
   const std::string_view token = rest_.substr(0, number_length(rest_.substr(0, kMost)));
   if (token.empty()) fail_expected("a number");

@@ -1,12 +1,11 @@
 // Input files read whole, and output files written atomically.
 //
-// Input is read until the end, whatever size the system reports; memory is charged before it grows,
-// and the wait for a pipe is divided into short waits, so that limits and cancellation take effect
-// meanwhile. Output goes to a temporary file in the same folder, is synchronised, and renamed over
-// its final name, which POSIX makes atomic: readers see the old file or the new one. Names of
-// temporary files are also kept in a fixed array of atomics, where a signal handler can unlink them
-// without taking locks or allocating.
-// Tested by tests/io/files_test.cpp.
+// Input is read until its end, even if the system reports another size. Memory is charged before it
+// grows. Waiting for a pipe is divided into short waits, so that limits and cancellation take
+// effect in between. Output goes to a temporary file in the same folder, is synchronised, and
+// renamed over its final name, which POSIX makes atomic: readers see the old file or the new one.
+// Names of temporary files are also kept in a fixed array of atomics, where a signal handler can
+// unlink them without taking locks or allocating. Tested by tests/io/files_test.cpp.
 #include "plumb/io/text/files.h"
 
 #include <sys/stat.h>
@@ -38,14 +37,15 @@ using IoSize = unsigned int;
 #else
 using IoSize = std::size_t;
 #endif
-// More bytes than that are read and written in parts.
+// Larger blocks are read and written in parts.
 constexpr std::size_t kMostAtOnce = std::size_t{1} << 30;
 
 [[noreturn]] void fail(const std::string& path) {
   throw Error(ErrorCode::CannotOpen, std::strerror(errno), {input_name(path)});
 }
 
-/// Calls `attempt` until it is not interrupted by a signal; signals are how runs are cancelled.
+/// Repeats `attempt` until it is not interrupted by a signal. The context is checked after each
+/// signal, because signals cancel runs.
 template <class Attempt>
 auto uninterrupted(Context& context, Attempt attempt) {
   for (;;) {
@@ -60,7 +60,7 @@ class InputFile {
   InputFile(const std::string& path, Context& context)
       : fd_(STDIN_FILENO), path_(path), context_(context) {
     if (path == "-") return;
-    // Without waiting for a program that writes to a named pipe: wait() does that.
+    // The call does not wait for a program that writes to a named pipe, because wait() does.
     fd_ = uninterrupted(context_, [&] { return system_files::open_input(path); });
     if (fd_ < 0) fail(path_);
     is_regular_ = regular_size().has_value();
@@ -71,12 +71,13 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// Returns the size if the system knows it: a hint that is never trusted.
+  /// Returns the size if the system knows it. The size is only a hint.
   std::size_t expected_size() const { return regular_size().value_or(0); }
 
-  /// Waits until something can be read: in slices, so that limits and cancellation take effect
-  /// meanwhile. (A signal that arrives just before a read would not interrupt it.) A regular file
-  /// can always be read. It is not asked, because Emscripten's poll() fails for files of Node.
+  /// Waits until bytes can be read. The wait is divided into slices, so that limits and
+  /// cancellation take effect in between. (A signal that arrives just before a read would not
+  /// interrupt it.) A regular file can always be read. It is not asked, because Emscripten's poll()
+  /// fails for files of Node.
   void wait() const {
     constexpr int kSliceMilliseconds = 50;
     do {
@@ -84,7 +85,7 @@ class InputFile {
     } while (!is_regular_ && !system_files::wait_for_input(fd_, kSliceMilliseconds));
   }
 
-  /// Reads some bytes; returns 0 at the end.
+  /// Reads some bytes. Returns 0 at the end.
   std::size_t read(char* to, std::size_t most) const {
     for (;;) {
       wait();
@@ -96,7 +97,7 @@ class InputFile {
   }
 
  private:
-  /// Returns the size of a regular file; nothing for a pipe or a device.
+  /// Returns the size of a regular file, or nothing for a pipe or a device.
   std::optional<std::size_t> regular_size() const {
     struct stat status {};
     if (::fstat(fd_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
@@ -104,12 +105,12 @@ class InputFile {
   }
 
   int fd_;
-  bool is_regular_ = false;  // Standard input is always asked.
+  bool is_regular_ = false;  // Standard input always needs the wait.
   const std::string& path_;
   Context& context_;
 };
 
-/// Grows `bytes` to `size`, charged first.
+/// Grows `bytes` to `size`. The memory is charged first.
 void grow(std::string& bytes, std::size_t size, const std::string& name, Context& context) {
   context.charge_memory(size - bytes.size(), name);
   bytes.resize(size);
@@ -124,7 +125,7 @@ std::string read_input(const std::string& path, Context& context) {
   const std::string name = input_name(path);
   std::string bytes;
   std::size_t used = 0;
-  // One byte more than expected, so that an ordinary file ends without growing again.
+  // One byte more than expected is read, so that an ordinary file ends without growing again.
   grow(bytes, file.expected_size() + 1, name, context);
   while (const std::size_t got = file.read(bytes.data() + used, bytes.size() - used)) {
     used += got;
@@ -141,7 +142,7 @@ bool lies_below(const std::string& folder, const std::string& file) {
   std::error_code error;
   const fs::path base = fs::canonical(path_of(folder.empty() ? "." : folder), error);
   if (error) return false;
-  // A relative path whose first part does not exist would stay relative.
+  // A relative path whose first part does not exist would remain relative.
   const fs::path place = fs::weakly_canonical(fs::absolute(path_of(file), error), error);
   return !error &&
          std::mismatch(base.begin(), base.end(), place.begin(), place.end()).first == base.end();
@@ -170,8 +171,8 @@ namespace {
   throw Error(code, std::strerror(errno), {name});
 }
 
-/// Names of temporary files, where a signal handler can reach them. If the list is full, the
-/// handler does not know a name, and nothing else happens.
+/// The names of temporary files, in memory that a signal handler may access. If the list is full,
+/// the handler does not know a name, which has no other effect.
 class TemporaryNames {
  public:
   void add(const char* name) {
@@ -197,7 +198,7 @@ class TemporaryNames {
 };
 
 TemporaryNames temporary_names;
-TemporaryNames made_directories;  // The innermost first.
+TemporaryNames made_directories;  // The innermost file is first.
 
 }  // namespace
 
@@ -221,7 +222,7 @@ void DescriptorBuffer::write_all(const char* text, std::size_t size) {
 
 void DescriptorBuffer::write_block() {
   const auto size = static_cast<std::size_t>(pptr() - pbase());
-  // Reset before writing, so that nothing is written twice when writing fails.
+  // The name is reset before writing, so that the output is not written twice if writing fails.
   setp(block_.get(), block_.get() + kBlock);
   write_all(block_.get(), size);
 }
@@ -254,14 +255,14 @@ int DescriptorBuffer::sync() {
 DescriptorStream::DescriptorStream(int descriptor, std::string name)
     : std::ostream(nullptr), buffer_(descriptor, std::move(name)) {
   rdbuf(&buffer_);
-  exceptions(std::ios::badbit);  // Rethrows what the buffer threw.
+  exceptions(std::ios::badbit);  // Throws the exception of the buffer again.
 }
 
 OutputFile::OutputFile(const std::string& path)
     : path_(path), target_(system_files::resolve_links(path)) {
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
-  if (!exists && errno != ENOENT) fail();  // A name that is too long, or links in a circle.
+  if (!exists && errno != ENOENT) fail();  // The name is too long, or links form a circle.
   if (exists && S_ISDIR(status.st_mode)) {
     errno = EISDIR;
     fail();
@@ -283,7 +284,8 @@ OutputFile::~OutputFile() {
   temporary_names.remove(temporary_.c_str());
 }
 
-/// Opens a device or a pipe. A named pipe that no program reads is refused, not waited for.
+/// Opens a device or a pipe. If no program reads a named pipe, the pipe is refused; the function
+/// does not wait.
 void OutputFile::open_directly() {
   descriptor_ = system_files::open_device(target_);
   if (descriptor_ < 0 && errno == ENXIO) {
@@ -320,7 +322,7 @@ void OutputFile::close() {
 
 void OutputFile::finish() {
   stream_->flush();
-  // Pipes and devices cannot be synchronised; that is no error.
+  // Pipes and devices cannot be synchronised, which is not an error.
   if (!is_direct_ && !system_files::synchronize(descriptor_)) fail();
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0) fail();
@@ -350,7 +352,7 @@ void commit_all(std::span<const std::unique_ptr<OutputFile>> files) {
 
 void remove_temporary_files() noexcept {
   temporary_names.remove_all(::unlink);
-  made_directories.remove_all(::rmdir);  // Fails for those that are not empty.
+  made_directories.remove_all(::rmdir);  // The call fails for folders that are not empty.
 }
 
 OutputDirectory::OutputDirectory(const std::filesystem::path& path) {

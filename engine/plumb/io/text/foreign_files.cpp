@@ -28,8 +28,8 @@ constexpr std::string_view kConvert =
     "GDAL converts it: ogr2ogr -f GeoJSON -lco COORDINATE_PRECISION=17 layer.geojson FILE";
 constexpr std::string_view kRename = "give the file its own extension";
 
-/// A kind of file: what tells it, what it is, what to do, and the name of its reader, if plumb has
-/// one.
+/// A kind of file: the bytes by which it is recognised, its name, the advice to the user, and the
+/// name of its reader, if plumb has one.
 struct ForeignKind {
   std::string_view sign;
   std::string_view what;
@@ -103,7 +103,7 @@ constexpr std::array kRoots{
     ForeignKind{"html", "a web page (HTML)", "perhaps a download failed: fetch the file again"},
 };
 
-/// Words near the beginning of JSON. The one that comes first in the file tells the kind.
+/// Words near the beginning of JSON. The word that comes first in the file determines the kind.
 constexpr std::array kJsonWords{
     ForeignKind{"\"Topology\"", "TopoJSON", "plumb map reads it; 'map dissolve' writes GeoJSON",
                 "TopoJSON"},
@@ -135,8 +135,8 @@ constexpr std::array<std::string_view, 9> kWktWords{"POINT",    "LINESTRING", "P
 constexpr std::string_view kSolids = "OFF OBJ STL PLY glTF 3MF nef3";
 constexpr std::string_view kPlaneSets = "WKT WKB GeoJSON SVG DXF nef2";
 
-/// Returns what to do. A file that would have to be renamed, but that another family of commands
-/// reads, is one for that family.
+/// Returns the advice to the user. If the file would have to be renamed, but another family of
+/// commands reads it, the advice names this family.
 std::string_view advice_for(const ForeignKind& kind, bool reads_solids, bool reads_layers) {
   const bool is_known = !kind.reader.empty() && kind.advice.starts_with("give");
   if (is_known && !reads_solids && kSolids.find(kind.reader) != kSolids.npos) {
@@ -161,12 +161,12 @@ const ForeignKind* find_kind(const Kinds& kinds, Test test) {
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// Whether the words are equal, whatever the case of their letters.
+/// Whether the words are equal, without regard to the case of their letters.
 bool equals(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, {}, upper, upper);
 }
 
-/// Returns the name of the root element, without its prefix; empty if there is none.
+/// Returns the name of the root element without its prefix, or an empty text if there is none.
 std::string_view root_of(std::string_view xml) {
   constexpr std::string_view kAfterName = " \t\r\n/>";
   for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
@@ -190,7 +190,7 @@ bool has_vertex_line(std::string_view text) {
 /// Whether the text begins like WKB in hexadecimal digits: a byte order, and a code below 256 in
 /// that order.
 bool begins_like_hexadecimal_wkb(std::string_view text) {
-  constexpr std::size_t kLeast = 18;  // Of an empty list.
+  constexpr std::size_t kLeast = 18;  // The code of an empty list.
   if (text.starts_with("\\x") || text.starts_with("0x")) text.remove_prefix(2);
   const std::string_view word = text.substr(0, text.find_first_of(kForeignBlanks));
   const bool is_order = word.starts_with("01") || word.starts_with("00");
@@ -198,7 +198,7 @@ bool begins_like_hexadecimal_wkb(std::string_view text) {
          word.find_first_not_of("0123456789abcdefABCDEF") == word.npos;
 }
 
-/// Whether a polygon, a line or a point of WKT begins behind a quote or what separates columns.
+/// Whether a polygon, a line or a point of WKT begins after a quote or a column separator.
 bool has_quoted_geometry(std::string_view text) {
   constexpr std::string_view kBefore = "\"',;\t";
   for (const std::string_view name : {"POLYGON", "MULTIPOLYGON", "LINESTRING", "POINT"}) {
@@ -209,14 +209,14 @@ bool has_quoted_geometry(std::string_view text) {
   return false;
 }
 
-/// Whether the first line is that of an IGES file, whose 73rd column names its section.
+/// Whether the first line is that of an IGES file. Its 73rd column has the name of its section.
 bool begins_like_iges(std::string_view text) {
   constexpr std::size_t kColumn = 72;
   return text.size() > kColumn && text.substr(kColumn).starts_with("S      1");
 }
 
-/// Whether the first chunk, that of the whole file, begins with the version or with the editor's
-/// chunk, as in 3D Studio.
+/// Whether the first chunk, which is the whole file, begins with the chunk of the version or of the
+/// editor, as in 3D Studio.
 bool begins_like_3ds(std::string_view bytes) {
   constexpr std::size_t kSecondChunk = 6;
   if (!bytes.starts_with("MM") || bytes.size() < kSecondChunk + 2) return false;
@@ -224,7 +224,7 @@ bool begins_like_3ds(std::string_view bytes) {
   return second == "\x02\0"sv || second == "\x3D\x3D"sv;
 }
 
-/// Whether one of the first lines is a card of a grid point or begins the cards of Nastran.
+/// Whether one of the first lines is the card of a grid point, or begins the cards of Nastran.
 bool has_nastran_card(std::string_view text) {
   return text.find("\nGRID") != text.npos || text.find("\nBEGIN BULK") != text.npos;
 }

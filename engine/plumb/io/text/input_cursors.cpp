@@ -26,7 +26,7 @@ unsigned byte_at(std::string_view text, std::size_t i) {
 }
 
 /// Returns the length of the well-formed UTF-8 sequence at the start of `text` (RFC 3629: no
-/// overlong forms, no surrogates, nothing above U+10FFFF); 0 if there is none. Requires a first
+/// overlong forms, no surrogates, nothing above U+10FFFF), or 0 if there is none. Requires a first
 /// byte >= 0x80.
 std::size_t sequence_length(std::string_view text) {
   const unsigned lead = byte_at(text, 0);
@@ -99,7 +99,7 @@ bool TextCursor::next_line() {
   for (;;) {
     if (line_ != 0) {
       if (p_ == end_) return false;
-      ++p_;  // The '\n' that ended the line before.
+      ++p_;  // The '\n' that ended the previous line.
       line_begin_ = p_;
     }
     ++line_;
@@ -131,7 +131,7 @@ std::string_view TextCursor::token() {
 }
 
 std::string_view TextCursor::word(std::string_view marks) {
-  // A loop, because std::string_view::find() calls a function for each character.
+  // The code is a loop, because std::string_view::find() calls a function for each character.
   const auto is_mark = [&](char c) {
     for (const char mark : marks) {
       if (c == mark) return true;
@@ -153,7 +153,7 @@ void TextCursor::move_to(const char* where) {
   p_ = where;
 }
 
-/// Skips a carriage return if the line ends right after it; it then belongs to the end of the line.
+/// Skips a carriage return at the end of the line, which belongs to the end of the line.
 bool TextCursor::skip_carriage_return() {
   if (p_ + 1 != end_ && p_[1] != '\n') return false;
   ++p_;
@@ -183,7 +183,7 @@ void TextCursor::require_text(std::string_view text) const {
 
 void TextCursor::fail(ErrorCode code, std::string message, const char* where) const {
   if (where == nullptr) where = p_;
-  // At the very end of a text that ends with a line break, the place is the line after it.
+  // At the end of a text that ends with a line break, the place is the line after the line break.
   const auto column = static_cast<std::size_t>(where - line_begin_) + 1;
   throw Error(code, std::move(message), {name_, std::max<std::size_t>(line_, 1), column});
 }

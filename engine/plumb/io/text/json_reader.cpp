@@ -41,7 +41,7 @@ JsonPlaces::JsonPlaces(std::string_view text, std::string name, Context& context
       next_check_(read_to_),
       token_end_(cursor_.position()) {}
 
-/// The parser reads a long token to its end before it reports it.
+/// The parser reads a long token to its end before it reports the token.
 void JsonPlaces::check_limits() {
   constexpr std::ptrdiff_t kBytesPerCheckpoint = std::ptrdiff_t{1} << 20;
   const char* const end = text_.data() + text_.size();
@@ -115,13 +115,13 @@ constexpr std::array<bool, 256> characters_of(std::string_view characters) {
 }
 
 constexpr auto kMarksAndQuotes = characters_of("[{,:\"");
-constexpr auto kEnds = characters_of(",]} \t\r\n");  // Of numbers and words.
+constexpr auto kEnds = characters_of(",]} \t\r\n");  // The characters of numbers and words.
 
 bool is_in(const std::array<bool, 256>& table, char c) {
   return table[static_cast<unsigned char>(c)];
 }
 
-/// Returns where a quoted text that begins at `p` ends: behind its second quote.
+/// Returns the end of a quoted text that begins at `p`: the place after its second quote.
 const char* end_of_quoted(const char* p, const char* end, Context& context) {
   for (++p; p != end; ++p) {
     p = find_watched(p, end, context, [](char c) { return c == '"' || c == '\\'; });
@@ -132,8 +132,8 @@ const char* end_of_quoted(const char* p, const char* end, Context& context) {
   return end;
 }
 
-/// Returns a bound on the number of values: they begin at the start of the text, or after brackets,
-/// commas and colons outside of quotes.
+/// Returns a bound on the number of values. Values begin at the start of the text, or after
+/// brackets, commas and colons outside of quotes.
 std::uint64_t count_values(std::string_view text, Context& context) {
   const char* const end = text.data() + text.size();
   std::uint64_t values = 1;
@@ -154,7 +154,7 @@ std::uint64_t count_values(std::string_view text, Context& context) {
 
 }  // namespace
 
-/// Follows the parser's events. Of several open lists and objects the current one is the last.
+/// Processes the events of the parser. The last of the open lists and objects is the current one.
 class JsonListener : public nlohmann::json_sax<Json> {
  public:
   JsonListener(std::vector<JsonValues::Span>& spans, std::string_view text, const std::string& name,
@@ -175,7 +175,7 @@ class JsonListener : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t, const string_t&) override { return add_number(); }
   bool string(string_t&) override { return add_token(); }
   bool key(string_t&) override { return add_token(); }
-  bool binary(binary_t&) override { return false; }  // Does not occur in texts.
+  bool binary(binary_t&) override { return false; }  // The event does not occur in texts.
   bool start_object(std::size_t) override { return open(); }
   bool end_object() override { return close(); }
   bool start_array(std::size_t) override { return open(); }
@@ -193,8 +193,8 @@ class JsonListener : public nlohmann::json_sax<Json> {
  private:
   static constexpr JsonValues::Id kNone = 0xffff'ffff;
 
-  /// Whether the list is full. Further values are dropped: the parser is about to find that this is
-  /// no JSON.
+  /// Whether the list is full. Further values are dropped, because the parser is about to find that
+  /// the text is not JSON.
   bool is_full() const { return spans_.size() == spans_.capacity(); }
   JsonValues::Id add(JsonValues::Id next) {
     spans_.push_back({static_cast<std::uint32_t>(places_.token() - begin_), next});
@@ -242,7 +242,7 @@ class JsonListener : public nlohmann::json_sax<Json> {
 /// Lists the values of a text without the parser.
 class PlainJson {
  public:
-  /// Keeps the list, which has room for all values of the text.
+  /// Stores a reference to the list, which has enough capacity for all values of the text.
   PlainJson(std::vector<JsonValues::Span>& spans, std::string_view text, Context& context)
       : spans_(spans),
         context_(context),
@@ -254,7 +254,7 @@ class PlainJson {
   bool list() {
     if (!take_value()) return false;
     for (;;) {
-      // A value has ended.
+      // Ends a value.
       skip_blanks();
       if (open_ == kNone) return p_ == end_;
       if (p_ == end_) return false;
@@ -311,7 +311,7 @@ class PlainJson {
   JsonValues::Id open_ = kNone;
 };
 
-/// Takes a value, or the brackets and names before the first value in it that is no bracket.
+/// Reads a value, or the brackets and names before the first value in it that is not a bracket.
 bool PlainJson::take_value() {
   while (begins_value()) {
     const char first = *p_;
@@ -336,7 +336,7 @@ bool PlainJson::take_value() {
   return false;
 }
 
-/// Takes the name of a member with its colon.
+/// Reads the name of a member with its colon.
 bool PlainJson::take_name() {
   if (!begins_value() || *p_ != '"') return false;
   add(static_cast<JsonValues::Id>(spans_.size() + 1));
@@ -369,7 +369,7 @@ bool PlainJson::take_text() {
   }
 }
 
-/// Takes an escape; pairs of surrogates are left to the parser.
+/// Reads an escape. Pairs of surrogates are left to the parser.
 bool PlainJson::take_escape() {
   constexpr std::string_view kKnown = "\"\\/bfnrt";
   ++p_;
@@ -398,7 +398,7 @@ bool PlainJson::take_digits() {
   return true;
 }
 
-/// Takes a number. One that may lie beyond the largest double is left to the parser.
+/// Reads a number. If the number may exceed the largest double, it is left to the parser.
 bool PlainJson::take_number() {
   constexpr std::ptrdiff_t kMostOfExponent = 2;
   const char* const first = p_;
@@ -425,7 +425,7 @@ JsonValues::JsonValues(std::string_view text, const std::string& name, const Fai
                        Context& context)
     : text_(text), context_(context), charge_(context) {
   if (text.size() >= 0xffff'ffff) fail(0, ErrorCode::ResourceLimit, "JSON of more than 2^32 bytes");
-  // In JSON a comma, a colon or a bracket goes with every value but one.
+  // In JSON, every value except one needs a comma, a colon or a bracket.
   const std::uint64_t values =
       std::min<std::uint64_t>(count_values(text, context), text.size() / 2 + 1);
   charge_.add(values * sizeof(Span), "the JSON");

@@ -20,7 +20,7 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kStepsPerCheckpoint = 4096;
-constexpr char kRecordSeparator = '\x1e';  // RFC 8142.
+constexpr char kRecordSeparator = '\x1e';  // The record separator of RFC 8142.
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 constexpr bool is_json_digit(char c) { return '0' <= c && c <= '9'; }
@@ -163,7 +163,7 @@ JsonToken JsonScanner::close() {
 
 void JsonScanner::open_bracket() { open_.push_back(*p_++ == '{'); }
 
-/// Takes a closing bracket, which must be that of the innermost open one.
+/// Reads a closing bracket, which must match the innermost open bracket.
 void JsonScanner::close_bracket() {
   if (*p_ != (open_.back() ? '}' : ']')) fail_expected(open_.back() ? "'}'" : "']'");
   ++p_;
@@ -209,7 +209,7 @@ std::string_view JsonScanner::skip_value() {
   return token_text();
 }
 
-/// Skips a string, whatever it holds; quotes behind an odd number of backslashes are part of it.
+/// Skips a string with any content. Quotes after an odd number of backslashes are a part of it.
 void JsonScanner::skip_string() {
   const char* quote = p_;
   std::ptrdiff_t backslashes = 0;
@@ -219,13 +219,13 @@ void JsonScanner::skip_string() {
         static_cast<const char*>(std::memchr(quote, '"', static_cast<std::size_t>(end_ - quote)));
     if (quote == nullptr) fail(ErrorCode::Syntax, "not JSON: a string that does not end", p_);
     const char* before = quote;
-    while (before[-1] == '\\') --before;  // Stops at the first quote.
+    while (before[-1] == '\\') --before;  // The search stops at the first quote.
     backslashes = quote - before;
   } while (backslashes % 2 != 0);
   p_ = quote + 1;
 }
 
-/// Skips a list or an object: all up to the bracket that closes it.
+/// Skips a list or an object, up to its closing bracket.
 void JsonScanner::skip_brackets() {
   const std::size_t outer = open_.size();
   open_bracket();

@@ -1,9 +1,9 @@
 // Replaces the parts of a text that are not JSON.
 //
 // The copy is made in one pass. Outside of quotes, a word is a run of characters without blanks and
-// marks; every word that JSON does not know is replaced, also where a name should stand, because
-// the parser finds that afterwards. Inside quotes, UTF-8 is checked as the parser checks it.
-// Tested by tests/io/json_reader_test.cpp.
+// marks; every word that is not JSON is replaced, even in the place of a name, because the parser
+// detects this error afterwards. Inside quotes, UTF-8 is checked as the parser checks it. Tested by
+// tests/io/json_reader_test.cpp.
 #include "plumb/io/text/lenient_json.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD.
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // This is the character U+FFFD.
 constexpr std::ptrdiff_t kBytesPerCheck = std::ptrdiff_t{1} << 16;
 
 bool ends_word(char c) {
@@ -28,14 +28,14 @@ bool is_hex_digit(char c) {
   return ('0' <= c && c <= '9') || ('a' <= c && c <= 'f') || ('A' <= c && c <= 'F');
 }
 
-/// Whether the word is one of JSON, or a number, which the parser judges.
+/// Whether the word is a word of JSON or a number, which the parser checks.
 bool is_of_json(std::string_view word) {
   if (word == "null" || word == "true" || word == "false") return true;
   return word.find_first_not_of("+-.0123456789Ee") == word.npos &&
          word.find_first_of("0123456789") != word.npos;
 }
 
-/// Returns the code of an escape \uXXXX at `p`; no value if there is none.
+/// Returns the code of an escape \uXXXX at `p`, or no value if there is none.
 std::optional<std::uint32_t> escaped_code(const char* p, const char* end) {
   if (end - p < 6 || p[0] != '\\' || p[1] != 'u') return {};
   if (!std::all_of(p + 2, p + 6, is_hex_digit)) return {};
@@ -84,7 +84,7 @@ void JsonCopy::add(std::string_view piece) {
   text_ += piece;
 }
 
-/// Adds a piece for what ends at `end`, and counts it.
+/// Adds a replaced piece that ends at `end`, and counts it.
 void JsonCopy::replace(std::string_view piece, const char* end, std::size_t& count) {
   constexpr std::uint64_t kGrowth = 2;
   charge_.add(kGrowth * sizeof(behind_[0]), "the JSON");
@@ -104,7 +104,7 @@ const char* JsonCopy::add_word(const char* p) {
   return end;
 }
 
-/// Adds a text with its quotes. A text that does not end is left to the parser.
+/// Adds a text with its quotes. A text without an end is left to the parser.
 const char* JsonCopy::add_quoted(const char* p) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   add({p++, 1});
@@ -157,7 +157,7 @@ std::size_t JsonCopy::byte_of_text(std::size_t byte_of_copy) const {
                        [](std::size_t byte, const auto& piece) { return byte < piece.first; });
   const auto [copied, at] =
       after == behind_.begin() ? std::pair<std::size_t, std::size_t>{0, 0} : *std::prev(after);
-  // Inside a replaced piece, the byte lies before the end of that piece.
+  // Inside of a replaced piece, the byte lies before the end of that piece.
   const std::size_t limit =
       after == behind_.end() ? static_cast<std::size_t>(end_ - begin_) : after->second;
   return std::min(at + (byte_of_copy - copied), limit);

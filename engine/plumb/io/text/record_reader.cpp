@@ -1,11 +1,11 @@
 // Numbers from text, and records of lines.
 //
-// An ordinary number is read by std::from_chars in one scan, which rounds to nearest. Everything
-// else is taken apart first (Decimal), its size is bounded by its digits and exponent (Magnitude),
-// and only if that is within limits is it given to GMP, as an integer times a power of ten, and
-// rounded exactly. So reading costs time in proportion to the bytes read, plus a bounded account of
-// digits that exponents expand to. Rules and limits: docs/formats.md, section Numbers in text.
-// Tested by tests/io/map_io_test.cpp and tests/io/off_test.cpp.
+// An ordinary number is read by std::from_chars in one scan, which rounds to nearest. Every other
+// number is first split into its parts (Decimal), its size is bounded by its digits and exponent
+// (Magnitude), and only if that is within limits is it given to GMP, as an integer times a power of
+// ten, and rounded exactly. So reading costs time in proportion to the bytes read, plus a bounded
+// account of digits that exponents expand to. Rules and limits: docs/formats.md, section Numbers in
+// text. Tested by tests/io/map_io_test.cpp and tests/io/off_test.cpp.
 #include "plumb/io/text/record_reader.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::string_view without_sign(std::string_view token) {
   return token;
 }
 
-/// Returns the value of digits; an empty text is zero.
+/// Returns the value of digits. The value of an empty text is zero.
 Integer to_integer(std::string_view digits) {
   digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
   Integer value;
@@ -51,18 +51,18 @@ Integer power_of_ten(std::uint32_t exponent) {
   return value;
 }
 
-/// A decimal taken apart; it has no value yet.
+/// A decimal number that is split into its parts. Its value has not been computed.
 struct Decimal {
   std::string_view whole;
   std::string_view fraction;
-  std::int64_t exponent = 0;  // As written, clamped to +-kFarExponent.
+  std::int64_t exponent = 0;  // The written exponent, clamped to +-kFarExponent.
   bool well_formed = false;
 };
 
 constexpr std::int64_t kFarExponent = 1'000'000'000'000;
 
-/// Parses "[+-]digits", not empty. More digits than an int64 holds are clamped: every limit is
-/// smaller.
+/// Parses "[+-]digits", which is not empty. A number with more digits than an int64 holds is
+/// clamped, because every limit is smaller.
 bool parse_exponent(std::string_view text, std::int64_t& exponent) {
   const std::string_view digits = without_sign(text);
   if (!all_digits(digits)) return false;
@@ -106,12 +106,12 @@ Magnitude magnitude(const Decimal& decimal) {
   return {};
 }
 
-/// Returns the power of ten that belongs to all digits taken as one integer.
+/// Returns the power of ten by which the integer of all digits is multiplied.
 std::int64_t shift_of(const Decimal& decimal) {
   return decimal.exponent - static_cast<std::int64_t>(decimal.fraction.size());
 }
 
-/// Returns the exact value. Requires that digits and shift are few.
+/// Returns the exact value. Requires that there are only few digits, and that the shift is small.
 Rational exact_value(const Decimal& decimal, bool is_negative) {
   const std::int64_t shift = shift_of(decimal);
   Integer digits = to_integer(std::string(decimal.whole).append(decimal.fraction));
@@ -120,7 +120,7 @@ Rational exact_value(const Decimal& decimal, bool is_negative) {
   return shift >= 0 ? Rational(Integer(digits * power)) : Rational(digits, power);
 }
 
-/// Returns the nearest double; infinite beyond all doubles.
+/// Returns the nearest double. It is infinite if the value exceeds all doubles.
 double nearest_value(const Decimal& decimal, bool is_negative) {
   constexpr std::int64_t kBeyond = 330;  // 10^330 and 10^-330 are neither doubles nor next to one.
   const Magnitude size = magnitude(decimal);
@@ -132,7 +132,8 @@ double nearest_value(const Decimal& decimal, bool is_negative) {
 
 constexpr std::string_view kNumber = "a number";
 
-/// Throws the error for a token that is no number. A number of another notation gets a hint.
+/// Throws the error for a token that is not a number. If the number has another notation, the error
+/// has a hint.
 [[noreturn]] void fail_number(const TextCursor& cursor, std::string_view token) {
   constexpr std::string_view kDigits = "+-0123456789";
   const std::size_t mark = token.find_first_not_of(kDigits);
@@ -209,7 +210,7 @@ NumberReader::NumberReader(const Context& context, bool exact_decimals, std::siz
       exact_decimals_(exact_decimals),
       expansion_left_(4 * static_cast<std::uint64_t>(file_bytes) + 24'000'000) {}
 
-/// Long numbers take longer than their bytes.
+/// Reading long numbers takes more time than is proportional to their bytes.
 void NumberReader::watch(std::size_t bytes) {
   constexpr std::size_t kBytesPerCheckpoint = std::size_t{1} << 16;
   bytes_unchecked_ += bytes;
@@ -219,7 +220,7 @@ void NumberReader::watch(std::size_t bytes) {
 }
 
 void NumberReader::require_few_digits(const TextCursor& cursor, std::string_view token) const {
-  constexpr std::size_t kOthers = 8;  // Signs, a point and an exponent.
+  constexpr std::size_t kOthers = 8;  // A sign, a point and an exponent.
   if (token.size() <= max_digits_ + kOthers) return;
   const bool is_fraction = token.find('/') != token.npos;
   const std::uint32_t most = is_fraction ? max_fraction_digits_ : max_digits_;
@@ -245,13 +246,13 @@ void NumberReader::read(const TextCursor& cursor, std::string_view token, ReadNu
 /// characters, and returns true. Otherwise returns false and changes nothing.
 bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
   constexpr std::size_t kMost = 32;
-  constexpr std::size_t kExact = 15;  // Integers of so many digits are doubles.
+  constexpr std::size_t kExact = 15;  // Integers with so many digits are doubles.
   if (exact_decimals_) return false;
   const std::string_view rest = cursor.rest().substr(0, kMost);
   double value = 0;
   const auto [end, code] = double_from_chars(rest.data(), rest.data() + rest.size(), value);
   const auto size = static_cast<std::size_t>(end - rest.data());
-  // from_chars also accepts "inf" and "nan".
+  // The function from_chars also accepts "inf" and "nan".
   if (code != std::errc() || !std::isfinite(value)) return false;
   if (size < rest.size() ? !TextCursor::ends_token(*end) : size == kMost) return false;
   if (size > kExact && rest.substr(0, size).find('.') == rest.npos) return false;
@@ -261,7 +262,8 @@ bool NumberReader::read_ordinary(TextCursor& cursor, ReadNumber& number) const {
 }
 
 void NumberReader::read_integer(std::string_view token, ReadNumber& number) const {
-  constexpr std::size_t kDoubleDigits = 15;  // 10^15 < 2^53.
+  // All these integers are doubles, because 10^15 < 2^53.
+  constexpr std::size_t kDoubleDigits = 15;
   const std::string_view digits = without_sign(token);
   if (digits.size() <= kDoubleDigits) {
     std::int64_t value = 0;
@@ -289,9 +291,9 @@ void NumberReader::read_fraction(const TextCursor& cursor, std::string_view toke
 
 void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token,
                                 ReadNumber& number) const {
-  // Longer ones are rare.
+  // Longer numbers are rare.
   constexpr std::size_t kMost = 64;
-  // from_chars does not accept a plus sign; "+-1" must not become "-1".
+  // The function from_chars does not accept a plus sign. The text "+-1" must not become "-1".
   const bool has_plus = token.starts_with('+') && !token.starts_with("+-");
   const std::string_view text = token.substr(has_plus ? 1 : 0);
   double value = 0;
@@ -299,7 +301,8 @@ void NumberReader::read_nearest(const TextCursor& cursor, std::string_view token
     const char* const last = text.data() + text.size();
     const auto [end, code] = double_from_chars(text.data(), last, value);
     const bool complete = end == last;
-    // from_chars also accepts "inf" and "nan"; those are not finite and fall through.
+    // The function from_chars also accepts "inf" and "nan". These values are not finite, so they
+    // are processed below.
     if (complete && code == std::errc() && std::isfinite(value)) return number.set(value);
   }
   const Decimal decimal = take_apart(token);
@@ -320,7 +323,8 @@ void NumberReader::read_exact_decimal(const TextCursor& cursor, std::string_view
   const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(shift_of(decimal)));
   const std::size_t digit_count = decimal.whole.size() + decimal.fraction.size();
   const bool is_far = static_cast<std::uint64_t>(std::abs(decimal.exponent)) > max_exponent_;
-  // Numerator and denominator together, so that what is read can be written as p/q and read again.
+  // Checks the numerator and the denominator together, so that the number can be written as p/q and
+  // read again.
   if (is_far || digit_count + distance >= max_digits_) {
     cursor.fail(ErrorCode::NumberOutOfRange,
                 "written out, " + quoted(token) + " has more than " + std::to_string(max_digits_) +
@@ -394,7 +398,7 @@ std::uint32_t RecordReader::read_count(std::string_view what) {
 
 void RecordReader::require_bytes(std::uint64_t bytes, const std::string& announced,
                                  const char* start) const {
-  // The last line may lack its line break.
+  // The line break of the last line may be missing.
   if (bytes <= std::uint64_t{cursor_.bytes_left()} + 1) return;
   cursor_.fail(ErrorCode::CountMismatch,
                announced + " are announced, but the file is too short for them", start);
@@ -464,7 +468,7 @@ std::uint32_t RecordReader::read_index(std::string_view what, std::uint32_t coun
                record_name() + " names a " + std::string(what) + "; there are none");
 }
 
-/// Reads ids of any length; those beyond every range become one that is beyond it too.
+/// Reads ids of any length. An id that exceeds every range becomes an id that exceeds it, too.
 std::uint32_t RecordReader::read_long_id(std::string_view token, std::string_view what) const {
   constexpr std::uint32_t kBeyond = kMostIds + 1;
   const std::string_view digits = token.substr(token.starts_with('-') ? 1 : 0);

@@ -78,7 +78,7 @@ int create_temporary(std::string& name) { return ::mkostemp(name.data(), O_CLOEX
 
 namespace {
 
-/// Returns the permissions that a file created by this process gets.
+/// Returns the permissions of a new file of this process.
 mode_t new_file_mode() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
