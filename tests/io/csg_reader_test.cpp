@@ -371,6 +371,47 @@ TEST_F(CsgImportsTest, LayersOfDrawingsAreSelectedMovedAndScaled) {
             Rational(5));
 }
 
+// OpenSCAD 2021.01 gives the same volumes. It scales the drawing and the top of the solid.
+TEST_F(CsgImportsTest, ExtrusionsNameDrawings) {
+  std::ofstream drawing(top_ / "model" / "plan.dxf");
+  drawing << "0\nSECTION\n2\nENTITIES\n";
+  for (const auto& [layer, x] : {std::pair("a", 0), std::pair("b", 10)}) {
+    drawing << "0\nLWPOLYLINE\n8\n" << layer << "\n70\n1\n";
+    for (const auto& [i, j] :
+         {std::pair(0, 0), std::pair(2, 0), std::pair(2, 3), std::pair(0, 3)}) {
+      drawing << "10\n" << x + i << "\n20\n" << j << '\n';
+    }
+  }
+  drawing << "0\nENDSEC\n0\nEOF\n";
+  drawing.close();
+  const auto read = [this](const std::string& text) {
+    return read_csg((top_ / "model" / "m.csg").string(), text, {CsgImports::BelowModel, false});
+  };
+  const auto volume = [&](const std::string& text) {
+    return *evaluate(read(text).tree).solid.volume();
+  };
+  const std::string linear = "linear_extrude(file = \"plan.dxf\", layer = ";
+  EXPECT_EQ(volume(linear + "\"\", height = 4, scale = [1, 1]);"), Rational(48));
+  EXPECT_EQ(volume(linear + "\"b\", height = 4, scale = [1, 1]);"), Rational(24));
+  EXPECT_EQ(volume(linear + "\"b\", origin = [5, 0], height = 3, scale = [2, 2]);"), Rational(168));
+  const Nef3 centred = evaluate(read(linear + "\"b\", height = 4, center = true);").tree).solid;
+  EXPECT_TRUE(centred.contains(RationalPoint3{10, 0, -2}));
+  // Four steps of a quarter turn: a square with a square hole.
+  EXPECT_NEAR(
+      nearest_double(volume("rotate_extrude(file = \"plan.dxf\", layer = \"b\", origin = [0, "
+                            "0], scale = 1, angle = 360, $fn = 4);")),
+      3 * 2 * (144 - 100), 1e-9);
+  // A child beside the drawing does not count; the drawing must lie below the model.
+  const CsgRead both =
+      read(linear + "\"b\", height = 4) { square(50); group() { cube(9); } } cube(1);");
+  EXPECT_EQ(evaluate(both.tree).solid.volume(), Rational(25));
+  EXPECT_EQ(both.notes,
+            std::vector<std::string>{"the children of extrusions that name a file left out"});
+  EXPECT_EQ(volume("linear_extrude(file = \"\", height = 2) square(3);"), Rational(18));
+  EXPECT_THROW(static_cast<void>(read("linear_extrude(file = \"../plan.dxf\", height = 2);")),
+               Error);
+}
+
 TEST_F(CsgImportsTest, DrawingsInSvgCanBeCentred) {
   std::ofstream(top_ / "model" / "plan.svg")
       << "<svg width='20mm' height='10mm' viewBox='0 0 40 20'><rect x='2' y='4' width='8' "

@@ -35,6 +35,8 @@ MODELS = (
     'surface("image.png", center = true, invert = true);',
     'linear_extrude(2) import("plan.dxf");',
     'linear_extrude(2) import("plan.dxf", layer = "a", scale = 2.5, origin = [3, 4], $fn = 7);',
+    'linear_extrude(file = "plan.dxf", layer = "a", height = 3, scale = 2, origin = [3, 4], $fn = 7);',
+    'rotate_extrude(file = "plan.dxf", layer = "a", $fn = 9);',
     'difference() { cube(9); for (i = [0 : 3]) translate([2 * i, 1, 1]) rotate([0, 10 * i, 0]) cylinder(r = 1, h = 20, $fn = 9); }',
     'hull() { polyhedron([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]]); translate([0, 0, 3]) cube(1); }',
     'linear_extrude(5, twist = 500, scale = [3, 1]) translate([1, 0]) square([3, 2]);',

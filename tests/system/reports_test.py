@@ -174,6 +174,10 @@ ROWS = [
     Row("46-svg-style-sheet", "plane info classes.svg", 0, "area 9\n", "style sheet"),
     # A model without volume: told, also with -q.
     Row("44-empty-model", "solid csg flat.csg -q -o OUT.off", 0, "warning: the model is empty"),
+    # Extrusions of OpenSCAD that name a drawing themselves.
+    Row("45-extrusion-names-a-drawing", "solid csg linear.csg -o OUT.off", 0, "", ("passed over", "empty")),
+    Row("45-extrusion-names-a-drawing", "solid info OUT.off", 0, "volume 168\n"),
+    Row("45-extrusion-names-a-drawing", "solid csg rotate.csg -o OUT.off", 0, "", ("passed over", "empty")),
 ]
 
 

@@ -64,7 +64,9 @@ class ModelReader {
   /// A node whose block is open.
   struct Open {
     std::uint32_t node;
-    bool is_left_out;
+    bool is_left_out;                // By the modifier * or %.
+    bool leaves_out_children;        // Because an extrusion names a drawing.
+    bool is_beside_drawing = false;  // A child of such an extrusion.
   };
 
   std::vector<CsgTree::Node>& tree_nodes() { return read_.tree.nodes; }
@@ -88,7 +90,8 @@ class ModelReader {
         continue;
       }
       const Open node{static_cast<std::uint32_t>(tree_nodes().size()),
-                      scanner_.has('*') || scanner_.has('%')};
+                      scanner_.has('*') || scanner_.has('%'), nodes_.names_profile(),
+                      !open.empty() && open.back().leaves_out_children};
       nodes_.append();
       if (scanner_.has('!') && !root_) root_ = node.node;
       if (event == Event::Open) {
@@ -104,6 +107,12 @@ class ModelReader {
   }
 
   void close(const Open& open) {
+    if (open.is_beside_drawing) {
+      has_children_beside_drawing_ = true;
+      nodes_.remove_from(open.node);
+      if (root_ && *root_ >= open.node) root_.reset();
+      return;
+    }
     if (!open.is_left_out) {
       tree_nodes()[open.node].end = static_cast<std::uint32_t>(tree_nodes().size());
       return;
@@ -114,6 +123,9 @@ class ModelReader {
   }
 
   void note_left_out() {
+    if (has_children_beside_drawing_) {
+      read_.notes.emplace_back("the children of extrusions that name a file left out");
+    }
     if (left_out_ == 0) return;
     read_.notes.push_back(std::to_string(left_out_) + (left_out_ == 1 ? " node" : " nodes") +
                           " with the modifier * or % left out");
@@ -279,6 +291,7 @@ class ModelReader {
   CsgNodes nodes_;
   std::optional<std::uint32_t> root_;  // The first node with the modifier `!`.
   std::uint64_t left_out_ = 0;
+  bool has_children_beside_drawing_ = false;
   std::map<std::string, std::vector<Imported>> imported_;  // The key is the name of the file.
 };
 

@@ -41,9 +41,11 @@ constexpr std::array kWords{
     CsgWord{"resize", CsgKind::Resize, " newsize auto convexity "},
     CsgWord{"offset", CsgKind::Offset, " r delta chamfer $fn $fa $fs "},
     CsgWord{"projection", CsgKind::Projection, " cut convexity "},
-    CsgWord{"linear_extrude", CsgKind::LinearExtrude,
-            " height center twist slices scale convexity v $fn $fa $fs "},
-    CsgWord{"rotate_extrude", CsgKind::RotateExtrude, " angle start convexity $fn $fa $fs "},
+    CsgWord{
+        "linear_extrude", CsgKind::LinearExtrude,
+        " height center twist slices scale convexity v file layer origin timestamp $fn $fa $fs "},
+    CsgWord{"rotate_extrude", CsgKind::RotateExtrude,
+            " angle start convexity file layer origin scale timestamp $fn $fa $fs "},
     CsgWord{"cube", CsgKind::Cube, " size center "},
     CsgWord{"sphere", CsgKind::Sphere, " r $fn $fa $fs "},
     CsgWord{"cylinder", CsgKind::Cylinder, " h r r1 r2 center $fn $fa $fs "},
@@ -90,6 +92,7 @@ void CsgNodes::append() {
   tree_.nodes.push_back(node);
   append_numbers(kind);
   if (scanner_.name() == "text") append_text();
+  if (names_profile()) append_profile();
   CsgTree::Node& added = tree_.nodes[node.end - 1];
   if (tree_.nodes.size() == added.end) count_entries(added);
   added.end = static_cast<std::uint32_t>(tree_.nodes.size());
@@ -283,6 +286,29 @@ void CsgNodes::append_lists(std::optional<CsgValue> lists, std::uint32_t points,
   }
 }
 
+/// Whether the node is an extrusion of a drawing that it names itself.
+bool CsgNodes::names_profile() {
+  const std::string_view name = scanner_.name();
+  if (name != "linear_extrude" && name != "rotate_extrude") return false;
+  const std::optional<CsgValue> file = find("file");
+  return file && file->kind == Kind::Text && !scanner_.text_of(*file).empty();
+}
+
+/// Appends the drawing that an extrusion names, as its only child. As in OpenSCAD, `scale` scales
+/// the drawing; of linear_extrude() it is also the scale at the top.
+void CsgNodes::append_profile() {
+  count_entries(tree_.nodes.back());
+  CsgTree::Node node = tree_.nodes.back();
+  node.kind = CsgKind::Solid;
+  node.end = static_cast<std::uint32_t>(tree_.nodes.size() + 1);
+  node.first_number = static_cast<std::uint32_t>(tree_.numbers.size());
+  node.first_index = static_cast<std::uint32_t>(tree_.indices.size());
+  node.number_count = node.index_count = 0;
+  memory_.add(sizeof(CsgTree::Node), "a model");
+  tree_.nodes.push_back(node);
+  append_import();
+}
+
 void CsgNodes::append_import() {
   const std::optional<CsgValue> file = find_or_first("file");
   if (!file || file->kind != Kind::Text) {
@@ -295,7 +321,8 @@ void CsgNodes::append_import() {
   import.file = scanner_.text_of(*file);
   import.division = division();
   import.is_surface = scanner_.name() == "surface";
-  import.is_centred = flag("center") != 0;
+  // The center of linear_extrude() is that of the solid.
+  import.is_centred = !names_profile() && flag("center") != 0;
   if (import.is_surface) import.is_inverted = flag("invert") != 0;
   if (const auto layer = find("layer"); layer && layer->kind == Kind::Text) {
     import.layer = scanner_.text_of(*layer);
@@ -306,7 +333,14 @@ void CsgNodes::append_import() {
       import.origin[i] = number_of(values[i]);
     }
   }
-  import.scale = number("scale", 1);
+  const std::optional<CsgValue> scale = find("scale");
+  const bool is_vector = scale && scale->kind == Kind::Vector;
+  if (is_vector && names_profile()) {
+    const std::vector<CsgValue> scales = elements(*scale);
+    if (!scales.empty()) import.scale = number_of(scales[0]);
+  } else {
+    import.scale = number("scale", 1);
+  }
   if (!(import.scale > 0)) {
     scanner_.fail(ErrorCode::BadArgument, "the scale of an import must be positive");
   }

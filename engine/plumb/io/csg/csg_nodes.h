@@ -43,8 +43,11 @@ class CsgNodes {
       : tree_(tree), scanner_(scanner), context_(context), memory_(context) {}
 
   /// Appends the node that the scanner reported last. Its subtree is the node alone, except for
-  /// text(), which is a group of polygons.
+  /// text(), which is a group of polygons, and for an extrusion that names a drawing.
   void append();
+  /// Whether the node that the scanner reported last is an extrusion that names a drawing. The
+  /// drawing is its only child; children in its block do not count.
+  bool names_profile();
   /// Removes the last nodes, from a node on.
   void remove_from(std::uint32_t node);
 
@@ -67,6 +70,7 @@ class CsgNodes {
   void append_points(std::uint32_t axes);
   void append_lists(std::optional<CsgValue> lists, std::uint32_t points, bool are_faces);
   void append_import();
+  void append_profile();
   void append_text();
   void append_glyph(const GlyphOutline& glyph);
   TextOutlines outlines_of(const TextRequest& request);
