@@ -59,7 +59,7 @@ struct LayerDraft {
   JsonReplaced replaced;          // The parts of the text that are not JSON.
   bool has_heights = false;       // Whether positions have numbers after x and y.
   std::set<std::string> members;  // The names of unknown members of features and collections.
-  std::size_t steps = 0;          // The number of points and corners since the last checkpoint.
+  std::size_t steps = 0;          // The number of points and corners so far, for checkpoints.
   bool has_unnamed_crs = false;
 };
 
