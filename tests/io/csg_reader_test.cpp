@@ -171,9 +171,11 @@ TEST(CsgReader, RefusesAtThePlace) {
   expect_refusal("cube(size = abc);", ErrorCode::Syntax, "m.csg:1:13: expected a number, a vector");
   expect_refusal("cube(size = 1x);", ErrorCode::Syntax, "m.csg:1:13: ");
   expect_refusal("cube(size = 1e999);", ErrorCode::NumberOutOfRange, "m.csg:1:13: ");
-  expect_refusal("cube(size = inf);", ErrorCode::NumberOutOfRange,
-                 "m.csg:1:13: the number is not finite");
-  expect_refusal("cube(size = [1, -nan, 2]);", ErrorCode::NumberOutOfRange, "m.csg:1:17: ");
+  expect_refusal("offset(r = inf) square();", ErrorCode::NumberOutOfRange,
+                 "m.csg:1:12: the number is not finite");
+  expect_refusal("polygon(points = [[1, -nan], [1, 1], [2, 2]]);", ErrorCode::NumberOutOfRange,
+                 "m.csg:1:23: ");
+  expect_refusal("cube(size = infinite);", ErrorCode::Syntax, "m.csg:1:13: ");
   expect_refusal("cube(size = \"a\");", ErrorCode::BadArgument, "m.csg:1:13: expected a vector");
   expect_refusal("sphere(r = [1]);", ErrorCode::BadArgument, "m.csg:1:12: expected a number");
   expect_refusal("multmatrix();", ErrorCode::BadArgument, "m.csg:1:1: multmatrix needs a matrix");
@@ -190,6 +192,26 @@ TEST(CsgReader, RefusesAtThePlace) {
   expect_refusal("import(file = \"a\x01\");", ErrorCode::NotText, "m.csg:1:17: ");
   expect_refusal("cube(size = " + std::string(100, '[') + ");", ErrorCode::Syntax,
                  "m.csg:1:77: vectors are nested too deep");
+}
+
+// OpenSCAD 2021.01 gives the same volumes and writes such models.
+TEST(CsgReader, NodesWithNumbersThatAreNotFiniteGiveNothing) {
+  for (const std::string text :
+       {"cube(size = inf);", "cube(size = [1, -nan, 2]);", "sphere(r = -inf);",
+        "cylinder(h = 1, r1 = inf, r2 = 1);", "linear_extrude(height = 1) circle(r = nan);",
+        "linear_extrude(height = 1) square(size = [inf, 1]);",
+        "multmatrix([[nan, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) cube(size = 2);"}) {
+    const CsgRead read = read_csg("m.csg", "difference() { cube(size = 3); " + text + " }");
+    EXPECT_EQ(evaluate(read.tree).solid.volume(), Rational(27)) << text;
+    ASSERT_EQ(read.warnings.size(), 1U) << text;
+    EXPECT_NE(read.warnings[0].find("a number is not finite, so it gives nothing"),
+              std::string::npos);
+  }
+  const CsgRead read = read_csg("m.csg", "cylinder(h = 1, r1 = 2, r2 = 2, $fn = inf);");
+  EXPECT_EQ(evaluate(read.tree).solid.volume(),
+            evaluate(tree_of("cylinder(h = 1, r1 = 2, r2 = 2, $fn = 3);")).solid.volume());
+  EXPECT_EQ(read.warnings,
+            std::vector<std::string>{"1:1: cylinder: $fn is not finite, so it counts as 3"});
 }
 
 // OpenSCAD 2021.01 gives the same volumes and areas.
@@ -333,6 +355,17 @@ TEST_F(CsgImportsTest, ErrorsOfImportedFilesNameBothPlaces) {
     EXPECT_NE(text.find("m.csg:1:1: import: "), std::string::npos) << text;
     EXPECT_NE(text.find("bad.off:3:5: "), std::string::npos) << text;
   }
+}
+
+// OpenSCAD refuses these polyhedra in Booleans, because some of their faces are flipped.
+TEST(CsgReader, FlippedFacesOfPolyhedraAreTurned) {
+  const std::string points = "polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = ";
+  const CsgResult tetrahedron = evaluate(tree_of(points + "[[0,1,2],[0,1,3],[1,2,3],[2,0,3]]);"));
+  EXPECT_EQ(tetrahedron.solid.volume(), Rational(1) / 6);
+  ASSERT_EQ(tetrahedron.notes.size(), 1U);
+  EXPECT_NE(tetrahedron.notes[0].find("1 face is oriented opposite"), std::string::npos);
+  // A face is missing, and one of the others is flipped.
+  EXPECT_THROW(evaluate(tree_of(points + "[[0,1,3],[3,2,1],[2,0,3]]);")), Error);
 }
 
 // Layer "a" has a square of side 2 at (4, 6), layer "b" one of side 1; layer "open" has a line.

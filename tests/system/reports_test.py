@@ -177,6 +177,12 @@ ROWS = [
     # Extrusions of OpenSCAD that name a drawing themselves.
     Row("45-extrusion-names-a-drawing", "solid csg linear.csg -o OUT.off", 0, "", ("passed over", "empty")),
     Row("45-extrusion-names-a-drawing", "solid info OUT.off", 0, "volume 168\n"),
+    # Numbers that are not finite, as OpenSCAD writes them; a polyhedron with flipped faces in a Minkowski sum.
+    Row("46-openscad-odd-numbers-and-faces", "solid csg notfinite.csg -q -o OUT.off", 0, ("1:1: cube: a number is not finite",
+        "$fn is not finite")),
+    Row("46-openscad-odd-numbers-and-faces", "solid info OUT.off", 0, "volume 1\n"),
+    Row("46-openscad-odd-numbers-and-faces", "solid csg minkowski.csg -o OUT.off", 0, "4 faces are oriented opposite"),
+    Row("46-openscad-odd-numbers-and-faces", "solid info OUT.off", 0, "volume 37603/6\n"),
     Row("45-extrusion-names-a-drawing", "solid csg rotate.csg -o OUT.off", 0, "", ("passed over", "empty")),
 ]
 

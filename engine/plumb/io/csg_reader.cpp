@@ -46,6 +46,7 @@ class ModelReader {
   CsgRead run() {
     read_nodes_with_places();
     read_.notes = nodes_.notes();
+    read_.warnings = nodes_.warnings();
     note_left_out();
     if (root_) keep_subtree(*root_);
     for (const CsgImport& import : nodes_.imports()) import_file(import);

@@ -26,7 +26,9 @@
 #include "plumb/predicates/arithmetic/elementary.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/rounding.h"
+#include "plumb/space/from_mesh.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/repair_mesh.h"
 
 namespace plumb {
 namespace {
@@ -68,9 +70,25 @@ PolygonMesh mesh_of(Numbers n, std::span<const std::uint32_t> indices) {
   return mesh;
 }
 
-Nef3 polyhedron(Numbers n, std::span<const std::uint32_t> indices, Context& context) {
-  const PolygonMesh mesh = mesh_of(n, indices);
-  return mesh.face_count() == 0 ? Nef3::empty() : Nef3::from_mesh(mesh, {}, context);
+/// Returns the solid of a polyhedron node. If the mesh has no holes, faces with the wrong
+/// orientation are flipped.
+Nef3 polyhedron(Numbers n, std::span<const std::uint32_t> indices, std::string& remark,
+                Context& context) {
+  PolygonMesh mesh = mesh_of(n, indices);
+  if (mesh.face_count() == 0) return Nef3::empty();
+  try {
+    return Nef3::from_mesh(mesh, {}, context);
+  } catch (const OpenMesh&) {
+    RepairOptions options;
+    options.reorient = true;
+    const RepairReport report = repair_mesh(mesh, options, context);
+    if (!report.is_closed() || report.flipped.empty()) throw;
+    remark = std::to_string(report.flipped.size()) +
+             (report.flipped.size() == 1 ? " face is" : " faces are") +
+             " oriented opposite to the others, and flipped; the first is face " +
+             std::to_string(report.flipped[0]) + " (0-based)";
+  }
+  return Nef3::from_mesh(mesh, {}, context);
 }
 
 Nef2 polygon(Numbers n, std::span<const std::uint32_t> indices, Context& context) {
@@ -273,7 +291,7 @@ Nef3 primitive_solid(const CsgTree& tree, const CsgTree::Node& node, std::string
   const Numbers n = tree.numbers_of(node);
   const auto indices = tree.indices_of(node);
   if (node.kind == CsgKind::Solid) return tree.solids.at(indices[0]);
-  if (node.kind == CsgKind::Polyhedron) return polyhedron(n, indices, context);
+  if (node.kind == CsgKind::Polyhedron) return polyhedron(n, indices, remark, context);
   if (node.kind == CsgKind::Cube && are_positive(n.first(3))) {
     return Nef3::from_mesh(box_mesh({n[0], n[1], n[2]}, placement(n[3])), {}, context);
   }

@@ -90,7 +90,9 @@ void CsgNodes::append() {
   node.line = scanner_.line();
   node.column = scanner_.column();
   tree_.nodes.push_back(node);
+  has_lost_number_ = false;
   append_numbers(kind);
+  if (has_lost_number_) empty_last_node();
   if (scanner_.name() == "text") append_text();
   if (names_profile()) append_profile();
   CsgTree::Node& added = tree_.nodes[node.end - 1];
@@ -430,7 +432,16 @@ void CsgNodes::count_entries(CsgTree::Node& node) const {
 /// Zero or negative angles and lengths would divide a circle into endlessly many chords; OpenSCAD
 /// takes 0.01 instead.
 CircleDivision CsgNodes::division() {
-  return {number("$fn", 0), std::max(number("$fa", 12), 0.01), std::max(number("$fs", 2), 0.01)};
+  return {fragments(), std::max(number("$fa", 12), 0.01), std::max(number("$fs", 2), 0.01)};
+}
+
+/// Returns $fn. As in OpenSCAD, a number that is not finite counts as 3.
+double CsgNodes::fragments() {
+  const std::optional<CsgValue> value = find("$fn");
+  if (!value || value->kind != Kind::Number || std::isfinite(value->number))
+    return number("$fn", 0);
+  add_warning("$fn is not finite, so it counts as 3");
+  return 3;
 }
 
 void CsgNodes::append_division() {
@@ -464,7 +475,30 @@ double CsgNodes::number_of(const CsgValue& value) {
   if (value.kind != Kind::Number && value.kind != Kind::Boolean) {
     scanner_.fail(ErrorCode::BadArgument, "expected a number", value.at);
   }
-  return value.number;
+  if (std::isfinite(value.number)) return value.number;
+  // As in OpenSCAD, a primitive or a matrix with such a number gives nothing.
+  const std::string_view name = scanner_.name();
+  constexpr std::array<std::string_view, 6> kEmptied{"cube",   "sphere", "cylinder",
+                                                     "square", "circle", "multmatrix"};
+  if (std::find(kEmptied.begin(), kEmptied.end(), name) == kEmptied.end()) {
+    scanner_.fail(ErrorCode::NumberOutOfRange, "the number is not finite", value.at);
+  }
+  has_lost_number_ = true;
+  return 0;
+}
+
+/// Sets all numbers of the last node to 0, which makes a primitive or an image empty.
+void CsgNodes::empty_last_node() {
+  const std::size_t first = tree_.nodes.back().first_number;
+  std::fill(tree_.numbers.begin() + static_cast<std::ptrdiff_t>(first), tree_.numbers.end(), 0);
+  add_warning("a number is not finite, so it gives nothing");
+}
+
+/// Adds a warning with the place of the node that the scanner reported last.
+void CsgNodes::add_warning(const std::string& text) {
+  if (warnings_.size() >= kMostNotes) return;
+  warnings_.push_back(std::to_string(scanner_.line()) + ":" + std::to_string(scanner_.column()) +
+                      ": " + std::string(scanner_.name()) + ": " + text);
 }
 
 double CsgNodes::number(std::string_view name, double otherwise) {
@@ -507,7 +541,7 @@ void CsgNodes::append_vector(const std::optional<CsgValue>& value, std::size_t c
                              double otherwise) {
   std::vector<double> numbers(count, otherwise);
   if (value && value->kind == Kind::Number) {
-    std::fill(numbers.begin(), numbers.end(), value->number);
+    std::fill(numbers.begin(), numbers.end(), number_of(*value));
   } else if (value) {
     const std::vector<CsgValue> all = elements(*value);
     for (std::size_t i = 0; i < std::min(count, all.size()); ++i) numbers[i] = number_of(all[i]);

@@ -54,6 +54,8 @@ class CsgNodes {
   std::vector<CsgImport>& imports() { return imports_; }
   /// Notes on parameters that were skipped, each once.
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Warnings about nodes that give less than they state, because a number is not finite.
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   using Kind = CsgValue::Kind;
@@ -78,7 +80,10 @@ class CsgNodes {
   std::string text(std::string_view name, const std::string& otherwise);
   void append_division();
   CircleDivision division();
+  void empty_last_node();
+  double fragments();
   void note_unknown();
+  void add_warning(const std::string& text);
   void add_note(const std::string& note);
 
   std::optional<CsgValue> find(std::string_view name);
@@ -100,6 +105,8 @@ class CsgNodes {
   MemoryCharge memory_;
   std::vector<CsgImport> imports_;
   std::vector<std::string> notes_;
+  std::vector<std::string> warnings_;
+  bool has_lost_number_ = false;  // Whether a number of the node is not finite.
 };
 
 }  // namespace plumb

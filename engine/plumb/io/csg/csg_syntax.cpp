@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 #include "plumb/io/text/double_text.h"
@@ -29,6 +30,7 @@ bool is_modifier(char c) { return c == '#' || c == '%' || c == '!' || c == '*'; 
 constexpr std::uint64_t kNodesBetweenReports = 1024;
 /// Vectors are as deep as a matrix or a list of points, not much deeper.
 constexpr std::size_t kMostVectors = 64;
+constexpr double kNotFinite = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -247,10 +249,8 @@ void CsgScanner::read_scalar() {
   if (w == "true") return push(CsgValue::Kind::Boolean, 1, first);
   if (w == "false") return push(CsgValue::Kind::Boolean, 0, first);
   if (w == "undef") return push(CsgValue::Kind::Undefined, 0, first);
+  if (w == "inf" || w == "nan") return push(CsgValue::Kind::Number, kNotFinite, first);
   p_ = first;
-  if (w == "inf" || w == "nan") {
-    fail(ErrorCode::NumberOutOfRange, "the number is not finite: " + std::string(w), first);
-  }
   if (at == end_) fail_unexpected("a value");
   fail_unexpected("a number, a vector, a text, true, false or undef");
 }
@@ -262,8 +262,10 @@ void CsgScanner::read_number() {
     return !is_csg_digit(c) && !is_csg_letter(c) && c != '.' && c != '-' && c != '+';
   });
   const std::string_view token(first, static_cast<std::size_t>(last - first));
-  if (starts_not_finite(token)) {
-    fail(ErrorCode::NumberOutOfRange, "the number is not finite: " + plumb::quoted(token), first);
+  const std::string_view magnitude(digits + (*digits == '-' ? 1 : 0), last);
+  if (magnitude == "inf" || magnitude == "nan") {
+    p_ = last;
+    return push(CsgValue::Kind::Number, kNotFinite, first);
   }
   double value = 0;
   constexpr std::ptrdiff_t kMost = 64;  // Longer numbers are rare, and may be very long.

@@ -26,7 +26,7 @@ namespace plumb {
 struct CsgValue {
   enum class Kind : std::uint8_t { Undefined, Number, Boolean, Text, Vector };
   Kind kind = Kind::Undefined;
-  double number = 0;         ///< The number; 0 or 1 for a Boolean.
+  double number = 0;         ///< The number, which is NaN if it is not finite; a Boolean is 0 or 1.
   std::uint32_t first = 0;   ///< The first value within a vector: the value after it.
   std::uint32_t end = 0;     ///< The value after the last value within this one.
   const char* at = nullptr;  ///< Where it begins in the text.
