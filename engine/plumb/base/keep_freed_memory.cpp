@@ -16,7 +16,8 @@ namespace plumb {
 namespace {
 
 #if defined(__GLIBC__)
-/// Whether the address space of the process is so limited that the process would miss a reserve.
+/// Whether the address space of the process may be so small that a reserve would take a part of it
+/// that the process needs.
 bool is_address_space_scarce() {
   constexpr rlim_t kPlenty = rlim_t{1} << 30;
   rlimit limit{};

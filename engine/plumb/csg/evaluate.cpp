@@ -254,7 +254,7 @@ class Evaluator {
     return std::span(inputs_).subspan(input_begin_[i], end - input_begin_[i]);
   }
 
-  /// Returns the numbers that, together with the kind, determine what a node computes.
+  /// Returns those numbers of a node on which its value depends. For a union, there are none.
   std::span<const double> numbers_of(std::uint32_t i) const {
     return is_union(node(i).kind) ? std::span<const double>() : tree_.numbers_of(node(i));
   }

@@ -29,8 +29,8 @@ struct BoxLevels {
 };
 
 /// Returns the nodes over boxes. `leaf` consecutive boxes make a leaf, and two consecutive nodes
-/// make the node above them. The boxes are appended to `empty`, and each level is filled up with
-/// `nowhere`. Requires that the boxes fill all leaves. O(n).
+/// make the node above them. The box of a leaf is `empty`, extended by the boxes of the leaf. Each
+/// level is filled up with `nowhere`. Requires that the boxes fill all leaves. O(n).
 template <class Box>
 BoxLevels<Box> levels_over(const std::vector<Box>& boxes, std::size_t leaf, const Box& empty,
                            const Box& nowhere) {

@@ -21,7 +21,7 @@ namespace {
 
 enum class OnLimit : std::uint8_t { Fail, RunAgain };
 
-/// Whether the exception that is being handled reports an exceeded limit, such as the memory limit.
+/// Whether the exception that is being handled reports an exceeded limit, or a lack of memory.
 bool is_limit() {
   try {
     throw;
@@ -54,8 +54,8 @@ class Jobs {
       others.reserve(workers);
       try {
         for (std::size_t i = 1; i < workers; ++i) others.emplace_back([this] { work(false); });
-      } catch (const std::system_error&) {  // The system refuses more threads.
-      } catch (const std::bad_alloc&) {     // There is no memory for more threads.
+      } catch (const std::system_error&) {  // The system has no more threads. Fewer do the work.
+      } catch (const std::bad_alloc&) {     // There is no memory for one more. Fewer do the work.
       }
       work(true);
     }

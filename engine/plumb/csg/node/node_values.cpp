@@ -35,7 +35,7 @@ namespace {
 
 using Numbers = std::span<const double>;
 
-/// The least length that OpenSCAD accepts.
+/// If a radius or a shift is shorter than this, OpenSCAD makes the fewest slices.
 constexpr double kLeastLength = 0x1p-20;
 constexpr double kMostSlices = 1 << 20;
 /// OpenSCAD prolongs mitres as far as they go, up to this limit.
