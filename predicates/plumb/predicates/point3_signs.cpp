@@ -333,7 +333,8 @@ bool equal(const Point3Table& points, SpacePoint x, SpacePoint y) {
 namespace {
 
 /// An axis along which the line of p and q is not constant, and the sign of its direction n_p x n_q
-/// along this axis. If doubles determine it, the axis is the one along which the line is steepest.
+/// along this axis. If possible, it is the axis of the greatest component of this direction in
+/// doubles.
 struct Direction {
   std::size_t axis;
   Sign sign;
@@ -357,9 +358,9 @@ Direction direction_of(const PlaneTable& planes, PlaneId p, PlaneId q) {
 
 }  // namespace
 
-/// Boxes decide along the axis along which the line is steepest. Otherwise let s be a plane of y
-/// that cuts the line, and y = x + l (n_p x n_q). Then 0 = s(y) = s(x) + l det3(p, q, s), so l has
-/// the sign of -s(x) det3(p, q, s).
+/// Boxes decide along the axis of the greatest component of the line's direction. Otherwise let s
+/// be a plane of y that cuts the line, and y = x + l (n_p x n_q). Then 0 = s(y) = s(x) + l det3(p,
+/// q, s), so l has the sign of -s(x) det3(p, q, s).
 Sign order_along_line(const Point3Table& points, PlaneId p, PlaneId q, SpacePoint x, SpacePoint y) {
   if (x == y) return Sign::Zero;
   const Direction along = direction_of(points.planes(), p, q);

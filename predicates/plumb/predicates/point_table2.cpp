@@ -44,7 +44,7 @@ void PointTable2::push_back(Point2 p) {
   if (!slot_.empty()) slot_.push_back(kNoSlot);
 }
 
-/// Slots are made when the first point is added that doubles cannot represent.
+/// Slots are made only when the first point is added that doubles cannot represent.
 void PointTable2::push_back(const Rational& x, const Rational& y) {
   const RoundedDouble rx = round_to_double(x);
   const RoundedDouble ry = round_to_double(y);

@@ -201,7 +201,7 @@ Integer::Integer(std::string_view text) {
     throw Error(ErrorCode::Syntax, "not an integer: '" + std::string(text) + "'");
   }
   reset();
-  Integer read;  // The array owns the memory, so an exception leaks no memory.
+  Integer read;  // The object owns the memory, so an exception leaks no memory.
   mpz_set_str(read.value_, std::string(digits).c_str(), 10);
   if (text.front() == '-') read.negate();
   std::swap(value_[0], read.value_[0]);

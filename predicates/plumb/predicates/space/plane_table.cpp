@@ -312,7 +312,7 @@ PlaneTable::Draft PlaneTable::draft(const PlaneSource& corners) const {
 
 namespace {
 
-// So many triangles share one inversion. The scratch memory fits into the first level of the cache.
+// The number of triangles that share one inversion. The scratch memory fits into the L1 cache.
 constexpr std::size_t kBlock = 256;
 
 }  // namespace

@@ -177,8 +177,8 @@ bool has_frame(const PointOperand& operand) {
 
 namespace {
 
-/// Returns two input points that define both planes, if there are two. The line of the planes is
-/// the line through these points.
+/// Returns two input points that occur in the definitions of both planes, if there are two. The
+/// line of the planes is the line through these points.
 std::optional<std::array<InputPointId, 2>> common_points(const PlaneSource& p,
                                                          const PlaneSource& q) {
   if (p.is_explicit() || q.is_explicit()) return {};
@@ -255,7 +255,7 @@ bool is_parallel(const PlaneTable& planes, PlaneId plane, std::size_t axis) {
          are_along(corner(2), corner(0), axis);
 }
 
-/// Returns an input point that defines both planes, if there is one.
+/// Returns an input point that occurs in the definitions of both planes, if there is one.
 std::optional<InputPointId> common_point(const PlaneSource& p, const PlaneSource& q) {
   if (p.is_explicit()) return {};
   const auto* const found =

@@ -105,10 +105,10 @@ Value value_at(const PlaneRow& plane, const Point3& a) {
           static_cast<double>(plane.normal_error) * size + static_cast<double>(plane.offset_error)};
 }
 
-/// Returns a box around the point where the line from a to b cuts the plane; The box is not good
+/// Returns a box around the point where the line from a to b cuts the plane. The box is not good
 /// unless the line certainly cuts the plane. The test of ew also bounds t: ew is at least 2^-48
-/// (|a|_1 + |d|), up to roundings, and |s(a)| is at most |a|_1 + |d|, so that |t| < 2^48. Where a +
-/// t (b - a) overflows all the same, the box is infinite or NaN, which is_good() refuses.
+/// (|a|_1 + |d|), up to roundings, and |s(a)| is at most |a|_1 + |d|, so that |t| < 2^48. If
+/// a + t (b - a) overflows all the same, the box is infinite or NaN, which is_good() refuses.
 PointBox fast_box(const Point3& a, const Point3& b, const PlaneRow& plane) {
   const Value at_a = value_at(plane, a), at_b = value_at(plane, b);
   const double w = at_a.value - at_b.value;
