@@ -44,7 +44,7 @@ namespace plumb::cli {
 
 class PieceFiles {
  public:
-  /// Creates the folder. If the folder has no name, no pieces are written. Throws Error{Usage} and
+  /// Creates the folder. If its name is empty, no pieces are written. Throws Error{Usage} and
   /// Error{CannotWrite}.
   explicit PieceFiles(std::string directory);
 
@@ -326,8 +326,8 @@ class Decomposition : public CommandBody {
     if (session.options().json) answer.matches = do_areas_add_up(set, found.pieces, context);
     return answer;
   }
-  /// Writes the files of the pieces. The coordinates of all pieces are rounded together, so that
-  /// pieces with a common border still have it after rounding.
+  /// Writes the files of the pieces. If the format has doubles, all pieces are rounded together, so
+  /// that pieces with a common border still have it after rounding.
   static void write_pieces(const std::vector<Nef2>& pieces, PieceFiles& files, Session& session) {
     Context& context = session.context();
     const std::string& asked = session.options().format;

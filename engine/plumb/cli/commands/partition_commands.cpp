@@ -1,9 +1,10 @@
 // The commands that divide the plane: `plumb plane triangulate`, `plumb plane voronoi` and `plumb
 // plane arrange`.
 //
-// The set is triangulated after its coordinates are rounded to doubles, so the written triangles
-// are exact. Cells and faces are made exactly and then rounded together as a layer (repair_layer),
-// so that they share their borders. Tested by tests/cli/plane_command_test.cpp.
+// The set is triangulated after its coordinates are rounded to doubles, so the triangles are
+// written exactly as they were made. Cells and faces are made exactly and then rounded together as
+// a layer (repair_layer), so that they share their borders.
+// Tested by tests/cli/plane_command_test.cpp.
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>

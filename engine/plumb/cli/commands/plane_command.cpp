@@ -130,7 +130,7 @@ void PlaneFeatures::add(PlaneOperand& operand) {
   operand.features = {};
 }
 
-/// Returns the features of a set as GeoJSON text.
+/// Returns the features of a set as GeoJSON text, or the set if its features are not kept.
 ReadyFile Plane::ready(const Nef2& set, const PlaneFeatures& features, const SetOutput& output,
                        Session& session) {
   Context& context = session.context();

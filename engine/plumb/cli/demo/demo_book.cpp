@@ -119,8 +119,8 @@ std::string data_uri(std::string_view svg) {
   return uri;
 }
 
-/// Returns a page that is embedded in this page and loaded on demand, because a browser cannot show
-/// many such pages at the same time.
+/// A script that embeds a page in this page when its button is pressed, because a browser cannot
+/// show many such pages at the same time.
 constexpr std::string_view kTurning = R"(<script>
 for (const button of document.querySelectorAll('figure button')) button.addEventListener('click', () => {
   const frame = document.createElement('iframe');
@@ -231,9 +231,9 @@ DemoBook::DemoBook(fs::path directory, Session& session)
   if (error) throw Error(ErrorCode::CannotWrite, error.message(), {file_name_of(directory_)});
 }
 
-/// The file is searched in $PLUMB_ROOT if this variable is set. Otherwise it is searched in the
-/// sources from which the program was built. If these do not exist, it is searched where `cmake
-/// --install` and the packages install it.
+/// The file is in $PLUMB_ROOT if this variable is set. Otherwise, it is in the sources from which
+/// the program was built, if they exist. Otherwise, it is where `cmake --install` and the packages
+/// install it.
 std::string DemoBook::bundled(const std::string& file) {
   const char* const root = std::getenv("PLUMB_ROOT");
   if (root != nullptr && *root != '\0') return file_name_of(path_of(root) / "corpus" / file);

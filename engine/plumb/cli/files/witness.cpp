@@ -31,9 +31,9 @@ namespace {
 using Vector = RationalPoint3;
 
 constexpr int kHalvings = 64;
-constexpr std::size_t kSites = 64;  // The search tries at most so many places.
+constexpr std::size_t kSites = 64;  // The greatest number of places that the search tries.
 constexpr std::uint32_t kCheckedUses = 1024;
-constexpr int kSteps = 16;  // The search divides a segment into so many parts.
+constexpr int kSteps = 16;  // The number of parts into which a segment is divided.
 
 Vector moved(const Vector& p, const Rational& s, const Vector& v) {
   return {p.x + s * v.x, p.y + s * v.y, p.z + s * v.z};

@@ -100,8 +100,8 @@ std::optional<double> ProgressEstimate::left(double now) const {
 }
 
 ProgressEstimate::View ProgressEstimate::at(double now) {
-  constexpr double kMemory = 2;    // This is a number of seconds.
-  constexpr double kEarlier = .2;  // The limit is this part of the elapsed time, if it is shorter.
+  constexpr double kMemory = 2;    // In seconds.
+  constexpr double kEarlier = .2;  // A part of the elapsed time. It applies if it is shorter.
   const std::optional<double> left = this->left(now);
   if (!left) return {part_, std::nullopt};
   const double end = now + *left, memory = std::min(kMemory, kEarlier * now);
