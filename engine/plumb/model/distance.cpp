@@ -89,7 +89,7 @@ std::vector<BoundaryPart> parts_of(const SetBoundary& boundary) {
   return parts;
 }
 
-/// Returns the middle of the box of a point if the box is small; otherwise rounds the point.
+/// Adds the middle of the box of a point if the box is small; otherwise the rounded point.
 void add_vertex(SimplexTree& tree, const Point3Table& points, SpacePoint p) {
   PointBox box = points.box(p);
   const auto size = [](const std::array<double, 3>& at) {
@@ -104,7 +104,7 @@ void add_vertex(SimplexTree& tree, const Point3Table& points, SpacePoint p) {
   tree.error = std::max(tree.error, box.radius);
 }
 
-/// Returns the nearest doubles of a point.
+/// Adds the nearest doubles of a point.
 void add_vertex(SimplexTree& tree, const RationalPoint3& p) {
   std::array<double, 3> at{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
   for (double& x : at) {

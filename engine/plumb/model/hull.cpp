@@ -267,7 +267,7 @@ class HullBuilder {
 
   void add_face(const std::array<std::uint32_t, 3>& corner,
                 const std::array<std::uint32_t, 3>& neighbour) {
-    faces_made_.step(2 * sizeof(Face));  // The memory of removed faces is kept for new faces.
+    faces_made_.step(2 * sizeof(Face));  // The memory of removed faces is not freed.
     Face face;
     face.corner = corner;
     face.neighbour = neighbour;

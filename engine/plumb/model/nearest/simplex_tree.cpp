@@ -118,8 +118,8 @@ class NearestSearch {
     if (candidates_.size() >= most_candidates_) drop_candidates();
     candidates_.push_back({a_.order_[i], b_.order_[j], bounds});
   }
-  /// Drops the candidates that are farther apart than the limit, and reserves as much space as the
-  /// remaining candidates need.
+  /// Drops the candidates that are farther apart than the limit, and charges memory for as many new
+  /// candidates as remain.
   void drop_candidates() {
     const auto is_far = [this](const Candidate& c) { return c.bounds.lower > limit_; };
     candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), is_far),
