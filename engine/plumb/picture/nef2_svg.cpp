@@ -105,7 +105,7 @@ constexpr double kWidth = 600;  // The text remains legible on a phone.
 constexpr double kTickRoom = 46;
 constexpr double kTickFont = 14;
 constexpr double kBoundedMargin = 0.1;
-// The width of the frame, as a part of the longer side. The part that fades out lies within it.
+// The width of the margin, as a part of the longer side. The part that fades out lies within it.
 constexpr double kFadingMargin = 0.34;
 // The width of the part that fades out at each side, as a part of the frame.
 constexpr double kFaded = 0.17;

@@ -207,8 +207,8 @@ class Renderer {
     return scene_.fades ? scene_.strength(camera_.point_at(spot)) : 1;
   }
 
-  /// Returns the colour of a patch that is lit from above on the left. Both sides of the patch have
-  /// the same colour.
+  /// Returns the colour of a patch that is lit from above on the left. The lit side is the one that
+  /// the viewer sees.
   Colour lit(const Scene::Patch& patch) const {
     const Colour colour = scene_.colour_of(patch);
     if (scene_.is_flat) return colour;

@@ -159,7 +159,7 @@ constexpr double kMostAspect = 1.15;
 constexpr double kComfort = 0x1p-25;
 // In window coordinates. Points that are nearer are compared exactly.
 constexpr double kNearBorder = 1e-6;
-constexpr double kTicks = 6;  // There are about so many steps.
+constexpr double kTicks = 6;  // The approximate number of steps.
 
 /// The least box around points.
 struct ExactBox {
@@ -223,8 +223,8 @@ void include_lines(const PlaneComplex& complex, ExactBox& box) {
   }
 }
 
-/// Returns a short number between r - space and r, or r itself if there is none. Short numbers make
-/// the cut cheap.
+/// Returns a double between r - space and r, or r itself if the next double below r is none. Short
+/// numbers make the cut cheap.
 Rational short_below(const Rational& r, const Rational& space) {
   const double d = std::nextafter(nearest_double(r), -INFINITY);
   if (!std::isfinite(d)) return r;
