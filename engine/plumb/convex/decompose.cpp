@@ -18,7 +18,7 @@ void close(std::vector<Nef3>& pieces) {
   for (Nef3& piece : pieces) piece = piece.closure();
 }
 
-/// Computes the convex pieces of a part of a set.
+/// The convex pieces of a part of a set.
 struct PiecesOfPart {
   std::vector<Nef3> pieces;
   bool is_by_walls = false;

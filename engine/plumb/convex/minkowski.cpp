@@ -47,7 +47,8 @@ namespace plumb {
 namespace {
 
 constexpr unsigned kMaxRounds = 7;
-constexpr double kLeastRadius = 0x1p-900;  // The coordinates of such a ball are not rounded.
+// No coordinate of a ball of this radius underflows, so each keeps all bits of a double.
+constexpr double kLeastRadius = 0x1p-900;
 
 /// An octahedron of radius 1 whose triangles are divided into four, again and again.
 class BallMesh {
@@ -422,8 +423,8 @@ class OpenSums {
 
   void add_half_open(const HalfOpenBody& p, const HalfOpenBody& q) {
     const auto add_faces = [&](BodyFace f, BodyFace g, bool is_parallel) {
-      // Most pairs of parallel faces are visited although one of the faces has no marked item. Such
-      // pairs are skipped.
+      // In nearly all visited pairs of parallel faces, one face has no marked item. Such pairs are
+      // skipped.
       if (!p.has_part(f, is_parallel) || !q.has_part(g, is_parallel)) return;
       add_parts(parts_of(p, f, is_parallel), parts_of(q, g, is_parallel));
     };

@@ -189,8 +189,8 @@ class Voronoi {
     std::vector<std::uint32_t> around(corners_.begin() + begin_[site],
                                       corners_.begin() + begin_[site + 1]);
     if (around.empty()) return around;
-    // Finds the corner whose first neighbour is not the last neighbour of any other corner.
-    // The first neighbour and the corner.
+    // Finds the corner whose first neighbour is not the last neighbour of any other corner. The
+    // pairs are the first neighbour of a corner, and the corner.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> by_first;
     std::vector<std::uint32_t> lasts;
     for (const std::uint32_t corner : around) {

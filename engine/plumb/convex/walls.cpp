@@ -50,11 +50,11 @@ VerticalChoice choose_vertical(const SpaceComplex& complex, Context& context);
 
 namespace {
 
-// The number of edges that are compared with each other is at most this.
+// The greatest number of edges that are compared with each other.
 constexpr std::size_t kMaxEdges = 1500;
-// At most so many candidates are tried in addition to the axes.
+// The greatest number of candidates besides the axes.
 constexpr std::size_t kMaxCandidates = 12;
-// The greatest number of bits of a direction's coordinates, because they lengthen the numbers of
+// The greatest number of bits of a direction's coordinates. More bits would lengthen the numbers of
 // every wall.
 constexpr unsigned kMaxBits = 64;
 
@@ -256,7 +256,7 @@ void mark_walls(SpaceComplex& complex) {
   }
 }
 
-/// Returns the subdivided complex, or no value if reflex edges remain after kMaxRounds rounds.
+/// Returns the subdivided complex, or no value if reflex edges remain after kMaxWallRounds rounds.
 std::optional<SpaceComplex> subdivided(SpaceComplex complex, const VerticalDirection& up,
                                        Context& context) {
   // One round is enough unless a cell winds around and lies above itself. In that case, walls may

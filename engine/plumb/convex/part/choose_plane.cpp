@@ -178,7 +178,7 @@ void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factor
   if (!(length > 0)) return;
   for (double& x : m) x /= length;
   const double c2 = -dot(cross(m, edge.n1), w), c1 = dot(cross(m, edge.n2), w);
-  if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) return;  // Marks the plane of a face.
+  if (std::abs(c1) < 1e-12 || std::abs(c2) < 1e-12) return;  // This is the plane of a face.
   CutCandidate candidate{edge.half, {}, {}, {}, c1 * c2 > 0 ? 2 : 1};
   if (by_factors) {
     const std::optional<std::array<int, 2>> factors = small_factors(edge, at);

@@ -197,7 +197,7 @@ class SurfaceReader {
 
 std::optional<CutSurface> cut_surface_of(const SpaceComplex& part) {
   const auto& marks = part.volume_mark;
-  // The piece is not bounded.
+  // The part is not bounded.
   if (has_frame(part) || part.volume_mark[0] == 1) return std::nullopt;
   if (std::count(marks.begin(), marks.end(), Mark{1}) != 1) return std::nullopt;
   const auto body = std::find(marks.begin(), marks.end(), Mark{1});

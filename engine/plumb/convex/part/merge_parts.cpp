@@ -86,7 +86,7 @@ class SetMerger {
       Polygon& polygon = facets_[key_of(c, FacetId(f))];
       for (const std::size_t j : polygon.pieces) {
         if (polygon.is_refused) break;
-        // One of the two pieces was merged, or the facet was removed.
+        // Piece j is piece i itself, or was merged into another piece.
         if (j == i || !is_body(pieces_[j])) continue;
         if (std::optional<Nef3> both = union_of(i, j)) return Match{j, *std::move(both)};
         polygon.is_refused = true;
@@ -262,7 +262,7 @@ class Merger {
   /// Makes the ring of half-edges around a corner of the rim leave one vertex. One of the two
   /// pieces owned it, so the marks are joined.
   void join_rings(VertexId v, HalfedgeId h) {
-    // The vertex v of the low piece remains.
+    // This half-edge leaves v in the low piece.
     const HalfedgeId first = s_.half(s_.half(h).prev).twin;
     Mark mark = 0;
     HalfedgeId at = first;

@@ -358,8 +358,8 @@ class Dissection {
   }
 
   // Stores the chain if it costs less than the chains so far, or if it costs the same and has a
-  // greater first corner. Chains arrive in the order of their last corners, so every other chain is
-  // worse at both ends.
+  // greater first corner. Chains arrive with increasing last corners, so every other chain is worse
+  // at both ends.
   void offer(Cell& at, std::uint32_t cost, const Chain& chain) {
     if (cost > at.cost) return;
     if (cost < at.cost) found_.clear();

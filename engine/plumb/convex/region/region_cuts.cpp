@@ -381,7 +381,7 @@ class SideCutter {
       loops.push_back({c, least_vertex(c), level_point});
       level_point += c.is_other() ? 1 : 0;
     }
-    // The outer ring comes first, or the part of it that leads to infinity.
+    // The outer ring comes first. In an unbounded region, it is the ring with the frame.
     std::ranges::sort(loops,
                       [this](const Loop& x, const Loop& y) { return is_less(x.least, y.least); });
     for (std::size_t i = 1; i < loops.size(); ++i) {

@@ -267,8 +267,7 @@ class SumBuilder {
     return c;
   }
 
-  /// Charges memory for more facets. Each charge doubles the number of facets, so the cost is
-  /// amortised.
+  /// Charges memory for as many further facets as are charged already, so the cost is amortised.
   void charge() {
     constexpr std::size_t kFew = 64, kBytesPerFacet = 400;
     const std::size_t more = std::max(kFew, charged_);

@@ -158,8 +158,7 @@ class HalfOpenReader {
     return all == FaceMark::Uneven ? common_mark(items, true) : all;
   }
 
-  /// Returns the common mark of the items. If they differ, returns the common mark of the items
-  /// that are not inner.
+  /// Returns the common mark of the items or, if `skips_inner`, of the items that are not inner.
   FaceMark common_mark(Items items, bool skips_inner) const {
     std::array<bool, 2> has_mark{false, false};
     for (const auto& [face, item] : items) {
