@@ -89,7 +89,7 @@ namespace {
 constexpr double kLongest = 1.5;
 constexpr double kShortest = 1e-10;  // Shorter pieces do not separate items.
 constexpr std::size_t kFew = 16;
-// The value exceeds a full turn and all errors.
+// The value exceeds a full turn by more than all errors.
 constexpr double kRound = 2 * std::numbers::pi + 1e-3;
 
 UnitBall oriented(UnitBall normal, bool is_opposite) {

@@ -30,8 +30,8 @@ using Vector = std::array<double, 3>;
 
 constexpr double kRounding = 1e-14;  // The value exceeds the roundings of any computation below.
 
-/// Returns the greatest extent of the circle of a normal along a unit vector. It is the sine of the
-/// angle between the two.
+/// Returns an upper bound of the extent of the circle of a normal along a unit vector. The extent
+/// is the sine of the angle between the two.
 double reach(const UnitBall& normal, const Vector& n) {
   const double along = std::max(0.0, std::fabs(dot(normal.middle, n)) - normal.radius - kRounding);
   return std::sqrt(std::max(0.0, 1 - along * along)) + kRounding;

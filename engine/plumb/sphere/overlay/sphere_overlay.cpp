@@ -99,7 +99,8 @@ SphereCell SphereLunes::face_on(Sign side) const {
   return SphereCell::face(circle_->face[side == Sign::Positive ? 0 : 1]);
 }
 
-/// Returns the counter-clockwise side of the point where half-circle i starts.
+/// Returns the side of the circle on which the point lies where half-circle i starts, if it is
+/// followed counter-clockwise.
 Sign SphereLunes::start_side(std::uint32_t i) const {
   return lunes_->origin[2 * i] == 0 ? first_side_ : -first_side_;
 }

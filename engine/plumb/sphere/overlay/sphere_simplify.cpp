@@ -15,7 +15,7 @@
 
 namespace plumb {
 
-/// Returns the least face of the class of joined faces.
+/// Returns the least face of those that were joined with the given face.
 std::uint32_t SphereSimplifier::find(std::uint32_t face) {
   while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
   return face;
