@@ -20,7 +20,7 @@ DissolvedLayer dissolve_layer(const Layer& layer, std::span<const std::uint32_t>
   if (!is_each_right) throw Error(ErrorCode::BadArgument, "each feature needs a group");
   if (group_count >= LayerRegion::kNobody) throw Error(ErrorCode::BadArgument, "too many groups");
   constexpr std::uint64_t kGroupBytes = 48;
-  // The memory of the layer remains charged.
+  // This memory remains charged, because the layer that is returned has the groups.
   context.charge_memory(kGroupBytes * group_count, "the groups");
   const auto features = static_cast<std::uint32_t>(layer.feature_count());
   const CoveredCells cells(layer, context);

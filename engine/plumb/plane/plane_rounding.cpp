@@ -30,7 +30,7 @@
 namespace plumb {
 namespace {
 
-constexpr int kMostRounds = 12;  // The number of local rounds.
+constexpr int kMostRounds = 12;  // The greatest number of local rounds.
 constexpr std::size_t kEdgesPerCheckpoint = 256;
 constexpr const char* kRoundingPhase = "round";
 // The memory of the scene, the arrangement and its pieces. The arrangement charges its own memory

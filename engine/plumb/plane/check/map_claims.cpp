@@ -92,7 +92,8 @@ void MapClaims::Collector::visit(std::uint32_t edge) {
   }
 }
 
-// Notes which regions list half-edge h of the map. A half-edge of the arrangement is a piece of h.
+// Notes the edge and the regions that list half-edge h of the map. A half-edge of the arrangement
+// is a piece of h.
 void MapClaims::Collector::visit_use(std::uint32_t h, std::uint32_t arranged) {
   if (edges_.cycle_of[h] == MapEdges::kNoCycle) return;
   if (result_.lister_[arranged] == kNoEdge) result_.lister_[arranged] = h / 2;

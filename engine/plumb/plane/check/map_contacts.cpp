@@ -157,7 +157,7 @@ void ContactCollector::place_component(const SweepEvent& event, std::uint32_t v)
 
 // Links the half-edges at a vertex counter-clockwise from straight down: first the outgoing edges
 // from bottom to top, then the incoming edges from top to bottom. Zero-length edges have no
-// direction. They may have any place, if it is the same for all of them.
+// direction, and may have any place in this order.
 void ContactCollector::link_around(const SweepEvent& event, std::uint32_t v) {
   ring_.clear();
   const auto add = [&](SegmentId s) {

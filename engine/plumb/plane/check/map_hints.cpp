@@ -656,8 +656,8 @@ std::string MapHints::wrong_way_round(std::uint32_t cycle) const {
   return lead + "reverse it";
 }
 
-// Returns a clockwise face that lies in several regions, and is therefore not a hole of one. If
-// there is none, returns any clockwise face, or kNoCycle.
+// Returns a clockwise face that lies in several regions, and is therefore a hole of none of them.
+// If there is no such face, returns any clockwise face, or kNoCycle.
 std::uint32_t MapHints::stray_among(const std::vector<std::uint32_t>& cycles) {
   std::uint32_t any = kNoCycle;
   for (const std::uint32_t c : cycles) {

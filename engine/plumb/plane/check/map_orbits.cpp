@@ -2,7 +2,7 @@
 //
 // Following the rotation system gives orbits, one boundary cycle each. The lexicographically first
 // vertex of an orbit shows whether the orbit is the outside of its component. All edges lead to the
-// right there, and the orbit is the outside if and only if one of its corners contains the
+// right there, and the orbit is the outside if and only if one of its corners there contains the
 // direction to the left. A component lies in the face above the edge that is next below its first
 // vertex; components are settled in the order of these vertices, so the component with this edge
 // has been settled before.

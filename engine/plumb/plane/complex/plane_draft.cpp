@@ -383,7 +383,8 @@ void Simplifier::pass_through() {
   continues_[(first_leaves ? f : e)] = first_leaves ? e : f;
 }
 
-// Keeps a vertex that has kept edges, unless it has exactly two that lie on one line.
+// Keeps a vertex that has kept edges, unless it is no corner and has exactly two kept edges that
+// lie on one line.
 void Simplifier::place_corner(VertexId v, bool is_corner) {
   collect_kept(v);
   if (kept_here_.empty()) return;

@@ -93,7 +93,7 @@ double BorderGraph::drift_without(std::uint32_t v) const {
   const double off = along <= 0        ? to_a
                      : along >= length ? to_c
                                        : std::fabs(x * py - y * px) / length;
-  // The factor exceeds the rounding errors in this function.
+  // The slack exceeds the rounding errors in this function.
   const double slack = 0x1p-48 * (to_a + to_c);
   const double before = std::max(edges_[edge_[2 * v]].drift, edges_[edge_[2 * v + 1]].drift);
   const double drift = sum_above(before, sum_above(off, slack));

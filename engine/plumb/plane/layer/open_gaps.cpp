@@ -355,8 +355,7 @@ std::vector<std::uint8_t> OpenCellJoin::join() {
   return std::move(is_gap_);
 }
 
-/// Finds the bridges. Marks the cells at bridges, other than the outside, whose measures are
-/// needed.
+/// Finds the bridges. Marks the cells at bridges, except the outside, so that they are measured.
 void OpenCellJoin::find_bridges() {
   for_each_border([&](EdgeId e, std::uint32_t l, std::uint32_t r) {
     if (!cells_.is_open_bridge(e)) return;

@@ -102,7 +102,7 @@ class PieceCollector {
     for (;;) {
       while (up != jump.end() && up->number <= 0) ++up;
       while (down != jump.end() && down->number >= 0) ++down;
-      // If both have the same label, the sum is zero.
+      // Both reach the end at the same time, because the numbers of a jump add up to zero.
       if (up == jump.end() || down == jump.end()) return;
       --up->number;
       ++down->number;
@@ -116,7 +116,7 @@ class PieceCollector {
   const Arrangement& arrangement_;
   EdgeTrace& trace_;
   EdgePieces pieces_;
-  std::vector<std::uint32_t> piece_count_;  // For each edge of the scene.
+  std::vector<std::uint32_t> piece_count_;  // The number of pieces of each edge of the scene.
   std::vector<SegmentId> curves_;           // The edges that contain the current piece.
 };
 

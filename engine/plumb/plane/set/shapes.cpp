@@ -91,7 +91,7 @@ PointTable2 table_of(std::span<const Point2> points) {
   return table;
 }
 
-/// Returns all points in their order as one chain.
+/// One chain of all points in their order.
 struct OneChain {
   std::vector<std::uint32_t> corners;
   std::array<std::uint32_t, 2> begin;

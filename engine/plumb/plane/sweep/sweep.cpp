@@ -118,7 +118,8 @@ class Sweep {
   std::vector<std::uint32_t> ender_begin_;
   // The curves by right end, without those of zero length.
   std::vector<SegmentId> enders_;
-  std::vector<char> is_marked_;         // Whether another curve touches each point.
+  // Whether each point is known to have a curve of length zero, or to lie inside of a curve.
+  std::vector<char> is_marked_;
   IdVector<SegmentId, Active> active_;  // One entry for each curve.
 
   SweepStatus status_;
@@ -270,7 +271,7 @@ bool Sweep::plain_event(std::uint32_t v) {
   return report(SweepPlace::Point, true);
 }
 
-// Removes the nodes of the curves that end here, which are neighbours. Returns false if there are
+// Collects the nodes of the curves that end here, which are neighbours. Returns false if there are
 // fewer nodes than curves, because some curves share a bundle or are in a bundle that continues.
 bool Sweep::take_enders(std::uint32_t v) {
   StatusNode n = node(enders(v).front());
