@@ -152,7 +152,7 @@ class Reading {
   SurfacePointTable& points_;
   Context& context_;
   std::optional<std::vector<Rational>> run_;
-  std::size_t run_begin_ = 0;  // The stop of the first of the places.
+  std::size_t run_begin_ = 0;  // The stop of the first place of run_.
 };
 
 }  // namespace
@@ -271,7 +271,7 @@ std::optional<std::size_t> add_traced_polygon(Tracer& tracer,
     }
     std::optional<SurfacePath> leg = tracer.trace(polygons.points, from, next, context);
     if (!leg) return i;
-    // The point remains in the polygon, so the charge is not released.
+    // The path remains in the polygon, so the charge is not released.
     context.charge_memory(kStopBytes * leg->points.size(), "traced paths");
     legs.push_back(std::move(*leg));
   }

@@ -39,8 +39,9 @@ class PiecePoints final : public PlanarPoints {
  public:
   explicit PiecePoints(const SurfaceDivision& division);
 
-  /// Begins a new face. Appends a node that lies in the face.
+  /// Removes all points, and begins a new face.
   void reset(FaceId f);
+  /// Appends a node that lies in the face.
   void push_back(NodeId n);
 
   std::uint32_t size() const override { return static_cast<std::uint32_t>(at_.size()); }
@@ -340,8 +341,8 @@ class SurfaceTriangulator {
     const auto at = std::lower_bound(sides_.begin(), sides_.end(), Side{ends, 0});
     return at != sides_.end() && at->ends == ends ? at->side : kNone;
   }
-  /// Joins triangles of the piece across common sides. Sides along half-edges of the piece are
-  /// joined across arcs later, because they have no neighbour within the piece.
+  /// Joins triangles of the piece across common sides. Sides along half-edges of the piece are no
+  /// neighbours within the piece, and are joined across arcs later.
   void join_sides() {
     for (const Side& s : sides_) {
       out_.across[s.side] = side_between(s.ends[1], s.ends[0]);

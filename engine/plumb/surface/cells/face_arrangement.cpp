@@ -268,7 +268,7 @@ void FaceArrangement::link(Context& context) {
   for (std::uint32_t p = 0; p < points.size(); ++p) out_begin_[p + 1] += out_begin_[p];
   out_.resize(n - ring_size);
   for (std::uint32_t h = n; h-- > ring_size;) out_[--out_begin_[origin(h) + 1]] = h;
-  // Every entry is now the end of its point's half-edges, that is, one place too far.
+  // The half-edges of point p now begin at entry p + 1, that is, every entry is one place too far.
   out_begin_.erase(out_begin_.begin());
   out_begin_.push_back(n - ring_size);
 

@@ -279,7 +279,7 @@ std::uint32_t UnfoldedStrip::first_vertex_door(const StripStop& a, const StripSt
 }
 
 /// Appends the stops after a up to b, including b. A part of the path along a mesh line passes
-/// through all vertices of the line, so there is no recursion.
+/// through all vertices of the line. They may be many, so there is no recursion.
 void UnfoldedStrip::add_stops(const StripStop& a, const StripStop& b,
                               std::vector<StripStop>& stops) const {
   std::vector<StripStop> ahead{b};
