@@ -164,7 +164,7 @@ class ModelReader {
     return parent.empty() ? fs::path(".") : parent;
   }
 
-  /// Returns the file that a node names, if it is allowed to read this file.
+  /// Returns the file that a node names, if this file may be read.
   std::string allowed_file(const CsgTree::Node& node, const std::string& name) const {
     if (options_.imports == CsgImports::None) {
       fail_at(node, ErrorCode::CannotOpen, "imports are not allowed");

@@ -147,9 +147,8 @@ class LayerReader {
   bool is_topology_ = false;
   bool is_quantised_ = false;
   Point2 scale_{1, 1}, translate_{0, 0};
-  // The points of arc i have the numbers arc_begin_[i] to
+  // The points of arc i have the numbers from arc_begin_[i] to arc_begin_[i + 1] - 1.
   std::vector<std::uint32_t> arc_begin_{0};
-  // arc_begin_[i + 1] - 1.
 };
 
 std::string LayerReader::type_of(Id object) {
@@ -202,7 +201,7 @@ double LayerReader::number(Id value) {
   double result = 0;
   const char* const last = token.data() + token.size();
   const auto [end, code] = double_from_chars(token.data(), last, result);
-  // The text is tiny, or a long value.
+  // The value is tiny, or its text is long.
   if (code != std::errc() || end != last) return json_.number(value);
   return result;
 }
@@ -509,7 +508,7 @@ LayerFile noted(LayerDraft draft) {
   return std::move(draft.file);
 }
 
-// The texts have record separators (RFC 8142).
+// Blanks, and the record separator of RFC 8142.
 constexpr std::string_view kBetweenValues = " \t\r\n\x1e";
 
 /// Returns the first object of a text that begins with one, or the whole text if the object does
@@ -570,7 +569,7 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
   }
   Layer& layer = result.layer;
   layer.points = std::move(shapes.points);
-  std::size_t next = 0;  // An index of file.continued.
+  std::size_t next = 0;  // The next entry of file.continued.
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     if (p % 1024 == 0) context.checkpoint("read", p, shapes.polygon_count());
     for (std::size_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
@@ -671,7 +670,8 @@ bool is_on_globe(const Layer& layer) {
   });
 }
 
-/// Notes the features that have an edge across the whole map, if the coordinates may be degrees.
+/// Returns a note on the features that have an edge across the whole map, if there are some and the
+/// coordinates may be degrees.
 std::optional<std::string> antimeridian_note(const Layer& layer) {
   if (!is_on_globe(layer)) return {};
   const std::vector<std::uint32_t> across = features_across(layer);

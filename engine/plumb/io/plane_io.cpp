@@ -383,7 +383,8 @@ std::string_view rule_name(RingRule rule) {
   }
 }
 
-/// Notes that a file is the empty set. If all its geometries are empty, there is no note.
+/// States that a file is the empty set: in a note if all its geometries are empty and there are no
+/// other notes, and otherwise in a warning.
 void note_emptiness(bool has_shapes, RingRule rule, PlaneRead& read) {
   if (!has_shapes) {
     const bool has_other_contents = !read.notes.empty();
@@ -395,7 +396,7 @@ void note_emptiness(bool has_shapes, RingRule rule, PlaneRead& read) {
   }
 }
 
-/// Makes a set of shapes. If a file has content but describes the empty set, a note states this.
+/// Makes a set of shapes. If the set is empty, a note or a warning states this.
 PlaneRead set_of(PlaneFile file, RingRule rule, Context& context) {
   const SetOfPolygons parts = parts_of(file.shapes, rule, context);
   PlaneRead read{united(parts.sets, context), std::move(file.notes), {}};

@@ -142,7 +142,7 @@ class SvgReader {
   // The elements by their ids, after a use has requested one.
   std::map<std::string_view, XmlScanner> elements_;
   bool has_ids_ = false;
-  std::vector<Use> uses_;         // The elements that are being read. The innermost is last.
+  std::vector<Use> uses_;         // The uses that are being read. The innermost is last.
   std::uint64_t used_bytes_ = 0;  // The size of all elements that uses have placed.
   std::set<std::string_view> left_out_;
   SvgStyleSheet style_sheet_;

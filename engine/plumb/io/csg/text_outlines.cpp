@@ -34,7 +34,8 @@ namespace {
 
 constexpr double kEmOfSize = 100.0 / 72.0;
 constexpr double kAdvanceScale = 1000.0 / 1024.0;
-constexpr double kPixelsOfSize = 1600;  // The unit to which heights are rounded, for a size of 1.
+// The number of pixels in a size of 1. Heights are rounded to whole pixels.
+constexpr double kPixelsOfSize = 1600;
 
 template <class T, void (*destroy)(T*)>
 struct Destroyer {

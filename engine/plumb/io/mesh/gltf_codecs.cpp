@@ -208,7 +208,7 @@ class ChargedDecoder final : public Decoder {
     for (const std::size_t id : attributes_) wanted.push_back(number_of(points, id));
     std::erase(wanted, -1);
     for (int i = 0; i < this->num_attributes_decoders() && !wanted.empty(); ++i) {
-      // The base class owns the parts, and gives access to constants only.
+      // The base class owns the parts, and gives access to them only as constants.
       auto* const part =
           const_cast<draco::AttributesDecoderInterface*>(this->attributes_decoder(i));
       if (!can_decode(*part)) return is_read(number_of(points, attributes_[0]));

@@ -75,7 +75,7 @@ class PlyGeometry {
   PlyAttributes& attributes() { return attributes_; }
   std::uint32_t vertex_count() const { return vertices_; }
 
-  /// Whether faces may use vertex v. This is the case if the vertex has not been read yet.
+  /// Whether faces may use vertex v. They may also use a vertex that has not been read yet.
   bool is_usable(std::uint32_t v) const { return missing_ == 0 || !is_missing_[v]; }
   /// If the face of the last corners has an area and a vertex that is not finite, returns this
   /// vertex.
@@ -171,8 +171,8 @@ MeshFile PlyGeometry::take(const PlyHeader& header, std::uint64_t stray_bytes) {
   return file;
 }
 
-/// Whether a number in a list of strips ends a strip. The number is -1, or its value as an unsigned
-/// number.
+/// Whether a number in a list of strips ends a strip. It does if it is -1, or the value of -1 in
+/// the unsigned type, and no vertex has this number.
 bool ends_strip(double value, PlyType type, std::uint32_t vertices) {
   const double all_bits = type == PlyType::UInt8    ? 0xff
                           : type == PlyType::UInt16 ? 0xffff

@@ -248,7 +248,7 @@ class ModelReader3mf : public XmlListener {
   std::string setting_;
   ThreeMfGroup* group_ = nullptr;                // The group that is open.
   std::uint32_t set_name_ = ThreeMfLook::kNone;  // The name of the open set of triangles.
-  std::size_t set_steps_ = 0;                    // The triangles of the object that belong to sets.
+  std::size_t set_steps_ = 0;                    // The sum of the sizes of the object's sets.
   std::optional<std::uint32_t> object_group_, object_entry_;  // The defaults of triangles.
   ReadNumber x_, y_, z_;
 };

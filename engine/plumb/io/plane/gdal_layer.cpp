@@ -646,8 +646,8 @@ void write_features(Dataset set, const Layer& layer, const std::string& crs,
   require(!messages.has_failed());
 }
 
-/// The limits of the table of a shapefile: names of 10 bytes, texts of 254 bytes, and numbers of 24
-/// characters with 15 digits after the point.
+/// The numbers of entries that exceed the table of a shapefile. It has names of 10 bytes, texts of
+/// 254 bytes, and numbers of 24 characters with 15 digits after the point.
 struct TableLosses {
   std::size_t names = 0, texts = 0, numbers = 0;
 

@@ -129,7 +129,7 @@ class WkbReader {
 
   BinaryInput in_;
   ShapeCollector& shapes_;
-  Head head_{};  // The geometry that is being read.
+  Head head_{};  // The head of the geometry that is being read.
   int nested_ = 0;
   // Whether heights must be equal, because the position belongs to a surface.
   bool is_flat_ = false;

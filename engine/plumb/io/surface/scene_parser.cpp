@@ -31,7 +31,7 @@
 namespace plumb {
 namespace {
 
-// At this distance from the sides, rounding a weight has no effect on the topology.
+// At least this far from the sides, rounding a weight has no effect on the topology.
 constexpr double kClear = 0x1p-40;
 constexpr std::uint64_t kBytesPerPoint = 2 * (sizeof(Point2) + 2 * sizeof(std::size_t));
 

@@ -32,7 +32,7 @@ namespace {
 constexpr std::uint64_t kPointBytes = 2 * (sizeof(Point2) + sizeof(std::size_t));
 constexpr std::uint64_t kRingBytes = 5 * sizeof(std::uint32_t);
 constexpr std::size_t kPointsOfAnyText = std::size_t{1} << 20U;
-constexpr std::size_t kBytesPerPoint = 7;  // The memory of the text for each further point.
+constexpr std::size_t kBytesPerPoint = 7;  // So many bytes of the text allow one more point.
 // This is the greatest number of points that a surface can hold.
 constexpr std::size_t kMostPoints = std::size_t{1} << 30U;
 constexpr std::size_t kPointsPerCheckpoint = 4096;
@@ -181,7 +181,7 @@ bool SvgOutline::is_flat(std::span<const WeightedPoint> placed, double tolerance
 /// Adds chords for a placed curve, which is halved (de Casteljau) until all its parts are flat.
 void SvgOutline::add_rational(const TextCursor& at, std::span<WeightedPoint> placed,
                               double tolerance, int depth) {
-  constexpr int kMostHalvings = 48;  // Below this length, parameters are equal as doubles.
+  constexpr int kMostHalvings = 48;  // After more halvings, parameters are equal as doubles.
   step();
   const WeightedPoint end = placed.back();
   if (depth == kMostHalvings || is_flat(placed, tolerance)) {

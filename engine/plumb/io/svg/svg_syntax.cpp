@@ -159,8 +159,8 @@ void XmlScanner::skip_document_type() {
   p_ = last + 1;
 }
 
-/// Returns the first byte after the declarations that begin with '[', without blanks. Strings and
-/// comments in these declarations may contain brackets.
+/// Returns the first byte that is not a blank after the declarations that begin with '['. Strings
+/// and comments in these declarations may contain brackets.
 const char* XmlScanner::end_of_subset(const char* from) const {
   const char* at = from + 1;
   while (at != end_ && *at != ']') {

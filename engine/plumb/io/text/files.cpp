@@ -198,7 +198,7 @@ class TemporaryNames {
 };
 
 TemporaryNames temporary_names;
-TemporaryNames made_directories;  // The innermost file is first.
+TemporaryNames made_directories;  // The innermost folder is first.
 
 }  // namespace
 
@@ -222,7 +222,7 @@ void DescriptorBuffer::write_all(const char* text, std::size_t size) {
 
 void DescriptorBuffer::write_block() {
   const auto size = static_cast<std::size_t>(pptr() - pbase());
-  // The name is reset before writing, so that the output is not written twice if writing fails.
+  // The buffer is reset before writing, so that no byte is written twice if writing fails.
   setp(block_.get(), block_.get() + kBlock);
   write_all(block_.get(), size);
 }

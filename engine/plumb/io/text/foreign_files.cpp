@@ -190,7 +190,7 @@ bool has_vertex_line(std::string_view text) {
 /// Whether the text begins like WKB in hexadecimal digits: a byte order, and a code below 256 in
 /// that order.
 bool begins_like_hexadecimal_wkb(std::string_view text) {
-  constexpr std::size_t kLeast = 18;  // The code of an empty list.
+  constexpr std::size_t kLeast = 18;  // The number of digits of an empty list.
   if (text.starts_with("\\x") || text.starts_with("0x")) text.remove_prefix(2);
   const std::string_view word = text.substr(0, text.find_first_of(kForeignBlanks));
   const bool is_order = word.starts_with("01") || word.starts_with("00");

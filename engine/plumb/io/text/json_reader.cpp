@@ -115,7 +115,7 @@ constexpr std::array<bool, 256> characters_of(std::string_view characters) {
 }
 
 constexpr auto kMarksAndQuotes = characters_of("[{,:\"");
-constexpr auto kEnds = characters_of(",]} \t\r\n");  // The characters of numbers and words.
+constexpr auto kEnds = characters_of(",]} \t\r\n");  // The characters that end numbers and words.
 
 bool is_in(const std::array<bool, 256>& table, char c) {
   return table[static_cast<unsigned char>(c)];
@@ -254,7 +254,7 @@ class PlainJson {
   bool list() {
     if (!take_value()) return false;
     for (;;) {
-      // Ends a value.
+      // A value has ended here.
       skip_blanks();
       if (open_ == kNone) return p_ == end_;
       if (p_ == end_) return false;

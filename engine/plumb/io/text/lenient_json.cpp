@@ -84,7 +84,7 @@ void JsonCopy::add(std::string_view piece) {
   text_ += piece;
 }
 
-/// Adds a replaced piece that ends at `end`, and counts it.
+/// Adds a piece that replaces the text up to `end`, and counts it.
 void JsonCopy::replace(std::string_view piece, const char* end, std::size_t& count) {
   constexpr std::uint64_t kGrowth = 2;
   charge_.add(kGrowth * sizeof(behind_[0]), "the JSON");

@@ -468,7 +468,7 @@ std::uint32_t RecordReader::read_index(std::string_view what, std::uint32_t coun
                record_name() + " names a " + std::string(what) + "; there are none");
 }
 
-/// Reads ids of any length. An id that exceeds every range becomes an id that exceeds it, too.
+/// Reads ids of any length. An id that is too long, or negative, becomes one beyond every range.
 std::uint32_t RecordReader::read_long_id(std::string_view token, std::string_view what) const {
   constexpr std::uint32_t kBeyond = kMostIds + 1;
   const std::string_view digits = token.substr(token.starts_with('-') ? 1 : 0);
