@@ -110,8 +110,7 @@ class PlanePartition {
     } else {
       cut_by_diagonals(region, context_);
     }
-    // A cut resolves at most two reflex corners, so every method makes at least r / 2 + 1 parts.
-    // Two loops are therefore optimal.
+    // A region with a reflex corner is not convex, so every method makes at least two parts.
     if (region.count_loops() <= 2 || reflex * other.halfedge_count() > kAffordableCuts) return;
     cut_by_sides(other, context_);
     if (other.count_loops() < region.count_loops()) region = std::move(other);

@@ -372,7 +372,7 @@ class SumBuilder {
     for (std::size_t k = 2; k < facets.size() && !x.is_valid(); ++k) {
       x = tables_->points.add(plane[facets[0]], plane[facets[1]], plane[facets[k]]);
     }
-    PLUMB_CHECK(x.is_valid());  // The three planes meet only in the vertex.
+    PLUMB_CHECK(x.is_valid());  // Three of the planes meet only in the vertex.
     return x;
   }
 
