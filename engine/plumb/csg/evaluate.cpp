@@ -193,7 +193,7 @@ class Evaluator {
     return kind == CsgKind::Difference || kind == CsgKind::Intersection || acts_as_union(i);
   }
 
-  /// Whether a node is empty if one of its children is empty.
+  /// Whether a node is empty because a child is. In a difference, only the first child counts.
   bool is_emptied(std::uint32_t i) const {
     const CsgKind kind = node(i).kind;
     bool is_empty = false, is_first = true;
@@ -297,7 +297,7 @@ class Evaluator {
     return node(i).kind == CsgKind::Multmatrix && !acts_as_union(i);
   }
 
-  /// Whether a hull uses only the points of one of its inputs.
+  /// Whether only the points of the inputs of a node are needed, because they are used in hulls.
   bool needs_points(std::uint32_t user) const {
     if (user == kNoNode) return false;
     const bool passes_points_on = acts_as_union(user) || is_map(user);
