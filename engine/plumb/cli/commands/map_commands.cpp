@@ -39,7 +39,7 @@
 namespace plumb::cli {
 namespace {
 
-/// The kind of report that is written: the report of a map, or the report of a layer.
+/// The report that is written: the report of a map, or the report of a layer.
 struct Checked {
   std::string title;
   MapReport map;

@@ -302,7 +302,7 @@ Nef3 read_one_solid(const SolidInput& input, const std::string& file, Session& s
   return std::move(read_sets(input, {file}, session).front());
 }
 
-/// Computes slices at several heights, as GeoJSON. Each slice is a feature whose id is the height.
+/// Slices at several heights, as GeoJSON. Each slice is a feature whose id is the height.
 class SliceStack {
  public:
   SliceStack(std::vector<Rational> heights, std::vector<Nef2> slices)
