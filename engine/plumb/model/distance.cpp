@@ -49,8 +49,8 @@ constexpr std::uint64_t kBytesPerSimplex =
 
 }  // namespace
 
-/// The part of SetBoundary that does not depend on the kind of set: a tree of simplices, and the
-/// parts of the boundary.
+/// The boundary of a set of the plane or of space: a tree of simplices, and the parts of the
+/// boundary.
 struct SetBoundary {
   SimplexTree tree;
   std::vector<FacetId> facet;  ///< The facet of each triangle; invalid for other simplices.
