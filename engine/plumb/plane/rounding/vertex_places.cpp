@@ -254,7 +254,7 @@ void HotPixels::visit_column(std::size_t column, VertexId v, VertexId w,
   const auto begin = places_.begin() + column_begin_[column];
   const auto end = places_.begin() + column_begin_[column + 1];
   double low = std::min(a.y, b.y), high = std::max(a.y, b.y);
-  // Computes the ordinates of the edge above the column. The error of the parameter of an abscissa
+  // Computes the ordinates of the edge in the column. The error of the parameter of an abscissa
   // is at most `slack`. If this bound is useless, all ordinates of the edge count.
   const double scale = std::max({std::fabs(a.x), std::fabs(b.x), std::fabs(begin->x)});
   const double width = b.x - a.x, height = b.y - a.y;
