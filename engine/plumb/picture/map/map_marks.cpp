@@ -19,7 +19,7 @@
 namespace plumb {
 namespace {
 
-// The directions to try, the most pleasant first.
+// The directions to try, the most pleasant first: above on the right, above on the left, and so on.
 constexpr std::array<Point2, 12> kDirections = {{{.71, -.71},
                                                  {-.71, -.71},
                                                  {.71, .71},
