@@ -569,7 +569,8 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
   }
   Layer& layer = result.layer;
   layer.points = std::move(shapes.points);
-  std::size_t next = 0;  // The next entry of file.continued.
+  // The next entry of file.continued: a polygon of the feature of the polygon before it.
+  std::size_t next = 0;
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     if (p % 1024 == 0) context.checkpoint("read", p, shapes.polygon_count());
     for (std::size_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {

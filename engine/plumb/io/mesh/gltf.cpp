@@ -83,7 +83,7 @@ class GltfReader {
   };
 
   /// Returns the mesh with these notes and warnings. A file without triangles is refused, and the
-  /// warnings are the reason.
+  /// notes and warnings are the reason.
   MeshFile finished(const std::vector<std::string>& notes,
                     const std::vector<std::string>& warnings) {
     const bool is_empty = triangles_.triangle_count() == 0;
