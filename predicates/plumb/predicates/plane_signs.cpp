@@ -40,7 +40,7 @@ using exact3::operands;
 
 namespace {
 
-/// Returns the sign of a value with a known bound of its error. Returns Unsure for NaNs.
+/// Returns the sign of a value that is known up to `error`. Returns Unsure for NaNs.
 FilteredSign beyond(double value, double error) {
   if (value > error) return FilteredSign::Positive;
   return value < -error ? FilteredSign::Negative : FilteredSign::Unsure;

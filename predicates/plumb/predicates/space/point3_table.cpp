@@ -189,7 +189,7 @@ PointBox box_around(const RoundedPoint3& nearest) {
   return box;
 }
 
-/// Computes a box with exact integers. The box is around a constructed point, or around the
+/// A box that was computed with exact integers. It is around a constructed point, or around the
 /// direction u if the point depends on the frame.
 struct ExactBox {
   Sign w;                   ///< Zero if the point does not exist; it then has no box.
