@@ -230,8 +230,8 @@ void PlaneSection::add_edge_segment(HalfedgeId h) {
 
 // ---------------------------------------------------------------- cycles
 
-/// Segments are sorted by the vertices at which they start. At most vertices of the section, one
-/// segment starts. If several segments start, the turn on T decides.
+/// Segments are sorted by the vertices at which they start. Usually, one segment starts at a vertex
+/// of the section. If several segments start, the turn on T decides.
 void PlaneSection::link_cycles() {
   outgoing_.resize(segments_.size());
   for (std::uint32_t i = 0; i < segments_.size(); ++i) outgoing_[i] = i;
@@ -296,7 +296,7 @@ bool PlaneSection::select(HalfedgeId seed) {
 }
 
 /// Selects the cycle around the seed's component and the holes directly inside of it. Returns false
-/// if rings overlap, because their nesting is then not clear.
+/// if one ring lies on another, because their nesting is then not clear.
 bool PlaneSection::select_part(std::uint32_t seed_cycle) {
   const std::size_t count = first_of_cycle_.size();
   std::vector<std::vector<RingSide>> rings(count);

@@ -255,8 +255,8 @@ class SightWalls {
     section.add_edges();
   }
 
-  /// Cuts the whole set at a point, or at a vertical line, that was removed from a volume. No edge is
-  /// there at which a wall could begin.
+  /// Cuts the whole set at a point, or at a vertical line, that was removed from a volume. There is
+  /// no edge at which a wall could begin.
   void cut_across(VertexId v) {
     const PlaneId wall = vertical_.through(c_.vertex_point[v], PlaneId());
     const PlaneId level = vertical_.level();
