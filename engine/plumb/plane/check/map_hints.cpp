@@ -224,7 +224,7 @@ std::pair<MapHints::Vertices, MapHints::Vertices> MapHints::divided_at_common_pa
 }
 
 // For two regions at one side of a common path, and of no other edge: the region with the greater
-// number can follow the rest of the other region backwards.
+// area can follow the rest of the other region backwards.
 std::string MapHints::cut_along_common_edges(std::uint32_t a, std::uint32_t b) const {
   if (std::max(map_.cycle(a).size(), map_.cycle(b).size()) > kMaxCompared) return {};
   if (twice_polygon_area(map_.points, map_.cycle(a)) <
