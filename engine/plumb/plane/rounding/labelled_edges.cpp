@@ -80,8 +80,8 @@ class PieceCollector {
     }
   }
 
-  /// Adds the sum of the current curves, as pairs of a label that increases and a label that
-  /// decreases.
+  /// Adds the sum of the current curves, as pairs of a label whose number increases and a label
+  /// whose number decreases.
   void add_sum(LabelledEdge piece) {
     Windings jump;
     for (const SegmentId s : curves_) {
