@@ -376,7 +376,7 @@ void SetSheet::write_edges() {
     left_out_ += append_chains(complex_, kind_, kind, at_, kMaxPoints, path);
     if (path.empty()) continue;
     (kind == kSolid ? has_solid_ : has_dashed_) = true;
-    // The outline of a piece is not visible between the dashes.
+    // A white line hides the outlines of the pieces between the dashes.
     if (kind == kDashed && has_pieces()) {
       sheet_.body() << "<path class=\"under\" d=\"" << path.data() << "\"/>\n";
     }

@@ -43,7 +43,7 @@ std::vector<Side> sides(const Rectangle& r) {
   return {{true, -1, -r.left}, {true, 1, r.right}, {false, -1, -r.top}, {false, 1, r.bottom}};
 }
 
-/// Performs one step of the algorithm of Sutherland and Hodgman.
+/// Returns a ring after one step of the clipping by Sutherland and Hodgman.
 std::vector<Point2> cut(const std::vector<Point2>& ring, const Side& side) {
   std::vector<Point2> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
