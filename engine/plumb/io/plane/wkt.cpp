@@ -427,7 +427,8 @@ void WktReader::read_line() {
   require_good(shapes_.add_line(first, shapes_.position_count()));
 }
 
-/// Reads a closed line. A note states that it has no interior, because users may expect a polygon.
+/// Reads a closed line as the polygon that it bounds, because a line without an interior would
+/// surprise users who mean a polygon. A note states this.
 void WktReader::read_ring_as_polygon() {
   const std::uint32_t first = shapes_.position_count();
   read_ring();
