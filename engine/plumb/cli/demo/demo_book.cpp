@@ -334,8 +334,8 @@ class SolidDemo {
     return set;
   }
 
-  /// Combines both solids. The volumes are fractions with thousands of digits, and must satisfy the
-  /// law of addition exactly. The sets must satisfy the laws of Boolean algebra.
+  /// Combines both solids. The volumes are fractions with thousands of digits, and must add up
+  /// exactly. The difference and the second solid must be disjoint, and their union the union.
   Nef3 combine_both(const Nef3& a, const Nef3& b) {
     const Nef3 either = timed(a + b, "united the two");
     const Nef3 both = timed(a * b, "intersected them");
