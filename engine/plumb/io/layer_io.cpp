@@ -569,7 +569,7 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
   }
   Layer& layer = result.layer;
   layer.points = std::move(shapes.points);
-  // The next entry of file.continued: a polygon of the feature of the polygon before it.
+  // The index of the next entry of file.continued, a polygon of the feature of the one before.
   std::size_t next = 0;
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     if (p % 1024 == 0) context.checkpoint("read", p, shapes.polygon_count());
