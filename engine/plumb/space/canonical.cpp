@@ -1,11 +1,13 @@
-// Canonical form: order the cells, name planes and points by the set alone, write the arrays.
+// The canonical form: the cells are ordered, planes and points get names that depend only on the
+// set, and the arrays are written.
 //
-// The order of cells follows from the set (compare_complexes.h). Names do, too: each plane is taken
-// from the first cell in that order that needs it, with primitive coefficients; an edge has the
-// first two planes of its facets, or planes through it along axes; a point is an input point if it
-// can be, or the first three independent planes at it. So two complexes of one set get equal tables
-// and arrays. All names are made from planes of the minimal complex, or from planes that one of its
-// edges or points determines. Ids of the old tables are never used.
+// The order of cells follows from the set (compare_complexes.h). The names follow from the set,
+// too: each plane is taken from the first cell in that order that needs it, with primitive
+// coefficients; an edge has the first two planes of its facets, or planes through it along axes; a
+// point is an input point if it can be, or the first three independent planes at it. So two
+// complexes of one set get equal tables and arrays. All names are made from planes of the minimal
+// complex, or from planes that one of its edges or points determines. Ids of the old tables are
+// never used.
 //
 // Tested by tests/space/canonical_test.cpp.
 
@@ -130,8 +132,8 @@ void Naming::add_facet_planes(EdgeId e, std::vector<PlaneId>& found) {
 }
 
 /// Returns the plane through the edge along an axis: q_i p - p_i q for the planes p and q of the
-/// edge; nothing if the edge runs along the axis. Edges on the frame never need it, as they have
-/// two facets in different planes.
+/// edge; nothing if the edge runs along the axis. Edges on the frame never need it, because they
+/// have two facets in different planes.
 std::optional<IntegerRow> Naming::plane_along(EdgeId e, std::size_t axis) const {
   const auto& [p, q] = c_.edge_planes[e];
   PLUMB_CHECK(!c_.planes().is_frame(p) && !c_.planes().is_frame(q));
@@ -170,7 +172,7 @@ void Naming::name_edges(SpaceComplex& out) {
   }
 }
 
-/// Puts the planes of each edge in such an order that half-edge 2e runs from its lesser vertex.
+/// Sorts the planes of each edge such that half-edge 2e begins at its lesser vertex.
 void Naming::direct_edges(SpaceComplex& out) {
   const auto& edges = order_.edges.ids();
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -186,7 +188,7 @@ void Naming::direct_edges(SpaceComplex& out) {
 
 // ---------------------------------------------------------------- points
 
-/// Returns a point as doubles without negative zeros, or nothing if a coordinate is no double.
+/// Returns a point as doubles without negative zeros, or nothing if a coordinate is not a double.
 std::optional<Point3> Naming::as_doubles(SpacePoint p) const {
   if (p.is_input()) {
     const Point3& at = c_.planes().point(p.input());
@@ -247,7 +249,7 @@ std::array<PlaneId, 3> Naming::planes_at(const SpaceComplex& out, VertexId v) {
   return {chosen_[0], chosen_[1], chosen_[2]};
 }
 
-// Doubles first: an input point needs no planes, whatever its history.
+// Doubles are tried first. An input point needs no planes, whatever its history is.
 void Naming::name_points(SpaceComplex& out) {
   const auto& vertices = order_.vertices.ids();
   out.vertex_point.reserve(vertices.size());
@@ -322,7 +324,8 @@ class Writing {
     out.use_facet = renumbered(c_.use_facet, o_.uses, o_.facets);
   }
 
-  /// Writes radial orders. Around an edge that is turned, the uses follow each other the other way.
+  /// Writes radial orders. If the direction of an edge is reversed, the order of its uses is
+  /// reversed, too.
   void write_rings(SpaceComplex& out) const {
     out.use_radial.resize(c_.use_count());
     out.edge_use.assign(c_.edge_count(), UseId());
@@ -330,7 +333,7 @@ class Writing {
       const EdgeId e = SpaceComplex::edge_of(c_.use_halfedge[u]);
       UseId from = o_.uses(UseId(u)), to = o_.uses(c_.use_radial[u]);
       UseId& first = out.edge_use[o_.edges(e)];
-      first = std::min(first, from);  // An invalid id is the largest.
+      first = std::min(first, from);  // An invalid id is the greatest one.
       if (o_.is_turned(c_, e)) std::swap(from, to);
       out.use_radial[from] = to;
     }

@@ -1,8 +1,8 @@
 // From a mesh to a complex: the steps in order, and the report on the mesh.
 //
-// Each step is a source of its own in mesh/: vertices, facets, links, borders, components, fans and
-// crossings. Here they are run, faces keep their input numbers, and the report is filled. A mesh
-// that is open and not read as a surface stops after its borders are known.
+// Each step has its own source in mesh/: vertices, facets, links, borders, components, fans and
+// crossings. This file calls the steps, keeps the input numbers of faces, and fills the report. A
+// mesh that is open and not read as a surface stops after its borders are known.
 //
 // Large meshes of triangles are first sorted along a space-filling curve, which makes the later
 // steps faster; the indices of faces are translated back. An open mesh is read again in its own
@@ -40,11 +40,13 @@ namespace plumb {
 namespace {
 
 constexpr std::uint64_t kBytesPerCorner = 200;
-constexpr std::uint64_t kBytesPerPoint = 4;   // This counts points that no face names, too.
-constexpr std::size_t kWorthOrdering = 4096;  // Fewer faces are close together in any order.
-constexpr std::size_t kWorthThreads = 4096;   // Fewer facets take less time than starting a thread.
+constexpr std::uint64_t kBytesPerPoint = 4;  // This also counts points that no face refers to.
+// If there are fewer faces, they are close together in any order.
+constexpr std::size_t kWorthOrdering = 4096;
+// If there are fewer facets, they take less time than starting a thread.
+constexpr std::size_t kWorthThreads = 4096;
 
-/// Removes vertices without a facet: corners of faces without area only.
+/// Removes vertices without a facet. They are corners of faces without area.
 void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
   std::vector<std::uint32_t> number(vertices.point.size(), 0);
   for (const std::uint32_t v : facets.corner) number[v] = 1;
@@ -65,7 +67,7 @@ void drop_unused(MeshFacets& facets, MeshLinks& links, MeshVertices& vertices) {
   }
 }
 
-/// Takes the components, and lists those of negative volume by their least faces.
+/// Stores the components, and lists those of negative volume by their least faces.
 void describe_components(const MeshFacets& facets, MeshComponents components, MeshComplex& result) {
   result.component = std::move(components.of_facet);
   for (const Sign s : components.volume) {
@@ -81,7 +83,7 @@ void describe_components(const MeshFacets& facets, MeshComponents components, Me
   std::ranges::sort(result.report.inside_out);
 }
 
-/// Finds fans and components at the same time; neither needs the other.
+/// Finds fans and components at the same time, because they do not depend on each other.
 void describe_parts(const MeshFacets& facets, MeshComplex& result, Context& context) {
   const auto describe = [&](std::size_t i, Context&) {
     if (i == 0) {
@@ -94,8 +96,8 @@ void describe_parts(const MeshFacets& facets, MeshComplex& result, Context& cont
   for (const std::size_t i : {0U, 1U}) describe(i, context);
 }
 
-/// Notes what is known of a star-shaped mesh: one component without crossings, and vertices each
-/// with one ring of corners, which serve as fans.
+/// Stores the facts about a star-shaped mesh: it has one component and no crossings, and each
+/// vertex has one ring of corners. These rings serve as fans.
 void describe_star(const MeshFacets& facets, Sign orientation, MeshComplex& result) {
   describe_components(facets, {std::vector<std::uint32_t>(facets.size(), 0), {orientation}},
                       result);
@@ -121,19 +123,20 @@ void describe_crossings(const MeshOptions& options, BoxOrder order, MeshComplex&
   result.report.crossings = std::move(pairs);
 }
 
-/// Moves what is known of cells that stay to their new numbers. Cells with one number know the
-/// same.
+/// Moves the data about cells that are kept to their new numbers. If several cells get the same
+/// number, their data agree.
 template <class T, class Id>
 void renumber(std::span<const Id> number, std::vector<T>& known) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < number.size(); ++i) {  // Numbers ascend where each comes first.
+  // The numbers are ascending at their first occurrences.
+  for (std::size_t i = 0; i < number.size(); ++i) {
     if (number[i].is_valid() && number[i].value() == count) known[count++] = known[i];
   }
   known.resize(count);
 }
 
-/// Joins coplanar neighbours, which removes open edges, if that is asked for and the mesh does not
-/// cross itself; else completes open edges.
+/// If the caller wants it and the mesh does not cross itself, joins coplanar neighbours, which
+/// removes open edges. Otherwise, completes open edges.
 void settle_flat_edges(const MeshOptions& options, SpaceTables& tables, MeshComplex& mesh,
                        Context& context) {
   if (!options.joins_coplanar || options.surface || !mesh.crossings.empty()) {
@@ -148,10 +151,11 @@ void settle_flat_edges(const MeshOptions& options, SpaceTables& tables, MeshComp
   mesh.complex = std::move(joined);
 }
 
-/// Gives faces of an ordered mesh the numbers that they had before.
+/// Gives the faces of an ordered mesh their original numbers.
 void rename_faces(std::span<const std::uint32_t> name, MeshFacets& facets, MeshReport& report) {
   for (std::uint32_t& f : facets.origin) f = name[f];
-  for (auto* const list : {&report.degenerate, &report.trimmed}) {  // Triangles have no others.
+  // Faces of triangles have no other entries in the report.
+  for (auto* const list : {&report.degenerate, &report.trimmed}) {
     for (std::uint32_t& f : *list) f = name[f];
     std::ranges::sort(*list);
   }
@@ -171,7 +175,7 @@ void rename_chains(const MeshVertices& vertices, Chains& chains) {
   }
 }
 
-/// Finds out why a mesh is open.
+/// Finds the reason why a mesh is open.
 void describe_borders(const MeshView& mesh, const MeshVertices& vertices, const Point3Table& points,
                       MeshReport& report, Context& context) {
   MeshOrientation orientation = orient_faces(mesh, vertices, points, context, &report.borders);
@@ -181,8 +185,8 @@ void describe_borders(const MeshView& mesh, const MeshVertices& vertices, const 
   rename_chains(vertices, report.holes);
 }
 
-/// Returns the complex of `ordered`, which comes from `input`, or of `input` if that is empty.
-/// Borders have the numbers that points have in the mesh that was read.
+/// Returns the complex of `ordered`, which was made from `input`, or of `input` if `ordered` is
+/// empty. In borders, points have the numbers of the mesh that was read.
 MeshComplex complex_in_order(const MeshView& input, OrderedMesh ordered, const MeshOptions& options,
                              MemoryCharge& memory, Context& context) {
   MeshComplex result;
@@ -270,7 +274,7 @@ OpenMesh::OpenMesh(MeshReport report, TextPlace place)
     : Error(ErrorCode::BadShape, open_mesh_message(report), std::move(place)),
       report_(std::make_shared<const MeshReport>(std::move(report))) {}
 
-// An open mesh is read again in its own order: the numbers in its report must be those of the
+// An open mesh is read again in its own order, because its report must have the numbers of the
 // input.
 MeshComplex complex_of_mesh(const MeshView& mesh, const MeshOptions& options, Context& context) {
   MemoryCharge memory(context);

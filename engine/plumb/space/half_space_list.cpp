@@ -1,5 +1,5 @@
-// Half-spaces as four numbers each: doubles in one array, and the few numbers that are not doubles
-// in a sorted list, with 0 in their places.
+// A list of half-spaces, each as four numbers: doubles in one array, and the few numbers that are
+// not doubles in a sorted list, with 0 in their places.
 //
 // Tested by tests/space/half_space_hull_test.cpp and tests/io/half_space_reader_test.cpp.
 

@@ -3,8 +3,8 @@
 // A facet gives a loop between two faces, an edge two points with a half-circle for each edge use
 // (Weiler), a vertex a point for each half-edge and an arc for each corner. Around a half-edge the
 // arcs have the radial order of its edge, which links them; faces are the orbits of `next`. If the
-// map is connected (by Euler's formula, points - arcs + faces = 2), that is all, without
-// arithmetic. Else several orbits bound one face, and walks along great circles group them
+// map is connected (by Euler's formula, points - arcs + faces = 2), no arithmetic is needed.
+// Otherwise, several orbits bound one face, and walks along great circles group them
 // (docs/design/sphere.md, "Nesting").
 //
 // The numbering is fixed: points in the order of the star, arcs by the point at which their use
@@ -24,7 +24,7 @@ namespace plumb {
 
 namespace {
 
-/// Empties a map and keeps its memory.
+/// Empties a map, but keeps its memory.
 void clear(LocalMap& local) {
   local.map.clear();
   local.halfedge.clear();
@@ -42,14 +42,14 @@ void add_point(const SpaceComplex& complex, HalfedgeId h, LocalMap& out) {
   out.map.point_face.push_back(kNone);
 }
 
-/// Adds an arc without points and faces yet. Without points it is a loop: both half-arcs follow
-/// themselves.
+/// Adds an arc that has no points and faces yet. An arc without points is a loop, in which both
+/// half-arcs follow themselves.
 void add_arc(const SpaceComplex& complex, FacetId f, UseId use, LocalMap& out) {
   out.use.push_back(use);
   out.facet.push_back(f);
   out.map.circle.push_back(complex.facet_plane[f]);
   out.map.arc_mark.push_back(complex.facet_mark[f]);
-  for (int side = 0; side < 2; ++side) {  // Much less expensive than insert().
+  for (int side = 0; side < 2; ++side) {  // This takes much less time than insert().
     out.map.origin.push_back(kNone);
     out.map.next.push_back(static_cast<std::uint32_t>(out.map.next.size()));
     out.map.face.push_back(kNone);
@@ -75,7 +75,7 @@ VolumeId volume_left_of(const SpaceComplex& complex, const LocalMap& local, std:
   return complex.facet_volume[f][half & 1U];
 }
 
-/// Links half-arcs that leave one point, each the clockwise neighbour of the one after it.
+/// Links half-arcs that leave one point. Each is the clockwise neighbour of the next one.
 void link_ring(std::span<const std::uint32_t> counterclockwise, SphereMap& map) {
   for (std::size_t i = 0; i < counterclockwise.size(); ++i) {
     const std::uint32_t after = counterclockwise[i + 1 < counterclockwise.size() ? i + 1 : 0];
@@ -93,13 +93,13 @@ void map_facet(const SpaceComplex& complex, FacetId f, LocalMap& out) {
   out.map.centre_mark = complex.facet_mark[f];
 }
 
-/// Returns the volume around a free edge; invalid if volumes are not labelled.
+/// Returns the volume around a free edge, or an invalid id if volumes have no labels.
 VolumeId volume_of_free_edge(const SpaceComplex& complex, HalfedgeId h) {
   return complex.edge_volume.empty() ? VolumeId() : complex.edge_volume[h.value() >> 1U];
 }
 
-// The uses come counter-clockwise around half-edge 2e, so their half-arcs do at point 0; at point 1
-// the order is reversed.
+// The uses are counter-clockwise around half-edge 2e, and so are their half-arcs at point 0. At
+// point 1, the order is reversed.
 void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   SphereMap& map = out.map;
   const HalfedgeId forward(2 * e.value()), backward(2 * e.value() + 1);
@@ -112,8 +112,8 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
     map.point_face[0] = map.point_face[1] = add_face(complex, around, out);
     return;
   }
-  // Arc i is the half-circle of the i-th use in radial order. Its half-arc that leaves point 0 is
-  // the even one for a use of 2e and the odd one for a use of 2e + 1.
+  // Arc i is the half-circle of the i-th use in radial order. Of its half-arcs, the even one leaves
+  // point 0 if the use is on 2e, and the odd one if the use is on 2e + 1.
   std::vector<std::uint32_t> ring, reversed;
   UseId u = first;
   do {
@@ -131,8 +131,8 @@ void map_edge(const SpaceComplex& complex, EdgeId e, LocalMap& out) {
   link_ring(reversed, map);
   map.first_out[0] = ring.front();
   map.first_out[1] = SphereMap::twin(ring.front());
-  // Between two neighbouring half-circles lies one face, to the left of the first half-arc at point
-  // 0 and of the reverse of the next one.
+  // Between two neighbouring half-circles, there is one face. It is to the left of the first
+  // half-arc at point 0, and of the reverse of the next one.
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::uint32_t after = ring[i + 1 < ring.size() ? i + 1 : 0];
     map.face[ring[i]] = map.face[SphereMap::twin(after)] =
@@ -191,13 +191,13 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
     });
   }
   const ArcsByUse arc_of(out.use);
-  // The corner of a use that leaves along h begins at this point: its even half-arc leaves. The
-  // corner of a use that arrives belongs to the next use and ends here: its odd half-arc leaves.
+  // If a use leaves along h, its corner begins at this point, and its even half-arc leaves. If a
+  // use arrives, its corner belongs to the next use and ends here, so its odd half-arc leaves.
   for (std::uint32_t i = 0; i < out.halfedge.size(); ++i) {
     const HalfedgeId h = out.halfedge[i];
     const bool is_reverse = SpaceComplex::is_reverse(h);
     std::uint32_t first = kNone, last = kNone;
-    // Around half-edge 2e the uses come counter-clockwise, around its reverse clockwise.
+    // Around half-edge 2e, the uses are counter-clockwise. Around its reverse, they are clockwise.
     const auto link = [&](std::uint32_t half, std::uint32_t after) {
       if (is_reverse) std::swap(half, after);
       map.next[SphereMap::twin(after)] = half;
@@ -221,8 +221,8 @@ void link_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   if (inside.is_valid()) add_loop(complex, inside, out);
 }
 
-/// Makes each orbit of `next` a face, with the volume of its first half-arc, and returns how many
-/// there are.
+/// Makes each orbit of `next` a face, with the volume of its first half-arc. Returns the number of
+/// faces.
 std::uint32_t add_orbits(const SpaceComplex& complex, LocalMap& out) {
   SphereMap& map = out.map;
   std::uint32_t count = 0;
@@ -264,7 +264,7 @@ class CycleGroups {
   std::vector<std::uint32_t> class_;
 };
 
-/// Gives each class of boundary cycles a face, with the volume that one of its cycles knows.
+/// Gives each class of boundary cycles a face, with the volume that is known for one of its cycles.
 class FaceNumbers {
  public:
   FaceNumbers(const SpaceComplex& complex, std::size_t classes, LocalMap& out)
@@ -291,13 +291,13 @@ void map_vertex(const SpaceComplex& complex, VertexId v, LocalMap& out) {
   }
   const std::uint32_t orbits = add_orbits(complex, out);
   const auto points = static_cast<std::uint32_t>(map.point_count());
-  // By Euler's formula V - E + F is 2 for a component with points and arcs, and each component has
-  // orbits of its own: so the sum is 2 if and only if there is one component.
+  // By Euler's formula, V - E + F is 2 for a component with points and arcs, and no two components
+  // share an orbit. Therefore the sum is 2 if and only if there is one component.
   const bool has_lone_parts =
       complex.vertex_facet[v].is_valid() ||
       std::find(map.first_out.begin(), map.first_out.end(), kNone) != map.first_out.end();
-  if (!has_lone_parts && points + orbits == map.arc_count() + 2) return;  // connected
-  // Orbits are regrouped: a class of cycles that bound one face gets one number.
+  if (!has_lone_parts && points + orbits == map.arc_count() + 2) return;  // The map is connected.
+  // Orbits are grouped: a class of cycles that bound one face gets one number.
   const std::vector<std::uint32_t> orbit = map.face;
   out.volume.clear();
   map.face_mark.clear();

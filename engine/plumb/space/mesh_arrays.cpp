@@ -15,7 +15,7 @@
 namespace plumb {
 namespace {
 
-// A point is three doubles and nothing else, so an array of points is one of doubles.
+// A point has exactly three doubles, so an array of points is an array of doubles.
 static_assert(sizeof(Point3) == 3 * sizeof(double) && alignof(Point3) == alignof(double));
 static_assert(std::is_standard_layout_v<Point3> && std::is_trivially_copyable_v<Point3>);
 

@@ -37,7 +37,7 @@ void require_bounded(const SpaceComplex& complex) {
   }
 }
 
-/// Sorts faces by their sources, and fills the runs.
+/// Sorts faces by their sources, and fills the array of runs.
 void sort_by_source(std::size_t sources, std::vector<std::uint32_t>& piece,
                     MeshWithAttributes& result, const std::vector<FaceSource>& source_of_piece) {
   PolygonMesh& mesh = result.mesh;

@@ -1,4 +1,4 @@
-// Members of Nef3 that hold, read and operate on a set, and the Booleans of sets.
+// The members of Nef3 that copy, query and transform a set, and the Booleans of sets.
 //
 // Unary operators change marks and bring the complex into minimal form. Booleans first look for
 // cases that need no geometry: an operand that is empty or whole, operands that are identical, and
@@ -62,7 +62,7 @@ void fill(std::vector<Mark>& marks, Mark value) {
   }
 }
 
-/// Sets the marks of all vertices, edges and facets off the frame.
+/// Sets the marks of all vertices, edges and facets that are not on the frame.
 void fill_boundary(SpaceComplex& complex, Mark value) {
   fill(complex.vertex_mark, value);
   fill(complex.edge_mark, value);
@@ -75,7 +75,7 @@ SpaceComplex framed(SpaceComplex complex, Context& context) {
                             : with_frame(complex, copy(*complex.tables), context);
 }
 
-/// Returns f(a, b) for any two operands, with a frame only if it needs one.
+/// Returns f(a, b) for any two operands. The result has a frame only if it needs one.
 SpaceComplex combine_any(SpaceComplex a, SpaceComplex b, MarkFunction f, Context& context) {
   if (has_frame(a) != has_frame(b)) {
     a = framed(std::move(a), context);
@@ -101,7 +101,7 @@ SpaceComplex selected(SpaceComplex complex, const SpaceSelector& select, Context
   return without_idle_frame(simplified(std::move(complex), context), context);
 }
 
-/// Returns the number of cells off the frame.
+/// Returns the number of cells that are not on the frame.
 std::size_t standard_count(const std::vector<Mark>& marks) {
   return static_cast<std::size_t>(
       std::count_if(marks.begin(), marks.end(), [](Mark m) { return m != kBeyond; }));
@@ -129,7 +129,8 @@ const SpaceComplex& Nef3::complex() const& { return state_->complex; }
 SpaceComplex Nef3::complex() && {
   const std::shared_ptr<State> state = std::move(state_);
   if (state.use_count() > 1) return state->complex;
-  std::atomic_thread_fence(std::memory_order_acquire);  // Other threads may have read it before.
+  // Other threads may have read the complex before.
+  std::atomic_thread_fence(std::memory_order_acquire);
   return std::move(state->complex);
 }
 
@@ -216,8 +217,8 @@ bool Nef3::is_bounded() const {
   return true;
 }
 
-// In a minimal complex a vertex, edge or facet that is not marked is a limit of points of the set:
-// otherwise nothing around it would be marked either, and it would be superfluous.
+// In a minimal complex, a vertex, edge or facet that is not marked is a limit of points of the set.
+// Otherwise, no cell around it would be marked either, and it would be superfluous.
 bool Nef3::is_closed() const {
   const SpaceComplex& c = complex();
   const auto has_open = [](const std::vector<Mark>& marks) {
@@ -244,8 +245,8 @@ bool has_two_facets(const SpaceComplex& c, HalfedgeId h) {
   return second != first && c.use_radial[second] == first;
 }
 
-/// Whether the corners around a vertex make one cycle: as many arcs as points, so two faces.
-/// Requires edges of two uses.
+/// Whether the corners around a vertex make one cycle, that is, whether there are as many arcs as
+/// points, and therefore two faces. Requires edges with two uses.
 bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
   if (c.vertex_facet[v].is_valid() || c.star_of(v).empty()) return false;
   local_map(c, v, local);
@@ -254,7 +255,8 @@ bool is_on_one_cone(const SpaceComplex& c, VertexId v, LocalMap& local) {
 
 }  // namespace
 
-// Facets must separate the set from its complement, edges have two facets, vertices one cone.
+// In a 2-manifold, facets separate the set from its complement, each edge has two facets, and each
+// vertex has one cone.
 bool Nef3::is_simple() const {
   const SpaceComplex& c = complex();
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
@@ -351,15 +353,16 @@ Nef3 Nef3::translated(const RationalPoint3& by, Context& context) const {
 
 namespace {
 
-/// Returns the set with other marks for the points outside and inside: itself, its complement,
-/// nothing or the whole space.
+/// Returns the set with the given marks for the points outside and inside: the set itself, its
+/// complement, the empty set or the whole space.
 Nef3 with_marks(Nef3 set, bool of_outside, bool of_inside) {
   if (of_outside == of_inside) return of_inside ? Nef3::whole() : Nef3::empty();
   return of_inside ? std::move(set) : !set;
 }
 
-/// Returns f(a, b) if each mark of one operand has one partner only: one of them is empty or the
-/// whole space, or they are the same set. Else returns nothing.
+/// Returns f(a, b) if each mark of one operand occurs with only one mark of the other operand. This
+/// is the case if one operand is empty or the whole space, or if they are the same set. Otherwise,
+/// returns nothing.
 std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) {
   const bool in_a = a.is_whole(), in_b = b.is_whole();
   if (in_b || b.is_empty()) return with_marks(a, f(false, in_b), f(true, in_b));
@@ -370,21 +373,22 @@ std::optional<Nef3> combine_marks(const Nef3& a, const Nef3& b, MarkFunction f) 
 
 }  // namespace
 
-/// Returns f(a, b) for bounded boundaries that are apart: all of one lies in volume 0 of the other,
-/// so each changes its marks by itself. Returns nothing if boxes do not prove that they are.
+/// Returns f(a, b) for bounded boundaries that are apart. Each lies completely in volume 0 of the
+/// other, so the marks of each operand change independently. Returns nothing if boxes do not prove
+/// that the boundaries are apart.
 std::optional<Nef3> Nef3::combined_apart(Nef3& a, Nef3& b, MarkFunction f) {
   if (has_frame(a.complex()) || has_frame(b.complex())) return {};
   std::vector<Box3> parts = a.state_->boxes();
   const std::vector<Box3> others = b.state_->boxes();
   if (!are_apart({a.complex(), parts}, {b.complex(), others})) return {};
-  // All of a lies in volume 0 of b, and conversely, so each changes its marks by a function of its
-  // own: f with the mark of the other's volume 0.
+  // The set a lies completely in volume 0 of b, and conversely. Therefore the marks of each change
+  // by a separate function: f with the mark of volume 0 of the other set.
   const bool of_a = a.complex().volume_mark[0] != 0, of_b = b.complex().volume_mark[0] != 0;
   a = plumb::with_marks(std::move(a), f(false, of_b), f(true, of_b));
   b = plumb::with_marks(std::move(b), f(of_a, false), f(of_a, true));
   if (b.complex().vertex_count() == 0) return a;
   if (a.complex().vertex_count() == 0) return b;
-  // The boxes of both are kept, so that the next set can be proved apart from each part.
+  // The boxes of both sets are kept, so that later sets can be proved apart from each part.
   parts.insert(parts.end(), others.begin(), others.end());
   Nef3 both;
   both.state_ = std::make_shared<State>(
@@ -437,11 +441,11 @@ Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunctio
 
 namespace {
 
-/// A set with what decides when it is combined with which others.
+/// A set with the data that decide when it is combined, and with which other sets.
 struct PlacedSet {
   Nef3 set;
-  Box3 box;            // Around its boundary; infinite if nothing is known.
-  std::size_t weight;  // About how much work the set is.
+  Box3 box;            // The box around its boundary. It is infinite if nothing is known.
+  std::size_t weight;  // An estimate of the work that the set causes.
 };
 
 double centre(const Box3& box, std::size_t axis) {
@@ -508,13 +512,13 @@ std::size_t halve(std::span<PlacedSet> sets) {
   return count;
 }
 
-/// Combines sets pairwise in a balanced tree (halve()). Uses up the sets.
+/// Combines sets pairwise in a balanced tree (halve()). The sets are consumed.
 Nef3 combine_all(std::span<PlacedSet> sets, MarkFunction f, Context& context) {
   if (sets.size() == 1) return std::move(sets[0].set);
   const std::size_t half = halve(sets);
   const std::array<std::span<PlacedSet>, 2> parts{sets.first(half), sets.subspan(half)};
   std::array<Nef3, 2> both;
-  // Each half is charged while the other one may still be in work.
+  // The memory of each half is charged while the other half may still be computed.
   std::array<MemoryCharge, 2> memory{MemoryCharge(context), MemoryCharge(context)};
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     both[i] = combine_all(parts[i], f, own);

@@ -1,12 +1,12 @@
-// The steps that mend a mesh, in their order.
+// The steps of the repair of a mesh, in their order.
 //
-// The mesh is copied, mended and moved back, so that an exception leaves it as it was. `origin_`
-// keeps the number that each face had, for the report. After the first step every place has one
-// point, so that indices tell whether faces share an edge; equal points of different indices occur
-// only before it.
+// The mesh is copied, repaired and moved back, so that an exception does not change it. `origin_`
+// keeps the original number of each face for the report. After the first step, every place has one
+// point, so that indices determine whether faces share an edge. Equal points with different indices
+// occur only before this step.
 //
-// Closedness is always judged by orient_faces(), which cuts edges at vertices on them as
-// complex_of_mesh() does: what is reported as closed is read as closed.
+// orient_faces() always decides whether a mesh is closed. Like complex_of_mesh(), it cuts edges at
+// vertices on them. Therefore a mesh that is reported as closed is read as closed.
 //
 // Tested by tests/space/repair_mesh_test.cpp.
 
@@ -67,9 +67,9 @@ class DoubledSearch {
     }
     return first;
   }
-  /// Whether find() met each face as often in one direction as in the other.
+  /// Whether find() found each face equally often in both directions.
   bool are_opposite() const { return are_opposite_; }
-  /// Whether find() met each face in one direction only.
+  /// Whether find() found each face in only one direction.
   bool are_alike() const { return are_alike_; }
 
  private:
@@ -92,7 +92,7 @@ class DoubledSearch {
   }
 
   const PolygonMesh& mesh_;
-  std::vector<std::uint32_t> keys_;  // Where mesh_.corners has the corners of the same face.
+  std::vector<std::uint32_t> keys_;  // The place in mesh_.corners of the corners of the same face.
   std::vector<std::uint8_t> is_reversed_;
   bool are_opposite_ = false;
   bool are_alike_ = false;
@@ -100,7 +100,7 @@ class DoubledSearch {
 
 // ---------------------------------------------------------------- the steps
 
-/// A mesh being mended.
+/// Repairs a mesh.
 class MeshRepair {
  public:
   MeshRepair(PolygonMesh mesh, const RepairOptions& options, Context& context)
@@ -113,9 +113,9 @@ class MeshRepair {
     charge_.add(kBytesPerCorner * mesh_.corners.size(), "mending of a mesh");
   }
 
-  /// Keeps what origins() needs. To be called before run().
+  /// Stores the data for origins(). Must be called before run().
   void keep_origins() { before_.emplace(); }
-  /// Returns where the faces of the mended mesh come from.
+  /// Returns the origins of the faces of the repaired mesh.
   FaceOrigins origins() const { return origins_of(*before_, mesh_, origin_); }
 
   RepairReport run() {
@@ -198,8 +198,9 @@ class MeshRepair {
     return single;
   }
 
-  /// Whether the mesh without doubled faces has shorter borders, or none if the mesh encloses
-  /// nothing for certain, or if whole closed surfaces are there several times.
+  /// Whether doubled faces should be removed. This is the case if the mesh without them has shorter
+  /// borders; if it has none, and the mesh certainly encloses nothing; or if complete closed
+  /// surfaces occur several times.
   bool is_better(const PolygonMesh& single, const DoubledSearch& search) const {
     const std::size_t after = length(orientation_of(single).holes);
     if (search.are_opposite()) return after == 0;
@@ -226,7 +227,7 @@ class MeshRepair {
     return found;
   }
 
-  // If faces must not be turned, the borders that they make are holes like any others.
+  // If faces must not be flipped, the borders that they make count as holes.
   void orient() {
     MeshOrientation found = orientation_of(mesh_);
     for (const std::uint32_t f : found.one_sided) report_.one_sided.push_back(origin_[f]);
@@ -242,7 +243,7 @@ class MeshRepair {
     }
   }
 
-  // What a one-sided component lacks is no hole.
+  // The missing part of a one-sided component is not a hole.
   void fill() {
     if (!options_.fills_holes() || report_.holes.empty() || !report_.one_sided.empty()) return;
     SpaceTables tables;
@@ -280,9 +281,9 @@ class MeshRepair {
 
   // ---------------------------------------------------------------- inside and outside
 
-  // A component balances by itself, so the mesh stays closed if all its faces are turned. A face
-  // that is cut into triangles of several components cannot follow all of them: if that opens the
-  // mesh, nothing is turned.
+  // A component balances by itself, so the mesh remains closed if all its faces are flipped. If a
+  // face is triangulated and its triangles belong to several components, it cannot follow all of
+  // them. If this would open the mesh, no face is flipped.
   void turn_components() {
     if (!options_.reorient || !report_.is_closed() || mesh_.face_count() == 0) return;
     MeshComplex made = complex_of_mesh(mesh_, {}, context_);
@@ -334,7 +335,7 @@ class MeshRepair {
   const RepairOptions& options_;
   Context& context_;
   MemoryCharge charge_;
-  std::vector<std::uint32_t> origin_;  // The number that each face had at first.
+  std::vector<std::uint32_t> origin_;  // The original number of each face.
   std::uint32_t next_face_;            // The number of the next face that is added.
   RepairReport report_;
   // The faces after the weld, without points, if origins are kept.

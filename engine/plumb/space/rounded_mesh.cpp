@@ -24,8 +24,10 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-constexpr std::uint64_t kRoundedPointBytes = 32;   // A copy of it, and the place of its exact one.
-constexpr std::uint64_t kRoundedCornerBytes = 12;  // A copy of near faces, and lists of faces.
+// The memory of a copy of the point, and of the place of its exact coordinates.
+constexpr std::uint64_t kRoundedPointBytes = 32;
+// The memory of a copy of near faces, and of lists of faces.
+constexpr std::uint64_t kRoundedCornerBytes = 12;
 
 Vector3 coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 
@@ -34,7 +36,8 @@ Vector3 coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
 double nearest_coordinate(double value, CoordinateType type) {
   constexpr double kLargestDouble = std::numeric_limits<double>::max();
   constexpr double kLargestFloat = std::numeric_limits<float>::max();
-  constexpr double kRoundsToInfinity = 0x1.ffffffp127;  // The middle of kLargestFloat and 2^128.
+  // The middle between kLargestFloat and 2^128.
+  constexpr double kRoundsToInfinity = 0x1.ffffffp127;
   const double size = std::fabs(value);
   if (type == CoordinateType::Double) {
     if (size <= kLargestDouble) return value;

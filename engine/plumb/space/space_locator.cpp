@@ -37,7 +37,7 @@ namespace {
 
 constexpr SphereDirection kRight{kPlaneY, kPlaneZ};  ///< The direction of x.
 constexpr std::size_t kAxisX = 0;
-/// A part of a distance that is less than it by more than any roundings.
+/// This part of a distance is less than the distance in spite of all roundings.
 constexpr double kWellWithin = 0.99;
 
 /// Returns the mark of a cell.
@@ -61,7 +61,7 @@ Mark mark_of(const SpaceComplex& complex, SpaceItem item) {
 struct SpaceLocator::Tree {
   explicit Tree(const SpaceComplex& complex);
 
-  /// Returns what the ray meets first, strictly after its origin.
+  /// Returns the first cell that the ray meets strictly after its origin.
   std::optional<SpaceRayHit> first_hit(const SpaceRay& ray) const;
   SpaceItem on_item(const QueryPoint3& p) const;
   VolumeId volume_of(const QueryPoint3& p) const;
@@ -118,7 +118,7 @@ SpaceLocator::Tree::Tree(const SpaceComplex& complex) : complex_(complex) {
   for (const Box3& box : boxes_) sum += std::isfinite(box.extent()) ? box.extent() : 0;
   if (!boxes_.empty()) mean_extent_ = sum / static_cast<double>(boxes_.size());
   boxes_tree_ = BoxTree(boxes_);
-  boxes_ = std::vector<Box3>();  // Frees the memory, which {} would not.
+  boxes_ = std::vector<Box3>();  // This releases the memory, which an assignment of {} would not.
 }
 
 /// Returns the box of an item along the coordinate axes.
@@ -128,8 +128,8 @@ Box3 SpaceLocator::Tree::axis_box(SpaceItem item) const {
   return box_of(complex_, item.vertex());
 }
 
-/// Replaces the boxes by those of another frame if many of them meet and that frame has far fewer
-/// pairs.
+/// If many of the boxes meet, and another frame has far fewer pairs, replaces the boxes by those of
+/// the other frame.
 void SpaceLocator::Tree::choose_frame() {
   const double pairs = expected_pairs(boxes_, boxes_);
   if (!has_many_pairs(pairs, boxes_.size())) return;
@@ -180,9 +180,9 @@ SpaceItem SpaceLocator::Tree::on(EdgeId e, const QueryPoint3& p) const {
   return {};
 }
 
-/// Returns the facet or the cell of its boundary on which p lies, or an invalid item. The axis
-/// along which the normal is largest surely crosses the plane, so its shadows distinguish the
-/// points of the plane.
+/// Returns the facet on which p lies, or the cell of its boundary, or an invalid item. The plane is
+/// certainly not parallel to the axis of the largest component of its normal, so the shadows along
+/// this axis distinguish the points of the plane.
 SpaceItem SpaceLocator::Tree::on(FacetId f, const QueryPoint3& p) const {
   const PlaneId plane = complex_.facet_plane[f];
   if (side(complex_.points(), p, plane) != Sign::Zero) return {};
@@ -212,8 +212,8 @@ SpaceItem SpaceLocator::Tree::on_item(const QueryPoint3& p) const {
 
 // --- rays
 
-/// Returns the ray for the box tree, surely wide enough. The time of the box ray is the distance
-/// along the ray.
+/// Returns the ray for the box tree, which is certainly wide enough. The time of the box ray is the
+/// distance along the ray.
 BoxRay SpaceLocator::Tree::box_ray(const SpaceRay& ray) const {
   Box3 direction;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -238,7 +238,7 @@ void SpaceLocator::Tree::add_hits(SpaceItem item, const SpaceRay& ray,
 
 namespace {
 
-/// The nearest of the hits in front of the origin that it has seen.
+/// The nearest of the hits so far that are in front of the origin.
 class NearestHit {
  public:
   explicit NearestHit(const SpaceRay& ray) : ray_(ray) {}
@@ -274,8 +274,8 @@ Box3 SpaceLocator::Tree::piece(const SpaceRay& ray, double length) const {
   return box;
 }
 
-/// Looks for the first hit in short pieces of the ray. Boxes that meet a short piece are few and
-/// found without divisions; what is hit well within the piece is the nearest of all. Pieces grow
+/// Looks for the first hit in short pieces of the ray. Only few boxes meet a short piece, and they
+/// are found without divisions. A hit well within the piece is the nearest of all. Pieces grow
 /// eightfold, so that they are no longer than necessary. Returns false if no piece decides, or one
 /// meets many boxes, of which not all should be tested.
 bool SpaceLocator::Tree::find_near(const SpaceRay& ray, std::optional<SpaceRayHit>& hit) const {
@@ -322,8 +322,8 @@ std::optional<SpaceRayHit> SpaceLocator::Tree::first_hit(const SpaceRay& ray) co
 
 // --- volumes
 
-/// Returns the volume through which a ray towards -x came that ends on the item. A canonical plane
-/// that the ray crosses has a positive x component, so the ray comes from its positive side.
+/// Returns the volume through which a ray towards -x arrives at the item. A canonical plane that
+/// the ray crosses has a positive x component, so the ray arrives from its positive side.
 VolumeId SpaceLocator::Tree::volume_right_of(SpaceItem item) const {
   if (item.kind() == SpaceItem::Kind::Facet) return complex_.facet_volume[item.index()][0];
   LocalMap local;
@@ -345,8 +345,8 @@ SpaceItem SpaceLocator::Tree::locate(const QueryPoint3& p) const {
 
 // --- points in doubles: most are in a cell of the grid that is known
 
-/// Returns the grid, which is made at the first call. A locator for the few rays of a complex
-/// without volumes never makes it.
+/// Returns the grid, which is made at the first call. If a locator only shoots the few rays of a
+/// complex without volumes, it never makes the grid.
 const VolumeGrid& SpaceLocator::Tree::grid() const {
   std::call_once(grid_made_, [this] {
     if (is_turned_) return;  // Boxes along the axes would mark nearly all cells.
@@ -358,8 +358,8 @@ const VolumeGrid& SpaceLocator::Tree::grid() const {
   return known_grid_;
 }
 
-/// Locates p by what meets the way to a place to its left whose volume is known. Returns false if
-/// the nearest hit is so close to that place that it is not sure whether it lies on the way.
+/// Locates p by the cells between p and a place to its left whose volume is known. Returns false if
+/// the nearest hit is so close to that place that it is not certain whether it lies between them.
 bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::Left& left,
                                         SpaceItem& found) const {
   const SpaceRay ray(complex_, p, kAxisX, true);
@@ -378,8 +378,8 @@ bool SpaceLocator::Tree::locate_between(const QueryPoint3& p, const VolumeGrid::
   });
   if (found.is_valid()) return true;
   const double length = p.point().x - left.x;
-  // Items that lie farther left than the known place have not been seen, so a hit near it is not
-  // sure to be the nearest.
+  // Items that lie to the left of the known place have not been tested, so a hit near it is not
+  // certain to be the nearest.
   if (nearest.best() && nearest.limit() > kWellWithin * length) return false;
   found = nearest.best() ? volume_right_of(nearest.best()->item) : left.volume;
   return true;

@@ -33,7 +33,7 @@ constexpr std::uint64_t kBytesPerVertex = 10;
 bool is_marked(const SpaceComplex& c, VolumeId v) { return c.volume_mark[v] == 1; }
 
 /// Returns 1 if the marked volume is on the negative side of a facet, so that the normal points out
-/// of it; -1 if it is on the positive side; 0 if both sides are marked or none is.
+/// of it. Returns -1 if it is on the positive side, and 0 if both sides are marked or no side is.
 int outward(const SpaceComplex& c, std::size_t f) {
   const auto& [positive, negative] = c.facet_volume[f];
   return static_cast<int>(is_marked(c, negative)) - static_cast<int>(is_marked(c, positive));
@@ -52,8 +52,8 @@ bool is_at_frame(const SpaceComplex& c, FacetId f) {
   return false;
 }
 
-/// Whether the marked volumes are infinite. Volume 0 reaches to infinity; or it is the beyond of a
-/// frame, and then those at the frame do.
+/// Whether the marked volumes are infinite. Volume 0 is infinite. If there is a frame, volume 0 is
+/// beyond the frame, and the volumes at the frame are infinite.
 bool is_volume_infinite(const SpaceComplex& c) {
   if (is_marked(c, VolumeId(0))) return true;
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
@@ -62,7 +62,7 @@ bool is_volume_infinite(const SpaceComplex& c) {
   return false;
 }
 
-/// Counts steps and calls a checkpoint now and then.
+/// Counts steps, and calls a checkpoint from time to time.
 class Steps {
  public:
   Steps(const SpaceComplex& complex, Context& context)
@@ -138,7 +138,7 @@ double half_length(const RationalPoint3& v) {
     if (abs(coordinate(v, i)) > largest) largest = abs(coordinate(v, i));
   }
   if (largest == 0) return 0;
-  const Rational square = dot(v, v) / (largest * largest);  // It is in [1, 3].
+  const Rational square = dot(v, v) / (largest * largest);  // The value is in [1, 3].
   return nearest_double(largest / 2) * std::sqrt(nearest_double(square));
 }
 
@@ -157,7 +157,8 @@ std::optional<RationalPoint3> marked_centroid(const SpaceComplex& complex, Conte
   return RationalPoint3{moment.x / volume, moment.y / volume, moment.z / volume};
 }
 
-// The areas are not negative: their exact sum has the relative error of each, and is rounded once.
+// The areas are not negative. Therefore their exact sum has the relative error of each area. The
+// sum is rounded once.
 std::optional<double> surface_area(const SpaceComplex& complex, Context& context) {
   Steps step(complex, context);
   RationalSum sum;

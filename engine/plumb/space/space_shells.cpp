@@ -21,11 +21,11 @@
 namespace plumb {
 namespace {
 
-/// A cell and the root of the shell on which it is.
+/// A cell, and the root of its shell.
 template <class Item>
 using OnShell = std::pair<std::uint32_t, Item>;
 
-/// Lists what is on shells, without the frame.
+/// Lists the cells of shells, without the frame.
 class ShellLister {
  public:
   explicit ShellLister(const SpaceComplex& complex) : complex_(complex), nodes_(complex) {}
@@ -104,8 +104,8 @@ class ShellLister {
     const std::vector<VertexId> least = least_vertices();
     std::sort(shells_.begin(), shells_.end(), [&](const auto& a, const auto& b) {
       if (a.second != b.second) return a.second < b.second;
-      // Shells of one volume have different least vertices, except those without vertices (at
-      // infinity), which come last.
+      // Shells of one volume have different least vertices. Shells without vertices (at infinity)
+      // are an exception, and come last.
       const VertexId v = least[a.first], w = least[b.first];
       if (v.is_valid() != w.is_valid()) return v.is_valid();
       const Sign order = v.is_valid() ? compare(v, w) : Sign::Zero;
@@ -117,7 +117,7 @@ class ShellLister {
     return compare_xyz(complex_.points(), complex_.vertex_point[v], complex_.vertex_point[w]);
   }
 
-  /// Sorts and drops repetitions.
+  /// Sorts the list, and removes repetitions.
   template <class Item>
   static void sort_once(std::vector<OnShell<Item>>& items) {
     std::sort(items.begin(), items.end());
@@ -145,7 +145,8 @@ void group(const std::vector<OnShell<Item>>& items, const std::vector<ShellId>& 
 SpaceShells::SpaceShells(const SpaceComplex& complex) : complex_(complex) {
   ShellLister lister(complex);
   lister.run();
-  // Shells are sorted by now: ids follow their order, and each volume has its shells in a row.
+  // The shells are sorted now, so their ids have the same order, and the shells of each volume are
+  // consecutive.
   std::vector<ShellId> id_of(2 * complex.facet_count() + complex.vertex_count());
   volume_begin_.assign(complex.volume_count() + 1, 0);
   for (const auto& [root, volume] : lister.shells_) {
@@ -167,7 +168,7 @@ std::span<const ShellId> SpaceShells::shells_of(VolumeId v) const {
 
 namespace {
 
-/// Marks cells: all of them, or as they are in the set.
+/// Marks all cells, or gives them the marks of the set.
 template <class Id>
 void set_marks(std::span<const Id> items, const std::vector<Mark>& own, ShellMarks marks,
                std::vector<Mark>& out) {
@@ -183,7 +184,7 @@ MeshOfComplex mesh_of_shell(const SpaceShells& shells, ShellId s, ShellSolid sol
     if (is_unbounded(shells.complex(), side.facet)) {
       throw Error(ErrorCode::BadArgument, "a shell that reaches to infinity has no mesh");
     }
-    // Sides are listed with the shell's volume behind them, as the solid.
+    // The sides on which the volume of the shell is treated as the solid are listed.
     if (solid == ShellSolid::Other) side.is_reversed = !side.is_reversed;
   }
   return mesh_of_sides(shells.complex(), sides, options, context);

@@ -4,10 +4,10 @@
 // A vertex of the complex may touch the solid with several cones; a manifold mesh needs a vertex
 // for each. Corners of the shown sides of facets are joined around every edge, where two sides
 // bound the same part of the solid; the classes are the cones. Where an edge has more than two
-// shown sides, the solid behind them decides which two sides belong together: after a side with the
-// solid behind it comes the side that closes it. If each edge has two shown sides, as on most
-// solids, and no vertex is to be split, a walk around each vertex tells whether it has more than
-// one cone.
+// shown sides, the solid behind them decides which two sides belong together: a side with the solid
+// behind it is followed by the side that closes the solid. If each edge has two shown sides, as on
+// most solids, and no vertex is to be split, a walk around each vertex tells whether it has more
+// than one cone.
 //
 // With threads, corners are joined while points are rounded and cells counted; then consecutive
 // sides make their faces in parallel, and the faces are joined in the order of the sides.
@@ -40,7 +40,8 @@ namespace {
 
 /// The bytes that are charged for each edge use (Weiler).
 constexpr std::uint64_t kBytesPerUse = 60;
-/// Starting a thread costs more than it saves if there are fewer edge uses, vertices or sides.
+/// If there are fewer edge uses, vertices or sides, starting a thread takes more time than it
+/// saves.
 constexpr std::size_t kLeastUses = 4000;
 constexpr std::size_t kLeastVertices = 1000;
 constexpr std::size_t kLeastSides = 1000;
@@ -59,7 +60,7 @@ void for_uses(const SpaceComplex& complex, FacetId f, const Visit& visit) {
 
 // ---------------------------------------------------------------- cones
 
-/// Returns the number of the corner of a use seen from a side.
+/// Returns the number of the corner of a use, seen from a side.
 std::uint32_t corner_of_use(UseId u, bool side) { return 2 * u.value() + (side ? 1 : 0); }
 /// Returns the number of the corner of inner vertex i, an index of SpaceComplex::inner, seen from a
 /// side. These corners come after those of uses.
@@ -83,7 +84,7 @@ class Cones {
   std::size_t size() const { return classes_.size(); }
   /// Returns the cone of a corner.
   std::uint32_t root(std::uint32_t c) { return classes_.root(c); }
-  /// Joins two cones. A facet that is around one vertex twice keeps one vertex there.
+  /// Joins two cones. If a facet is around a vertex twice, one of the two vertices remains.
   void join(std::uint32_t a, std::uint32_t b) { classes_.unite(a, b); }
 
  private:
@@ -94,8 +95,8 @@ class Cones {
     bool is_solid_after;
   };
 
-  /// Joins the corners of sides that bound the same part of the solid along an edge. After a use of
-  /// 2e comes the positive side of its facet; the solid is behind what is shown.
+  /// Joins the corners of sides that bound the same part of the solid along an edge. A use of 2e is
+  /// followed by the positive side of its facet, and the solid is behind the shown side.
   void join_around(EdgeId e) {
     ring_.clear();
     const UseId first = complex_.edge_use[e];
@@ -114,8 +115,8 @@ class Cones {
     }
   }
 
-  /// Does the same for an edge with two uses, each with one shown side, as nearly all edges are.
-  /// Returns false if it is another edge.
+  /// Computes the same result for an edge with two uses, each with one shown side, as nearly all
+  /// edges are. Returns false for any other edge.
   bool join_two(UseId u) {
     const UseId v = complex_.use_radial[u];
     if (v == u || complex_.use_radial[v] != u) return false;
@@ -127,8 +128,8 @@ class Cones {
     return true;
   }
 
-  /// Which sides of the facet of a use are shown: that before it around the edge, and that after
-  /// it.
+  /// Which sides of the facet of a use are shown: the side before it around the edge, and the side
+  /// after it.
   struct SidesAtUse {
     bool is_before;
     bool is_after;
@@ -146,7 +147,7 @@ class Cones {
 
   /// Joins the corners of two sides at both ends of an edge.
   void join_ends(const Entry& a, const Entry& b) {
-    // Two sides that run the same way along the edge have their corners at the same ends.
+    // If two sides have the same direction along the edge, their corners are at the same ends.
     const bool is_same_way = complex_.use_halfedge[a.use] == complex_.use_halfedge[b.use];
     const UseId a_end = complex_.use_next[a.use], b_end = complex_.use_next[b.use];
     join(corner_of_use(a.use, a.side), corner_of_use(is_same_way ? b.use : b_end, b.side));
@@ -155,7 +156,7 @@ class Cones {
 
   const SpaceComplex& complex_;
   std::span<const std::array<std::uint8_t, 2>> shown_;
-  UnionFind classes_;  // Classes of corners.
+  UnionFind classes_;  // The classes of corners.
   std::vector<Entry> ring_;
   std::uint32_t crowded_edges_ = 0;
 };
@@ -186,7 +187,7 @@ void for_corners(const SpaceComplex& complex, const FacetSide& s, const Visit& v
 /// A corner of a side: its vertex, and a number that depends on the step.
 using NumberedCorner = std::pair<VertexId, std::uint32_t>;
 
-/// Joins the cones of each side's corners at one vertex.
+/// Joins the cones of the corners that a side has at one vertex.
 void keep_corners_together(const SpaceComplex& complex, std::span<const FacetSide> sides,
                            Cones& cones) {
   std::vector<NumberedCorner> corners;
@@ -207,21 +208,22 @@ void keep_corners_together(const SpaceComplex& complex, std::span<const FacetSid
 
 /// The vertices of the mesh.
 struct MeshNumbers {
-  /// The vertex of the mesh of each corner if vertices are split, else of each vertex of the
-  /// complex.
+  /// If vertices are split, the vertex of the mesh for each corner. Otherwise, the vertex of the
+  /// mesh for each vertex of the complex.
   std::vector<std::uint32_t> number;
   std::vector<VertexId> vertex;     ///< The vertex of the complex of each vertex of the mesh.
   std::uint64_t non_manifold = 0;   ///< The number of vertices with several cones.
   std::uint64_t crowded_edges = 0;  ///< The number of edges with more than two shown sides.
 };
 
-/// Makes a vertex for each cone, or for all cones of a vertex of the complex, in the order of the
-/// complex.
+/// Makes a vertex for each cone, or one for all cones of a vertex of the complex, in the order of
+/// the complex.
 MeshNumbers number_vertices(const SpaceComplex& complex, std::span<const FacetSide> sides,
                             bool split_vertices, Cones& cones) {
   if (split_vertices) keep_corners_together(complex, sides, cones);
   std::vector<std::uint32_t> first(complex.vertex_count(), kNone);
-  // Most vertices have one cone, kept in `first`; further ones go to a list that stays short.
+  // Most vertices have one cone, which is stored in `first`. Further cones go to a list that
+  // remains short.
   std::vector<NumberedCorner> others;
   for (const FacetSide& s : sides) {
     for_corners(complex, s, [&](VertexId v, std::uint32_t corner) {
@@ -250,7 +252,7 @@ MeshNumbers number_vertices(const SpaceComplex& complex, std::span<const FacetSi
       if (split_vertices) add(v, other->second);
     }
   }
-  if (split_vertices) {  // Corners have the numbers of their cones.
+  if (split_vertices) {  // The numbers of corners are those of their cones.
     for (std::uint32_t c = 0; c < cones.size(); ++c)
       result.number[c] = result.number[cones.root(c)];
   }
@@ -274,12 +276,13 @@ bool has_two_uses_at_edges(const SpaceComplex& complex, const Shown& shown) {
 }
 
 /// Returns the number of corners in the cone of the corner at the origin of a use. Requires
-/// has_two_uses_at_edges(). Each corner is left through the edge other than that through which it
-/// was entered.
+/// has_two_uses_at_edges(). The walk leaves each corner through the edge through which it did not
+/// enter.
 std::uint32_t corners_of_cone(const SpaceComplex& complex, UseId first) {
   std::uint32_t count = 0;
   UseId u = first;
-  bool is_leaving_ahead = true;  // Through the edge of u, not through that before it.
+  // The walk leaves through the edge of u, not through the edge before it.
+  bool is_leaving_ahead = true;
   do {
     const UseId through = is_leaving_ahead ? u : complex.use_prev[u];
     const UseId other = complex.use_radial[through];
@@ -292,8 +295,8 @@ std::uint32_t corners_of_cone(const SpaceComplex& complex, UseId first) {
   return count;
 }
 
-/// Does what number_vertices() does without splitting. Requires has_two_uses_at_edges(). A walk
-/// around a vertex tells whether it has one cone.
+/// Computes the result of number_vertices() without splitting. Requires has_two_uses_at_edges(). A
+/// walk around a vertex determines whether it has one cone.
 MeshNumbers number_by_walks(const SpaceComplex& complex) {
   std::vector<UseId> first(complex.vertex_count());
   std::vector<std::uint32_t> corners(complex.vertex_count(), 0);
@@ -315,12 +318,13 @@ MeshNumbers number_by_walks(const SpaceComplex& complex) {
 
 using NearestPoints = IdVector<VertexId, RoundedPoint3>;
 
-/// Returns the vertices at corners of the sides, ascending: at least all that number_vertices()
-/// numbers.
+/// Returns the vertices at corners of the sides in ascending order. It contains at least all
+/// vertices that number_vertices() numbers.
 std::vector<VertexId> corner_vertices(const SpaceComplex& complex,
                                       std::span<const FacetSide> sides) {
   IdVector<VertexId, std::uint8_t> is_corner(complex.vertex_count(), 0);
-  if (sides.size() == complex.facet_count()) {  // Each facet has a side: the links need no walk.
+  // Each facet has a side, so the links need not be followed.
+  if (sides.size() == complex.facet_count()) {
     for (std::uint32_t u = 0; u < complex.use_count(); ++u) {
       is_corner[complex.use_origin(UseId(u))] = 1;
     }
@@ -371,7 +375,7 @@ void add_points(const SpaceComplex& complex, std::span<const VertexId> vertices,
 // ---------------------------------------------------------------- faces
 
 /// Adds the faces of one side after the other to a mesh. It is a class because all sides share the
-/// buffers of the side being looked at. Several writers may work at the same time.
+/// buffers of the current side. Several writers may work at the same time.
 class FaceWriter {
  public:
   FaceWriter(const SpaceComplex& complex, const ToMeshOptions& options, const MeshNumbers& numbers,
@@ -391,7 +395,7 @@ class FaceWriter {
     corners_.clear();
     for_corners(complex_, s,
                 [&](VertexId v, std::uint32_t c) { corners_.emplace_back(v, number(v, c)); });
-    // Corners come in the order of the cycle, counter-clockwise from the positive side.
+    // Corners have the order of the cycle, which is counter-clockwise seen from the positive side.
     if (corners_.size() == 3 || can_be_polygon(s.facet)) {
       face_.clear();
       for (const auto& [v, number] : corners_) face_.push_back(number);
@@ -406,7 +410,7 @@ class FaceWriter {
   }
 
  private:
-  /// Adds the face of a facet with three corners and nothing else, as most facets are. Returns
+  /// Adds the face of a facet with three corners and no inner vertices, as most facets are. Returns
   /// false for other facets.
   bool add_triangle(const FacetSide& s) {
     const auto cycles = complex_.cycles_of(s.facet);
@@ -431,7 +435,7 @@ class FaceWriter {
     return std::ranges::lower_bound(corners_, v, {}, [](const auto& c) { return c.first; })->second;
   }
 
-  /// Whether the facet may stay one polygon. Requires its corners, in order, in corners_.
+  /// Whether the facet may remain one polygon. Requires its corners in order in corners_.
   bool can_be_polygon(FacetId f) {
     if (options_.faces == MeshFaces::Triangles) return false;
     if (complex_.cycles_of(f).size() > 1 || !complex_.inner_of(f).empty()) return false;
@@ -460,11 +464,12 @@ class FaceWriter {
   MeshOfComplex& out_;
   std::vector<NumberedCorner> corners_;  // The corners of the side, with vertices of the mesh.
   std::vector<std::uint32_t> face_;
-  IdVector<VertexId, std::uint32_t> seen_;  // The last polygon at each vertex, by polygons_.
+  // For each vertex, the last polygon at it, as a value of polygons_.
+  IdVector<VertexId, std::uint32_t> seen_;
   std::uint32_t polygons_ = 0;
 };
 
-/// Adds the faces of a part of the sides behind those of the mesh.
+/// Appends the faces of a part of the sides to those of the mesh.
 void append_faces(const MeshOfComplex& part, MeshOfComplex& out) {
   const auto shift = static_cast<std::uint32_t>(out.mesh.corners.size());
   const auto begins = part.mesh.face_begin.begin();
@@ -482,7 +487,7 @@ std::uint64_t bytes_of_faces(const MeshOfComplex& part) {
          sizeof(part.facet[0]) * part.facet.capacity();
 }
 
-/// What the faces of the sides are made of.
+/// The data from which the faces of the sides are made.
 struct FaceInput {
   const SpaceComplex& complex;
   std::span<const FacetSide> sides;
@@ -491,8 +496,8 @@ struct FaceInput {
   const NearestPoints& nearest;
 };
 
-/// Adds the faces of the sides to the mesh. The first range of the sides is written to the mesh
-/// itself, each other one to a part that is appended.
+/// Adds the faces of the sides to the mesh. The first range of the sides is written directly to the
+/// mesh. Each other range is written to a separate part, which is appended.
 void add_all_faces(const FaceInput& in, MeshOfComplex& out, Context& context) {
   const std::size_t count = in.sides.size();
   out.mesh.face_begin.reserve(count + 1);
@@ -525,8 +530,8 @@ void add_all_faces(const FaceInput& in, MeshOfComplex& out, Context& context) {
 
 // ---------------------------------------------------------------- what is left out
 
-/// Counts marked cells outside the closure of the interior, and unmarked cells in it, by whether
-/// they lie inside or on its boundary.
+/// Counts marked cells outside of the closure of the interior, and unmarked cells in it. Cells
+/// inside of it and on its boundary are counted separately.
 class ClosureCount {
  public:
   ClosureCount(const SpaceComplex& complex, ToMeshReport& report)
@@ -547,7 +552,7 @@ class ClosureCount {
   }
 
  private:
-  /// Which volumes lie around a cell: bits for marked ones and for others.
+  /// The volumes around a cell: one bit for marked volumes, and one bit for other volumes.
   using Around = std::uint8_t;
   static constexpr Around kNothing = 0, kMarked = 1, kUnmarked = 2, kBoth = kMarked | kUnmarked;
 
@@ -561,8 +566,8 @@ class ClosureCount {
     }
     return true;
   }
-  /// Counts all cells in that case, without following links: each vertex that is not isolated in a
-  /// volume has a facet, too.
+  /// Counts all cells in that case without following links, because each vertex that is not
+  /// isolated in a volume has a facet, too.
   void count_boundary() {
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
       count(complex_.facet_mark[f], kBoth, &ItemCounts::facets);
@@ -577,7 +582,7 @@ class ClosureCount {
     }
   }
 
-  /// Counts the facets, and notes the volumes beside them at their edges and vertices: those are
+  /// Counts the facets, and notes the volumes beside them at their edges and vertices. These are
   /// all volumes around an edge or a vertex with facets.
   void look_at_facets() {
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
@@ -610,7 +615,8 @@ class ClosureCount {
   void count(Mark mark, Around around, std::uint64_t ItemCounts::*kind) {
     if (mark == 1 && (around & kMarked) == 0) ++(report_.dropped.*kind);
     if (mark == 0 && (around & kMarked) != 0) {
-      // By name: g++ 12 increments a copy if the conditional stands before .* itself.
+      // The member is selected by name, because g++ 12 would increment a copy if the conditional
+      // stood before .* itself.
       ItemCounts& counts = (around & kUnmarked) != 0 ? report_.closed : report_.filled;
       ++(counts.*kind);
     }
@@ -644,7 +650,8 @@ bool is_unbounded(const SpaceComplex& complex) {
 
 }  // namespace
 
-// A side is reversed if the solid lies on the positive side, as faces are to be seen from outside.
+// A side is reversed if the solid lies on the positive side, because faces must be seen from
+// outside.
 std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) {
   std::vector<FacetSide> sides;
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
@@ -657,7 +664,7 @@ std::vector<FacetSide> boundary_sides(const SpaceComplex& complex) {
 
 namespace {
 
-/// Returns the mesh of the sides, and calls `beside` as a job beside the first steps.
+/// Returns the mesh of the sides. Calls `beside` as a job at the same time as the first steps.
 MeshOfComplex mesh_beside(const SpaceComplex& complex, std::span<const FacetSide> sides,
                           const ToMeshOptions& options, const std::function<void()>& beside,
                           Context& context) {
@@ -738,8 +745,8 @@ bool is_unbounded(const SpaceComplex& complex, FacetId f) {
   return is_far;
 }
 
-// Facets within the solid, or off it, are shown from their positive side; those at its boundary
-// from outside. All facets are shown, so none counts as dropped.
+// Facets inside or outside of the solid are shown from their positive side, and facets on its
+// boundary from outside. All facets are shown, so none counts as dropped.
 MeshOfComplex soup_of_complex(const SpaceComplex& complex, const ToMeshOptions& options,
                               Context& context) {
   std::vector<FacetSide> sides;

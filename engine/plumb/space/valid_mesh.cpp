@@ -51,11 +51,14 @@
 namespace plumb {
 namespace {
 
-constexpr int kWidestSnap = 6;                // 2^6 units of the last digit.
-constexpr std::uint32_t kRoundsOfAGrid = 60;  // Rounds before the units become coarser.
-constexpr std::uint64_t kGrowth = 4;          // Growth of the damage at which they do, too.
-constexpr int kCoarser = 4;                   // By 2^4.
-constexpr double kFlat = 4;                   // Units by which a flat vertex may be off a plane.
+constexpr int kWidestSnap = 6;  // The width is 2^6 units of the last digit.
+// The number of rounds before the units become coarser.
+constexpr std::uint32_t kRoundsOfAGrid = 60;
+// If the damage grows by this factor, the units become coarser, too.
+constexpr std::uint64_t kGrowth = 4;
+constexpr int kCoarser = 4;  // The units become coarser by a factor of 2^4.
+// The distance in units by which a flat vertex may be off a plane.
+constexpr double kFlat = 4;
 
 /// The places that points had before they were rounded. Exact coordinates are computed on demand.
 struct PlacesBefore {
@@ -76,12 +79,13 @@ struct PlacesBefore {
   }
 };
 
-/// A mesh during the repair. Parallel to its faces are their facets and their solids.
+/// A mesh during the repair. The facets and solids of its faces are stored in parallel arrays.
 struct Draft {
   PolygonMesh mesh;  ///< mesh.exact lists points of doubtful faces, with their places before.
   std::vector<std::uint8_t> is_checked;  ///< 1 for each face that must be checked.
   std::vector<FacetId> facet;            ///< The facet of the set from which a face was made.
-  /// The solid that a face bounds. Empty until damage is found, if facets of a complex tell it.
+  /// The solid that a face bounds. The array is empty until damage is found, if facets of a complex
+  /// determine the solids.
   std::vector<std::uint32_t> solid;
   std::uint32_t solid_count = 0;
   std::vector<std::uint32_t> kept;  ///< Points that stay even if the boundary is flat there.
@@ -101,7 +105,7 @@ VolumeId solid_at(const SpaceComplex& complex, FacetId f) {
 
 // ---------------------------------------------------------------- damage
 
-/// What rounding has done to the faces of a draft.
+/// The effect of rounding on the faces of a draft.
 struct Damage {
   std::vector<std::uint8_t> of_face;            ///< 1 for each damaged face.
   std::vector<std::uint8_t> of_solid;           ///< 1 for each solid with a damaged face.
@@ -185,7 +189,7 @@ double largest_coordinate(const PolygonMesh& mesh) {
   return largest;
 }
 
-/// Replaces the mesh of a draft by a changed one. Faces that changed must be checked, too.
+/// Replaces the mesh of a draft by a changed mesh. Changed faces must be checked, too.
 void take(ChangedMesh changed, Draft& draft) {
   Draft next;
   next.solid_count = draft.solid_count;
@@ -227,13 +231,13 @@ double drop_flat(const std::vector<std::uint8_t>& is_constructed, double largest
   return largest_move;
 }
 
-/// Makes all faces with a chosen point be checked, and no other faces.
+/// Marks all faces with a chosen point to be checked, and no other faces.
 void check_faces_at(const std::vector<std::uint8_t>& is_chosen, Draft& draft) {
   draft.is_checked = faces_at(draft.mesh, is_chosen);
 }
 
 /// Moves the points of chosen solids to multiples of 2^exponent, towards zero, so that no
-/// coordinate grows. Returns a bound of the distances.
+/// coordinate increases. Returns a bound of the distances.
 double snap_to_grid(Draft& draft, const std::vector<std::uint8_t>& is_chosen, int exponent) {
   const auto snapped = [exponent](double value) {
     return std::ldexp(std::trunc(std::ldexp(value, -exponent)), exponent);
@@ -248,7 +252,7 @@ double snap_to_grid(Draft& draft, const std::vector<std::uint8_t>& is_chosen, in
     if (is_moved[v] != 0) p = {snapped(p.x), snapped(p.y), snapped(p.z)};
   }
   check_faces_at(is_moved, draft);
-  return std::ldexp(1.7321, exponent);  // More than the diagonal of a cube of the grid.
+  return std::ldexp(1.7321, exponent);  // The value exceeds the diagonal of a cube of the grid.
 }
 
 // ---------------------------------------------------------------- solids
@@ -292,8 +296,8 @@ void append(const MeshOfComplex& made, const SpaceComplex& complex, std::span<co
 }
 
 /// Appends the boundary of the set of a mesh with faces of the draft. As they are the source of the
-/// set, its facets are cut where they meet. So each face that is appended has one facet of the
-/// draft, and the points between faces of different facets are kept.
+/// set, its facets are cut where they meet. Therefore each appended face belongs to one facet of
+/// the draft, and the points between faces of different facets are kept.
 void append_pieces(PolygonMesh mesh, std::span<const FacetId> facet, const ToMeshOptions& options,
                    Draft& draft, Context& context) {
   MeshSource source{{}, std::move(mesh), {}};
@@ -325,7 +329,7 @@ void append_pieces(PolygonMesh mesh, std::span<const FacetId> facet, const ToMes
 
 /// Replaces damaged solids, with all that touch them, by the points of positive winding number.
 /// Solids may touch in points that are equal only after rounding, so equal points are welded before
-/// what touches is found.
+/// contacts are searched.
 Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, bool has_pieces,
              Context& context) {
   draft.mesh.exact.clear();
@@ -334,7 +338,7 @@ Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, bo
   Draft result;
   result.solid_count = draft.solid_count;
   PolygonMesh broken;
-  std::vector<FacetId> facet;  // Of the faces of `broken`.
+  std::vector<FacetId> facet;  // The facets of the faces of `broken`.
   for (std::uint32_t f = 0; f < draft.solid.size(); ++f) {
     const auto corners = draft.mesh.face(f);
     if (is_broken[draft.solid[f]] != 0) {
@@ -357,7 +361,7 @@ Draft mended(Draft draft, const Damage& damage, const ToMeshOptions& options, bo
 
 // ---------------------------------------------------------------- rounds
 
-/// Repairs a draft, round by round. It is a class for what a round has to know of earlier ones.
+/// Repairs a draft, round by round. It is a class because a round needs data of earlier rounds.
 class RoundingRepairer {
  public:
   RoundingRepairer(const ToMeshOptions& options, CoordinateType type, PlacesBefore before,
@@ -369,13 +373,14 @@ class RoundingRepairer {
         repair_(repair),
         context_(context) {}
 
-  /// Returns the draft without damage. `damage` is that of the draft.
+  /// Returns the draft without damage. `damage` is the damage of the draft.
   Draft run(Draft draft, Damage damage) {
     first_ = draft;
     first_repair_ = repair_;
     was_damaged_.assign(draft.solid_count, 0);
     most_damaged_ = kGrowth * (damage.faces + 16);
-    std::uint64_t fewest = damage.faces;  // Damaged faces since the last round that made new ones.
+    // The least number of damaged faces since the last round that made new faces.
+    std::uint64_t fewest = damage.faces;
     while (damage.faces > 0 && !(damage.has_only_flipped && flipped_rounds_ >= kFlippedRounds)) {
       context_.checkpoint("repair rounding", repair_.rounds, 0);
       ++repair_.rounds;
@@ -393,7 +398,8 @@ class RoundingRepairer {
 
  private:
   /// A surface that does not cross itself can be inside out only if it is as small as the errors.
-  /// So a set is made of it, what is left of it is snapped, and that suffices.
+  /// Therefore a set is made of it, and the remaining part of this set is snapped, which is
+  /// sufficient.
   static constexpr int kFlippedRounds = 3;
 
   /// Makes one round. Returns a bound of the distances by which faces moved.
@@ -418,8 +424,8 @@ class RoundingRepairer {
     return round_mended(draft);
   }
 
-  /// Starts again with the first draft and a coarser unit, to which the solids are rounded that
-  /// have been damaged so far.
+  /// Starts again with the first draft and a coarser unit. The solids that have been damaged so far
+  /// are rounded to this unit.
   double start_again(Draft& draft, int digit) {
     draft = first_;
     has_first_places_ = true;
@@ -447,20 +453,22 @@ class RoundingRepairer {
 
   const ToMeshOptions& options_;
   CoordinateType type_;
-  bool has_pieces_;            // MeshToRound::has_pieces.
-  const PlacesBefore before_;  // Of the first draft.
+  bool has_pieces_;            // The value of MeshToRound::has_pieces.
+  const PlacesBefore before_;  // The places before the first draft was rounded.
   RoundingRepair& repair_;
   Context& context_;
-  int width_ = 0;       // The exponent of the distance that is snapped; it grows without progress.
-  int coarseness_ = 0;  // The exponent of the unit.
-  Draft first_;         // The draft before the first round,
-  RoundingRepair first_repair_;            // and the report until then.
-  std::vector<std::uint8_t> was_damaged_;  // 1 for each of its solids that has been damaged.
-  std::uint64_t most_damaged_ = 0;         // More damaged faces show that the unit is too fine.
+  // The exponent of the snapping distance. It increases if there is no progress.
+  int width_ = 0;
+  int coarseness_ = 0;           // The exponent of the unit.
+  Draft first_;                  // The draft before the first round.
+  RoundingRepair first_repair_;  // The report before the first round.
+  // For each of its solids, 1 if the solid has been damaged.
+  std::vector<std::uint8_t> was_damaged_;
+  std::uint64_t most_damaged_ = 0;  // If more faces are damaged, the unit is too fine.
   std::uint32_t rounds_of_grid_ = 0;
-  bool has_first_places_ = true;  // Whether before_ tells where points of the draft were.
+  bool has_first_places_ = true;  // Whether before_ has the original places of points of the draft.
   int flipped_rounds_ = 0;
-  bool is_new_ = false;  // Whether the last round made new faces, not only snapped some.
+  bool is_new_ = false;  // Whether the last round made new faces, and did not only snap some.
 };
 
 // ---------------------------------------------------------------- the result
@@ -510,7 +518,7 @@ Draft draft_of(MeshToRound& made) {
 }
 
 /// Rounds the points of the first draft, and removes flat vertices. Vertices whose coordinates are
-/// doubles stay.
+/// doubles do not change.
 void round_draft(CoordinateType type, PlacesBefore& before, RoundingRepair& repair, Draft& draft,
                  Context& context) {
   auto& points = draft.mesh.points;
@@ -552,13 +560,14 @@ ValidMesh round_mesh(MeshToRound input, const ToMeshOptions& options, Coordinate
   const WorkPhase phase("test of rounding");
   ToMeshOptions used = options;
   used.keeps_exact = false;
-  // Corners that are doubles lie in one plane, but not when they are floats.
+  // Corners that are doubles may lie in one plane, while the same corners as floats do not.
   if (type == CoordinateType::Float) used.faces = MeshFaces::Triangles;
   ValidMesh result;
   result.made.report = input.made.report;
   RoundingRepair& repair = result.repair;
 
-  constexpr std::uint64_t kBytesPerCorner = 32;  // The mesh of a round and of the one before.
+  // The memory of the mesh of a round and of the previous one.
+  constexpr std::uint64_t kBytesPerCorner = 32;
   MemoryCharge memory(context);
   memory.add(kBytesPerCorner * input.made.mesh.corners.size(), "a rounded mesh");
   PlacesBefore before{input.complex, std::move(input.made.rounded), {}};

@@ -1,11 +1,11 @@
 // Welding of close points by a grid with a hash table.
 //
-// Equal points are merged first (mesh_vertices.h), so that the grid holds each place once. A point
-// looks into the cells of its coordinates, less and plus the tolerance, along each axis. If the
-// spacing of doubles is small compared with the tolerance, these are at most two cells, because
-// cells are four times as wide as the tolerance. Otherwise every double has a cell of its own, and
-// the three values reach all doubles that are near enough. So a neighbour is never missed because
-// of rounding: rounding keeps the order.
+// Equal points are merged first (mesh_vertices.h), so that the grid holds each place once. For a
+// point, the cells of its coordinates, minus and plus the tolerance, are searched along each axis.
+// If the spacing of doubles is small compared with the tolerance, these are at most two cells,
+// because cells are four times as wide as the tolerance. Otherwise every double has a cell of its
+// own, and the three values reach all doubles that are near enough. So a neighbour is never missed
+// because of rounding: rounding keeps the order.
 //
 // Two distances are compared in doubles with a relative error bound, and with fractions where that
 // does not decide, or where squares leave the range of doubles.
@@ -42,8 +42,8 @@ class Nearness {
            double tolerance)
       : mesh_(mesh), vertices_(vertices), table_(table), tolerance_(tolerance) {
     const double square = tolerance * tolerance;
-    if (square < 0x1p-900 || square > 0x1p1000) return;  // Fractions decide.
-    // Differences, squares and sums are off by less than 5 roundings of their values.
+    if (square < 0x1p-900 || square > 0x1p1000) return;  // Fractions decide in this case.
+    // The error of differences, squares and sums is less than 5 roundings of their values.
     surely_near_ = square * (1 - 0x1p-48);
     surely_far_ = square * (1 + 0x1p-48);
   }
@@ -104,7 +104,8 @@ class KeptGrid {
   /// Calls visit(vertex) for all vertices that may be within the tolerance of a place.
   template <class Visit>
   void for_each_near(const Vector3& p, const Visit& visit) const {
-    std::array<std::array<std::uint64_t, 3>, 3> keys{};  // Keys along each axis, without repeats.
+    // The keys along each axis, without repetitions.
+    std::array<std::array<std::uint64_t, 3>, 3> keys{};
     std::array<std::size_t, 3> count{};
     for (std::size_t i = 0; i < 3; ++i) {
       for (const double x : {p[i] - tolerance_, p[i], p[i] + tolerance_}) {
@@ -144,8 +145,8 @@ class KeptGrid {
     return static_cast<std::uint32_t>(SeededHash{}(cell));
   }
 
-  /// Returns the cell along an axis. It never falls where x rises, and beyond 2^52 cells, where
-  /// doubles are at least half the tolerance apart, each double has its own.
+  /// Returns the cell along an axis. It is monotone in x. Beyond 2^52 cells, where the spacing of
+  /// doubles is at least half the tolerance, each double has its own cell.
   std::uint64_t key(double x) const {
     const double cell = x / width_;
     const double value = std::fabs(cell) < 0x1p52 ? std::floor(cell) : x;
@@ -168,7 +169,7 @@ class KeptGrid {
   std::vector<Entry> entries_;
 };
 
-/// Returns for each vertex the one that it becomes.
+/// For each vertex, returns the vertex into which it is merged.
 std::vector<std::uint32_t> welded(const Nearness& near, std::size_t count, double tolerance,
                                   PointWeld& report, Context& context) {
   std::vector<std::uint32_t> becomes(count);

@@ -5,14 +5,14 @@
 //
 // Part 3 requires parts 1 and 2: edges and corners are sound around every vertex. Then a facet has
 // one cycle for each connected part of its boundary; the first cycle is the outer cycle. The others
-// are holes inside it, and no hole lies in another hole. Which way a cycle runs is decided at its
-// least vertex, where all edges leave within half a turn: around a hole, one corner at this vertex
-// is larger than half a turn; around the outside, no corner is. That cycles do not cross each other
-// or themselves is the subject of part 4.
+// are holes inside it, and no hole lies in another hole. The direction of a cycle is decided at its
+// least vertex, where all edges leave within a half turn. In a cycle around a hole, one corner at
+// this vertex is larger than a half turn. In an outer cycle, no corner is. That cycles do not cross
+// each other or themselves is the subject of part 4.
 //
-// Where a point lies in a cycle is found by counting, along a half-line on which one coordinate is
-// constant, the edges that pass it. The walk is independent of facet_site(), which the algorithms
-// use; they share predicates only.
+// The position of a point relative to a cycle is found by counting, along a half-line on which one
+// coordinate is constant, the edges that pass it. The walk is independent of facet_site(), which
+// the algorithms use; they share predicates only.
 //
 // Declared in plumb/space/audit/audit_parts.h.
 // Tested by tests/space/space_audit_test.cpp.
@@ -32,13 +32,13 @@
 namespace plumb {
 namespace {
 
-/// Part 1: arrays and ids alone.
+/// Part 1: arrays and ids. This part reads no other data.
 class LinkAudit : SpaceAuditPart {
  public:
   LinkAudit(const SpaceComplex& complex, Context& context) : SpaceAuditPart(complex, context, 0) {}
 
   std::optional<SpaceFlaw> run() {
-    // Each check reads only what those before it have found to exist.
+    // Each check reads only data whose existence the earlier checks have confirmed.
     static_cast<void>(has_right_sizes() && has_marks() && names_tables() && names_items() &&
                       has_edges_with_two_ends() && has_stars() && has_linked_uses() &&
                       has_radial_cycles() && has_boundary_cycles() && has_inner_vertices() &&
@@ -66,7 +66,7 @@ class LinkAudit : SpaceAuditPart {
                        has_rows(c_.inner_begin, f, c_.inner.size()),
                    "lists cover their arrays");
   }
-  /// Whether `begin` has the starts of so many rows that cover all entries.
+  /// Whether `begin` has the starts of the given number of rows, and the rows cover all entries.
   static bool has_rows(const std::vector<std::uint32_t>& begin, std::size_t rows,
                        std::size_t entries) {
     return begin.size() == rows + 1 && begin.front() == 0 && begin.back() == entries &&
@@ -83,7 +83,7 @@ class LinkAudit : SpaceAuditPart {
     return true;
   }
 
-  /// Whether vertices, edges and facets name points and planes that exist.
+  /// Whether vertices, edges and facets refer to points and planes that exist.
   bool names_tables() {
     const std::size_t planes = c_.planes().size(), inputs = c_.planes().points().size(),
                       points = c_.points().size();
@@ -163,7 +163,8 @@ class LinkAudit : SpaceAuditPart {
            require(c_.star.size() == c_.origin.size(), "each half-edge is in a star");
   }
 
-  /// Whether next and prev are inverse, uses follow each other, and cycles stay in their facet.
+  /// Whether next and prev are inverse to each other, consecutive uses share an end, and cycles
+  /// stay in their facet.
   bool has_linked_uses() {
     return all_of<UseId>(c_.use_count(), [this](UseId u) {
       const UseId next = c_.use_next[u];
@@ -298,7 +299,7 @@ class CycleAudit : SpaceAuditPart {
     if (c_.cycles_of(f).size() == 1) return true;
     for (const UseId cycle : c_.cycles_of(f)) {
       const bool apart = all_of_cycle(cycle, [&](UseId u) {
-        // Facets are checked in turn, so an entry of another facet is out of date.
+        // Facets are checked one after the other, so an entry of another facet is out of date.
         UseId& known = cycle_at_[c_.use_origin(u)];
         const bool is_new = !known.is_valid() || facet(known) != f || known == cycle;
         known = cycle;
@@ -320,9 +321,9 @@ class CycleAudit : SpaceAuditPart {
     return least;
   }
 
-  /// Whether a cycle runs around its facet, not around a hole. At the least vertex all edges leave
-  /// within half a turn: around a hole one corner there is more than that, around the facet none
-  /// is. In a triangle any corner decides.
+  /// Whether a cycle is around its facet, not around a hole. At the least vertex, all edges leave
+  /// within a half turn. In a cycle around a hole, one corner there exceeds a half turn; in a cycle
+  /// around the facet, none does. In a triangle, any corner decides.
   bool is_outer(UseId cycle) const {
     if (is_triangle(cycle)) return defines_plane(cycle) || is_convex(cycle);
     const VertexId least = least_vertex(cycle);
@@ -330,8 +331,8 @@ class CycleAudit : SpaceAuditPart {
   }
   /// Whether the cycle of the use has three uses.
   bool is_triangle(UseId u) const { return c_.use_next[c_.use_next[c_.use_next[u]]] == u; }
-  /// Whether the plane is defined as that of the triangle's corners in their order. Then they run
-  /// counter-clockwise without a computed sign.
+  /// Whether the plane is defined by the triangle's corners in their order. In this case, they are
+  /// counter-clockwise, and no sign is computed.
   bool defines_plane(UseId u) const {
     const PlaneSource& source = c_.planes().source(plane(u));
     if (source.is_explicit()) return false;
@@ -370,7 +371,7 @@ class CycleAudit : SpaceAuditPart {
   bool has_holes_inside(FacetId f) {
     const auto cycles = c_.cycles_of(f);
     if (cycles.size() > 1) {
-      // A vertex of a hole is tested against those cycles only whose boxes hold it.
+      // A vertex of a hole is tested only against the cycles whose boxes contain it.
       const BoxTree tree(boxes_of(cycles));
       for (std::uint32_t hole = 1; hole < cycles.size(); ++hole) {
         if (!require(is_inside_and_apart(cycles, hole, tree),
@@ -401,8 +402,8 @@ class CycleAudit : SpaceAuditPart {
     }
     return boxes;
   }
-  /// Whether a vertex of the hole lies in the first cycle, and for every other cycle beyond its box
-  /// or outside it.
+  /// Whether a vertex of the hole lies inside of the first cycle. For every other cycle, it must
+  /// lie outside of the cycle or of its box.
   bool is_inside_and_apart(std::span<const UseId> cycles, std::uint32_t hole, const BoxTree& tree) {
     const VertexId v = c_.use_origin(cycles[hole]);
     bool is_inside = false, is_apart = true;
@@ -431,9 +432,9 @@ bool is_along(const SpaceComplex& complex, HalfedgeId h, const Point3Table& poin
 
 }  // namespace
 
-// Counts crossings with the half-line from x along which one coordinate keeps its value: half-edges
-// that rise above that value pass x on its left, those that return below it on its right. Vertices
-// at that value count as below it, so that every passage counts once.
+// Counts crossings with the half-line from x along which one coordinate is constant. A half-edge
+// that rises above that value passes x on its left, and a half-edge that returns below it passes x
+// on its right. Vertices at that value count as below it, so that every passage counts once.
 FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3Table& points,
                           SpacePoint x, SpaceAuditSteps& step) {
   const PlaneId n = complex.facet_plane[complex.use_facet[cycle]];
@@ -448,7 +449,8 @@ FacetPlace place_in_cycle(const SpaceComplex& complex, UseId cycle, const Point3
     step();
     const HalfedgeId h = complex.use_halfedge[u];
     const Sign to = order(complex.target(h));
-    // An edge strictly on one side passes nothing; any other may hold x or pass the half-line.
+    // An edge that is strictly on one side does not pass the half-line. Any other edge may contain
+    // x or pass the half-line.
     if (from == Sign::Zero || from != to) {
       const Sign left = side_in_plane(complex, n, h, points, x);
       const bool is_level = from == Sign::Zero && to == Sign::Zero;

@@ -103,8 +103,8 @@ class MarkAudit : SpaceAuditPart {
   bool is_beyond(FacetId f) const { return is_beyond(c_.facet_mark[f]); }
   bool has_frame() const { return is_beyond(c_.volume_mark[0]); }
 
-  /// Whether the mark kBeyond is on volume 0, the facets beside it, and their edges and vertices
-  /// alone.
+  /// Whether the mark kBeyond is exactly on volume 0, on the facets beside it, and on their edges
+  /// and vertices.
   bool has_sane_frame() {
     for (std::uint32_t v = 1; v < c_.volume_count(); ++v) {
       if (!require(!is_beyond(c_.volume_mark[v]), "only volume 0 is beyond", VolumeId(v)))
@@ -170,21 +170,22 @@ class MarkAudit : SpaceAuditPart {
 
   // ---- the minimal form
 
-  /// Whether a facet is needed, as is clear without its sphere map: the volumes beside it differ.
+  /// Whether a facet is certainly needed, without its sphere map: the volumes beside it differ.
   bool is_surely_needed(FacetId f) const {
     const auto [above, below] = c_.facet_volume[f];
     return c_.volume_mark[above] != c_.volume_mark[below];
   }
-  /// Whether an edge is surely needed: facets in different planes meet there.
+  /// Whether an edge is certainly needed, because facets in different planes meet there.
   bool is_surely_needed(EdgeId e) const {
     const UseId u = c_.edge_use[e];
     return u.is_valid() && plane(u) != plane(c_.use_radial[u]);
   }
-  /// Whether a vertex is surely needed: it has other edges than the two directions of one line.
+  /// Whether a vertex is certainly needed, because it has edges other than the two directions of
+  /// one line.
   bool is_surely_needed(VertexId v) const { return c_.star_of(v).size() > 2; }
 
-  /// Whether the set changes without this cell: its sphere map cannot be simplified and is that of
-  /// such a cell.
+  /// Whether the set would change without this cell. This is the case if its sphere map cannot be
+  /// simplified and is the map of such a cell.
   template <class Id>
   bool is_needed(Id item, PyramidKind kind) {
     if (is_surely_needed(item)) return true;
@@ -252,7 +253,8 @@ class MeetingAudit : SpaceAuditPart {
   }
 
  private:
-  /// Kinds of flaws. The first kind in this order is reported, whatever is found first.
+  /// The kinds of flaws. The first kind in this order is reported, even if others are found
+  /// earlier.
   enum Kind { kVertexInEdge, kEdgesCross, kVertexInFacet, kEdgeThroughFacet, kNothing };
   /// Notes a flaw, unless one of an earlier kind is known.
   template <class A, class B>
@@ -267,8 +269,8 @@ class MeetingAudit : SpaceAuditPart {
 
   // ---- pairs
 
-  /// Tests all pairs that a packed tree finds. Returns false if some are missing, as the tree does
-  /// not suit the boxes.
+  /// Tests all pairs that a packed tree finds. Returns false if some pairs are missing because the
+  /// boxes do not suit the tree.
   bool test_pairs_of(const PackedBoxTree& tree) {
     constexpr std::size_t kStepsPerLeaf = 32;
     if (!tree.fits()) return false;
@@ -295,7 +297,8 @@ class MeetingAudit : SpaceAuditPart {
 
   // ---- corners
 
-  /// The corners of a facet that is a triangle without inner vertices; invalid for any other leaf.
+  /// The corners of a facet that is a triangle without inner vertices. They are invalid for any
+  /// other leaf.
   struct Triangle {
     std::array<VertexId, 3> corner;
     std::uint32_t fans = 0;  ///< Bit i is 1 if corner i has a fan.
@@ -319,7 +322,7 @@ class MeetingAudit : SpaceAuditPart {
     triangles_.push_back(t);
     corner_begin_.push_back(static_cast<std::uint32_t>(corner_.size()));
   }
-  /// Returns the corners of the leaf's facet if that is small and has one cycle; else none.
+  /// Returns the corners of the leaf's facet if it is small and has one cycle; otherwise none.
   std::span<const VertexId> corners_of(std::uint32_t leaf) const {
     return std::span(corner_).subspan(corner_begin_[leaf],
                                       corner_begin_[leaf + 1] - corner_begin_[leaf]);
@@ -337,8 +340,8 @@ class MeetingAudit : SpaceAuditPart {
     return (shared & s.fans) != 0;
   }
 
-  /// Whether all corners of the facet of leaf x, except common ones, are strictly on one side of
-  /// the plane of leaf y's. Then the facets meet in common corners and edges alone.
+  /// Whether all corners of the facet of leaf x, except common corners, are strictly on one side of
+  /// the plane of leaf y. In this case, the facets meet only in common corners and edges.
   bool lies_beside(std::uint32_t x, std::uint32_t y) const {
     const auto others = corners_of(y);
     if (others.empty()) return false;
@@ -406,8 +409,8 @@ class MeetingAudit : SpaceAuditPart {
   /// Tests an edge whose ends are strictly on both sides of the facet's plane.
   void test(EdgeId e, FacetId f, const Triangle& triangle) {
     if (surely_passes_by(e, triangle)) return;
-    // The point is constructed and located exactly; if it is on an edge g of the facet, it is a
-    // vertex inside e, or both edges cross.
+    // The point is constructed and located exactly. If it is on an edge g of the facet, either it
+    // is a vertex inside of e, or both edges cross.
     const SpacePoint x = crossing(e, plane(f));
     const FacetPlace place = place_in_facet(c_, f, points_, x, step_);
     if (place.on.is_valid()) {
@@ -419,8 +422,8 @@ class MeetingAudit : SpaceAuditPart {
     }
     if (place.is_inside) note(kEdgeThroughFacet, e, f);
   }
-  /// Whether an edge passes by a triangle of input points: its line passes two sides in different
-  /// directions.
+  /// Whether an edge passes a triangle of input points on the outside. This is the case if its line
+  /// passes two sides in different directions.
   bool surely_passes_by(EdgeId e, const Triangle& t) const {
     if (!t.is_valid()) return false;
     std::array<const Point3*, 5> p{};
@@ -462,7 +465,7 @@ class MeetingAudit : SpaceAuditPart {
     } while (u != first);
     return true;
   }
-  /// Gathers the edges that facets do not test completely.
+  /// Collects the edges that are not tested completely against facets.
   void gather_edges() {
     all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
       const UseId first = c_.edge_use[e];
@@ -474,7 +477,7 @@ class MeetingAudit : SpaceAuditPart {
     });
   }
 
-  /// Tests all vertices against the edges that no triangle has tested.
+  /// Tests all vertices against the edges that have not been tested against a triangle.
   void test_vertices_on_edges() {
     if (untried_.edge.empty()) return;
     const BoxTree tree(untried_.box);
@@ -506,14 +509,14 @@ class MeetingAudit : SpaceAuditPart {
       if (cross(flat_.edge[i], flat_.edge[j])) note(kEdgesCross, flat_.edge[i], flat_.edge[j]);
     });
   }
-  /// Whether two edges cross in one point inside both: then one of them passes a plane of the
-  /// other.
+  /// Whether two edges cross in one point inside of both. If they do, one of them passes a plane of
+  /// the other.
   bool cross(EdgeId e, EdgeId g) {
     const auto& [p, q] = c_.edge_planes[e];
     for (const auto& [first, second] : {std::pair{p, q}, std::pair{q, p}}) {
       if (side_of(end(g, 0), first) * side_of(end(g, 1), first) != Sign::Negative) continue;
-      // g passes the plane `first` through e in x; both edges cross if x lies on the line of e,
-      // between its ends.
+      // The edge g passes the plane `first` through e in x. Both edges cross if x lies on the line
+      // of e, between its ends.
       const SpacePoint x = crossing(g, first);
       return side(points_, x, second) == Sign::Zero && is_between_ends(e, x);
     }

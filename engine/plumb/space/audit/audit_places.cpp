@@ -1,10 +1,10 @@
 // Part 2 of audit(): points, lines and planes, one cell and its neighbours at a time.
 //
-// Planes of a table and points of vertices are distinct; ends of edges lie on both planes; edges
-// run as their planes say; edges of a facet lie in its plane; facets turn counter-clockwise around
-// edges; directions around a vertex are distinct and its corners neither cross nor hold an edge. So
-// every sphere map is drawn without crossings. Around a vertex with a fan (mesh_topology.h), the
-// corners need no test. Other vertices cost O(d^2) for d edges.
+// Planes of a table and points of vertices are distinct; ends of edges lie on both planes; the
+// direction of each edge agrees with its planes; edges of a facet lie in its plane; facets turn
+// counter-clockwise around edges; directions around a vertex are distinct and its corners neither
+// cross nor hold an edge. So every sphere map is drawn without crossings. Around a vertex with a
+// fan (mesh_topology.h), the corners need no test. Other vertices cost O(d^2) for d edges.
 //
 // Notation: directions in a plane n are sign (n x m) for another plane m of the line. Seen from the
 // positive side of n, s (n x m) turns to t (n x k) counter-clockwise exactly when s t det3(n, m, k)
@@ -52,9 +52,9 @@ class PlaceAudit : SpaceAuditPart {
     Fingerprint print;
     std::uint32_t item;
   };
-  /// Returns the items whose fingerprint another one has, too, sorted by fingerprint, and perhaps
-  /// some more. If an item is alone in the place that its low bits name, it has no equal: so few
-  /// are left to be sorted.
+  /// Returns the items whose fingerprint occurs more than once, sorted by fingerprint, and possibly
+  /// some more items. If an item is alone in the slot of its low bits, there is no equal item.
+  /// Therefore few items have to be sorted.
   static std::vector<Keyed> with_equal_prints(std::span<const Fingerprint> prints) {
     std::vector<std::uint8_t> seen(std::bit_ceil(8 * prints.size() + 1));
     const auto place = [&](Fingerprint print) -> std::uint8_t& {
@@ -71,8 +71,8 @@ class PlaceAudit : SpaceAuditPart {
     std::ranges::stable_sort(items, {}, &Keyed::print);
     return items;
   }
-  /// Returns a pair of equal items among those of one fingerprint, which is_before() orders and
-  /// are_equal() compares; nothing if there is none.
+  /// Returns a pair of equal items among those with the same fingerprint. is_before() orders them,
+  /// and are_equal() compares them. Returns nothing if there is no such pair.
   template <class Before, class Equal>
   static std::optional<std::pair<std::uint32_t, std::uint32_t>> find_equal(std::vector<Keyed> items,
                                                                            const Before& is_before,
@@ -148,8 +148,9 @@ class PlaceAudit : SpaceAuditPart {
     return true;
   }
 
-  /// Whether every edge lies on both its planes and runs as they say. If all uses lie in the planes
-  /// of their facets, the ends of an edge lie in those planes without another test.
+  /// Whether every edge lies on both its planes and has the direction that they determine. If all
+  /// uses lie in the planes of their facets, the ends of an edge lie in those planes without
+  /// another test.
   bool has_true_edges() {
     are_uses_flat_ = have_uses_their_planes();
     return all_of<EdgeId>(c_.edge_count(), [this](EdgeId e) {
@@ -158,7 +159,7 @@ class PlaceAudit : SpaceAuditPart {
       return (p != q && lies_in_both && runs_forward(e)) || is_true_edge(e);
     });
   }
-  /// Checks one edge, and says what is wrong with it.
+  /// Checks one edge, and reports its flaw.
   bool is_true_edge(EdgeId e) {
     const auto& [p, q] = c_.edge_planes[e];
     if (!require(p != q && !are_parallel(p, q), "the planes of an edge cross", e)) return false;
@@ -170,8 +171,8 @@ class PlaceAudit : SpaceAuditPart {
     }
     return require(runs_forward(e), "an edge runs as its planes say", e);
   }
-  /// Whether half-edge 2e runs along n_p x n_q; never if the planes are parallel. Requires ends
-  /// that lie on its planes.
+  /// Whether half-edge 2e has the direction n_p x n_q. It never has if the planes are parallel.
+  /// Requires ends that lie on its planes.
   bool runs_forward(EdgeId e) const {
     const auto& [p, q] = c_.edge_planes[e];
     const SpacePoint from = at(c_.origin[2 * e.value()]), to = at(c_.origin[2 * e.value() + 1]);
@@ -191,7 +192,8 @@ class PlaceAudit : SpaceAuditPart {
     return u.is_valid() && (plane(u) == p || plane(c_.use_radial[u]) == p);
   }
 
-  /// Whether a use begins in its facet's plane. Where it ends, the next one of its cycle begins.
+  /// Whether a use begins in the plane of its facet. The next use of its cycle begins where this
+  /// use ends.
   bool lies_in_its_plane(UseId u) const { return lies_on(c_.use_origin(u), plane(u)); }
   bool have_uses_their_planes() const {
     return all_of<UseId>(c_.use_count(), [this](UseId u) { return lies_in_its_plane(u); });
@@ -205,15 +207,17 @@ class PlaceAudit : SpaceAuditPart {
 
   // ---- around an edge
 
-  /// Returns the turn from the facet of one use to that of another, about half-edge 2e. Facets turn
-  /// as their normals do, pointing the other way at uses of 2e + 1.
+  /// Returns the turn from the facet of one use to the facet of another use, about half-edge 2e.
+  /// The turn between facets is the turn between their normals. At uses of 2e + 1, the normals are
+  /// reversed.
   Sign turn_about_edge(EdgeId e, UseId u, UseId w) const {
     const auto& [p, q] = c_.edge_planes[e];
     const Sign turn = turn_about_line(c_.planes(), p, q, plane(u), plane(w));
     return is_reverse(u) == is_reverse(w) ? turn : -turn;
   }
   bool is_reverse(UseId u) const { return SpaceComplex::is_reverse(halfedge(u)); }
-  /// Returns how far u turns to w: 0 not at all, 1 below half a turn, 2 half a turn, 3 more.
+  /// Returns the class of the turn from u to w: 0 for no turn, 1 for less than a half turn, 2 for a
+  /// half turn, 3 for more.
   int turn_class(EdgeId e, UseId u, UseId w) const {
     const Sign turn = turn_about_edge(e, u, w);
     if (turn != Sign::Zero) return turn == Sign::Positive ? 1 : 3;
@@ -225,8 +229,8 @@ class PlaceAudit : SpaceAuditPart {
       return !c_.edge_use[e].is_valid() || has_turning_ring(e);
     });
   }
-  /// Whether the radial cycle of an edge turns counter-clockwise, once. Two facets in different
-  /// planes always do.
+  /// Whether the radial cycle of an edge turns counter-clockwise exactly once. This is always the
+  /// case for two facets in different planes.
   bool has_turning_ring(EdgeId e) {
     const UseId first = c_.edge_use[e], second = c_.use_radial[first];
     if (c_.use_radial[second] == first && plane(first) != plane(second)) return true;
@@ -275,16 +279,16 @@ class PlaceAudit : SpaceAuditPart {
     return a.sign * minor_sign(c_.planes(), n, a.m, axis) !=
            b.sign * minor_sign(c_.planes(), n, b.m, axis);
   }
-  /// Returns how far a turns to b, counter-clockwise: 0 not at all, 1 below half a turn, 2 half a
-  /// turn, 3 more.
+  /// Returns the class of the counter-clockwise turn from a to b: 0 for no turn, 1 for less than a
+  /// half turn, 2 for a half turn, 3 for more.
   int turn_class(PlaneId n, DirectionInPlane a, DirectionInPlane b) const {
     const Sign turn = turn_in_plane(n, a, b);
     if (turn != Sign::Zero) return turn == Sign::Positive ? 1 : 3;
     return are_opposite(n, a, b) ? 2 : 0;
   }
 
-  /// Whether the sphere map of every vertex is drawn without crossings. Around a vertex with a fan
-  /// directions differ, and corners lie side by side.
+  /// Whether the sphere map of every vertex is drawn without crossings. Around a vertex with a fan,
+  /// directions differ and corners lie side by side, so no test is needed.
   bool has_sound_stars() {
     return all_of<VertexId>(c_.vertex_count(), [this](VertexId v) {
       if (has_fan_[v.value()] != 0) return true;
@@ -296,8 +300,8 @@ class PlaceAudit : SpaceAuditPart {
 
   bool lies_on(HalfedgeId h, PlaneId p) const { return lies_on(c_.target(h), p); }
 
-  /// Whether edges leave a vertex in different directions: on one line there are at most two,
-  /// opposite to each other.
+  /// Whether the edges leave a vertex in different directions. On one line, there are at most two
+  /// edges, in opposite directions.
   bool has_distinct_directions(VertexId v) {
     const auto star = c_.star_of(v);
     for (std::size_t i = 0; i < star.size(); ++i) {
@@ -350,8 +354,8 @@ class PlaceAudit : SpaceAuditPart {
     }
     return true;
   }
-  /// Whether corners of one plane, met in counter-clockwise order, each end at the edge that comes
-  /// next: then no edge divides a corner, and no two corners overlap.
+  /// Whether corners of one plane, visited in counter-clockwise order, each end at the next edge.
+  /// In this case, no edge divides a corner, and no two corners overlap.
   bool has_undivided_corners_in_plane(VertexId v, const std::vector<UseId>& corners) {
     const PlaneId n = plane(corners.front());
     const std::vector<HalfedgeId> around = edges_in_plane(v, n, halfedge(corners.front()));
@@ -386,8 +390,8 @@ class PlaceAudit : SpaceAuditPart {
     return result;
   }
 
-  /// Whether a direction in the plane of a corner lies strictly inside it. A corner whose end is
-  /// its beginning is a whole turn.
+  /// Whether a direction in the plane of a corner lies strictly inside of the corner. If the end of
+  /// a corner is its beginning, the corner is a full turn.
   bool holds(UseId corner, DirectionInPlane d) const {
     const PlaneId n = plane(corner);
     const DirectionInPlane from = direction_in_plane(n, halfedge(corner));
@@ -398,7 +402,7 @@ class PlaceAudit : SpaceAuditPart {
   }
 
   /// Whether no two corners cross. Corners in different planes have at most the two directions of
-  /// the planes' common line in common.
+  /// the common line of the planes in common.
   bool has_corners_apart(VertexId v, const std::vector<UseId>& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
@@ -415,12 +419,13 @@ class PlaceAudit : SpaceAuditPart {
   bool cross(UseId u, UseId w) const {
     const PlaneId n = plane(u), m = plane(w);
     if (n == m) return false;
-    const DirectionInPlane in_n{m, Sign::Positive}, in_m{n, Sign::Negative};  // n x m = -(m x n)
+    // The two products satisfy n x m = -(m x n).
+    const DirectionInPlane in_n{m, Sign::Positive}, in_m{n, Sign::Negative};
     return (holds(u, in_n) && holds(w, in_m)) ||
            (holds(u, in_n.opposite()) && holds(w, in_m.opposite()));
   }
 
-  /// Whether nothing at a vertex inside a facet passes that facet: no edge and no corner.
+  /// Whether no edge and no corner at a vertex inside of a facet passes that facet.
   bool has_undivided_disk(VertexId v, const std::vector<UseId>& corners) {
     const FacetId f = c_.vertex_facet[v];
     if (!f.is_valid()) return true;

@@ -2,18 +2,18 @@
 //
 // The maps at all vertices determine a complex (docs/design/boolean.md, "Correctness"): every cell
 // has a vertex in its closure. Points that face each other are the two ends of an edge. Around an
-// edge both maps show the same facets, in opposite senses; matching one facet fixes the rotation,
-// and then corner follows corner along every facet. Cycles are walked; in planes with several of
-// them a sweep finds the outer cycle around each hole. Volumes follow from shells and rays
-// (volumes.h).
+// edge, both maps have the same facets in opposite orders. One matched facet determines the
+// rotation, and thereby the next corner along every facet. Then the cycles are followed. In planes
+// with several cycles, a sweep finds the outer cycle around each hole. Volumes follow from shells
+// and rays (volumes.h).
 //
 // Invariants, checked by PLUMB_CHECK: facing points have equal marks, rings mirror each other, all
 // corners of a facet and all views of a volume have one mark. They hold because both sides of each
 // condition are computed from the same pair of cells.
 //
-// Memory: arrays of the draft are freed as soon as no later step reads them, since the peak comes
-// with the volumes.
-// Tested by tests/space/nef3_test.cpp and tests/space/simplify_test.cpp.
+// Memory: arrays of the draft are freed as soon as no later step reads them, because the peak is
+// reached when volumes are made. Tested by tests/space/nef3_test.cpp and
+// tests/space/simplify_test.cpp.
 
 #include "plumb/space/boolean/assemble.h"
 
@@ -62,7 +62,7 @@ void extend_shifted(std::vector<std::uint32_t>& all, const std::vector<std::uint
   for (const std::uint32_t i : more) all.push_back(i == kNone ? i : i + shift);
 }
 
-/// Appends a map; `offsets` is where its parts begin. Half-arcs are two for each arc.
+/// Appends a map. `offsets` states where its parts begin. Each arc has two half-arcs.
 void append_map(SphereMap& maps, const SphereMap& map, const SpaceDraft::Offsets& offsets) {
   extend(maps.direction, map.direction);
   extend(maps.point_mark, map.point_mark);
@@ -78,7 +78,7 @@ void append_map(SphereMap& maps, const SphereMap& map, const SpaceDraft::Offsets
 
 }  // namespace
 
-// The map is appended with all its indices raised; facing points are set by the maker later.
+// The map is appended with all its indices increased. The maker sets facing points later.
 SpaceDraft::Offsets SpaceDraft::add(SpacePoint at, const SphereMap& map, bool passed,
                                     std::span<const std::uint32_t> origin_ids) {
   const VertexId v(vertex_point.size());
@@ -118,8 +118,8 @@ SpaceDraft::Offsets SpaceDraft::end() const {
 
 namespace {
 
-/// Moves the items of one array of each part behind those of the same array of the whole. `get`
-/// returns the array of a draft, and append(all, own, i) appends that of part i.
+/// Appends the items of one array of each part to the same array of the whole. `get` returns the
+/// array of a draft, and append(all, own, i) appends the array of part i.
 template <class Get, class Append>
 void move_array(SpaceDraft& whole, std::span<SpaceDraft* const> parts, const Get& get,
                 const Append& append) {
@@ -140,7 +140,7 @@ struct PartBegin {
   SpaceDraft::Offsets offsets;
 };
 
-/// Returns where each part begins if all are appended to the whole.
+/// Returns where each part begins in the whole, if all parts are appended.
 std::vector<PartBegin> begins_of(const SpaceDraft& whole, std::span<SpaceDraft* const> parts) {
   std::vector<PartBegin> begins;
   PartBegin at{static_cast<std::uint32_t>(whole.vertex_count()), whole.end()};
@@ -156,8 +156,8 @@ std::vector<PartBegin> begins_of(const SpaceDraft& whole, std::span<SpaceDraft* 
 
 }  // namespace
 
-// Each array is a job: they differ in size, and no array needs another one. Twins within a part
-// keep facing each other; kNone stays open.
+// Each array is a job, because arrays differ in size and do not depend on each other. Twins within
+// a part still face each other, and kNone remains.
 void SpaceDraft::take_all(std::span<SpaceDraft* const> parts, Context& context) {
   const std::vector<PartBegin> begins = begins_of(*this, parts);
   std::vector<std::function<void()>> jobs;
@@ -239,7 +239,7 @@ void for_each_clockwise(const SphereMap& map, std::uint32_t point, Visit visit) 
   } while (h != first);
 }
 
-/// Items sorted by their planes, in their old order within each. O(items + planes).
+/// Items sorted by their planes. Within each plane, they keep their order. O(items + planes).
 class ByPlane {
  public:
   ByPlane(const std::vector<std::uint32_t>& items, const std::vector<PlaneId>& plane,
@@ -263,7 +263,8 @@ class ByPlane {
   std::vector<std::uint32_t> item_;
 };
 
-/// Frees arrays that no later step reads: the peak of memory comes with the volumes.
+/// Frees arrays that no later step reads, because the peak of memory is reached when volumes are
+/// made.
 template <class... Arrays>
 void release(Arrays&... arrays) {
   ((arrays = Arrays()), ...);
@@ -286,8 +287,8 @@ class PassedPoints {
   bool has_any_;
 };
 
-/// Removes places inside edges, and returns their points. The neighbours of both points of such a
-/// place face each other; chains of places shrink one by one.
+/// Removes places inside of edges, and returns their points. Then the neighbours of both points of
+/// such a place face each other. Chains of places become shorter one by one.
 PassedPoints splice(SpaceDraft& draft) {
   bool has_passed = false;
   for (std::size_t v = 0; v < draft.vertex_count(); ++v) {
@@ -307,7 +308,7 @@ PassedPoints splice(SpaceDraft& draft) {
 /// edges.
 using VertexNumbers = IdVector<VertexId, VertexId>;
 
-/// Makes the vertices of the complex, in their order in the draft.
+/// Makes the vertices of the complex, in the order of the draft.
 VertexNumbers make_vertices(const SpaceDraft& draft, SpaceComplex& out) {
   out.tables = draft.tables;
   VertexNumbers vertex_number(draft.vertex_count());
@@ -384,8 +385,8 @@ class CornerLinker {
   }
 
  private:
-  /// Does the same as link_rings() for an edge of two uses: nearly all edges. Returns false if the
-  /// edge has another number of uses.
+  /// Computes the same result as link_rings() for an edge with two uses, as nearly all edges have.
+  /// Returns false if the edge has another number of uses.
   bool link_plain_edge(std::uint32_t point, EdgeId e) {
     const std::uint32_t x = maps_.first_out[point], after_x = maps_.clockwise(x);
     std::uint32_t y = maps_.first_out[draft_.twin[point]];
@@ -402,9 +403,10 @@ class CornerLinker {
     return true;
   }
 
-  /// Matches the rings of arcs at both ends of an edge: half-arcs of one plane, one going out and
-  /// one coming in. A ring cannot match in two rotations with different results: two facets around
-  /// one edge in the same plane leave it on opposite sides, so plane and sense name one half-arc.
+  /// Matches the rings of arcs at both ends of an edge. Half-arcs of the same plane match if one is
+  /// outgoing and one is incoming. Two rotations never give different results. Two facets around
+  /// one edge in the same plane are on opposite sides of it, so the plane and the direction
+  /// determine a half-arc.
   void link_rings(std::uint32_t point, EdgeId e) {
     // The ring at the far end, reversed, is the ring at the near end, rotated.
     near_.clear();
@@ -413,7 +415,7 @@ class CornerLinker {
     for_each_clockwise(maps_, draft_.twin[point], [this](std::uint32_t h) { far_.push_back(h); });
     PLUMB_CHECK(near_.size() == far_.size());
     const std::size_t k = near_.size();
-    // Seen from the other end the same ring runs the other way.
+    // Seen from the other end, the same ring has the opposite direction.
     std::reverse(far_.begin(), far_.end());
     std::size_t shift = 0;
     while (shift < k && !is_mirror(near_[0], far_[shift])) ++shift;
@@ -424,15 +426,14 @@ class CornerLinker {
       PLUMB_CHECK(is_mirror(x, y));
       radial_.push_back(link_corners(x, y));
     }
-    // `near_` runs clockwise around the half-edge that leaves `point`, which is half-edge 2e.
+    // `near_` is clockwise around the half-edge that leaves `point`, which is half-edge 2e.
     for (std::size_t i = 0; i < k; ++i) out_.use_radial[radial_[(i + 1) % k]] = radial_[i];
     out_.edge_use[e] = radial_[0];
   }
 
-  /// Lets the corners of one facet at both ends of an edge follow each other, and returns the use
-  /// along the edge.
+  /// Links the corners of one facet at both ends of an edge, and returns the use along the edge.
   UseId link_corners(std::uint32_t x, std::uint32_t y) {
-    // An even half-arc is a corner that starts here: its use leaves along this edge.
+    // An even half-arc is a corner that starts here, and its use leaves along this edge.
     if (x % 2 != 0) std::swap(x, y);
     // The corner at the other end of the edge follows this one along the facet.
     const UseId leaving = use_of_arc_[x / 2], arriving_at = use_of_arc_[y / 2];
@@ -441,8 +442,8 @@ class CornerLinker {
     return leaving;
   }
 
-  /// Whether half-arcs at both ends of an edge can belong to one facet: their plane is the same and
-  /// one of them begins a corner while the other ends one.
+  /// Whether half-arcs at both ends of an edge can belong to one facet. Their planes must be equal,
+  /// and one of them begins a corner while the other one ends a corner.
   bool is_mirror(std::uint32_t x, std::uint32_t y) const {
     return maps_.circle[x / 2] == maps_.circle[y / 2] && (x ^ y) % 2 == 1;
   }
@@ -485,7 +486,7 @@ UsesOfArcs number_uses(const SpaceDraft& draft, const PassedPoints& passed,
 }
 
 /// Links the uses along facets and around edges, one edge at a time. Each link is written at one
-/// edge only, so edges are independent of each other.
+/// edge only, so the edges are independent of each other.
 void link_uses(const SpaceDraft& draft, const PassedPoints& passed,
                const std::vector<HalfedgeId>& halfedge_of_point,
                const std::vector<UseId>& use_of_arc, SpaceComplex& out, Context& context) {
@@ -503,7 +504,7 @@ void link_uses(const SpaceDraft& draft, const PassedPoints& passed,
 
 // ---- facets
 
-/// Walks the cycles and makes each, for now, a facet of its own. Returns a use of each cycle.
+/// Follows the cycles, and makes a temporary facet for each of them. Returns a use of each cycle.
 std::vector<UseId> trace_cycles(const SphereMap& maps,
                                 const IdVector<UseId, std::uint32_t>& arc_of_use, SpaceComplex& out,
                                 const Context& context) {
@@ -525,7 +526,7 @@ std::vector<UseId> trace_cycles(const SphereMap& maps,
 
 /// The outer cycles around holes and inner vertices.
 struct FacetNesting {
-  std::vector<std::uint32_t> parent;  // The outer cycle around each hole, else kNone.
+  std::vector<std::uint32_t> parent;  // For each hole, the outer cycle around it; otherwise kNone.
   // Pairs of an outer cycle and a vertex inside it.
   std::vector<std::pair<std::uint32_t, VertexId>> inner_of_cycle;
 };
@@ -587,7 +588,7 @@ class PlaneNester {
 };
 
 /// Finds the outer cycle around every hole and inner vertex, plane by plane. Cycles and loops are
-/// sorted by their planes in linear time, then each plane is nested by itself.
+/// sorted by their planes in linear time. Then the cycles of each plane are nested.
 FacetNesting nest_planes(const SpaceDraft& draft, const VertexNumbers& vertex_number,
                          const std::vector<UseId>& first_use, const SpaceComplex& out,
                          Context& context) {
@@ -651,7 +652,7 @@ std::vector<FacetId> number_facets(const SpaceDraft& draft,
     if (nesting.parent[c] != kNone) continue;
     const FacetId f(facet_count);
     const std::uint32_t arc = arc_of_use[first_use[c]];
-    // This overwrites nothing that is still needed, as facet_count <= c.
+    // This overwrites no data that are still needed, because facet_count <= c.
     out.facet_plane[facet_count++] = out.facet_plane[c];
     out.facet_mark.push_back(draft.maps.arc_mark[arc]);
     out.facet_origin.push_back(draft.arc_origin[arc]);
@@ -705,7 +706,7 @@ void gather_facets(const SpaceDraft& draft, const VertexNumbers& vertex_number,
 
 // ---- volumes
 
-/// Copies the marks of volumes from everything that borders on them: sides of facets, free edges,
+/// Copies the marks of volumes from the cells on their boundaries: sides of facets, free edges and
 /// isolated vertices.
 void copy_volume_marks(const SpaceDraft& draft, const PassedPoints& passed,
                        const VertexNumbers& vertex_number,
@@ -714,7 +715,7 @@ void copy_volume_marks(const SpaceDraft& draft, const PassedPoints& passed,
                        Context& context) {
   const SphereMap& maps = draft.maps;
   IdVector<VolumeId, std::uint8_t> is_marked(out.volume_count(), 0);
-  // Sets the mark of a volume, or checks it if it is known already.
+  // Sets the mark of a volume, or checks it if it is already known.
   const auto set_mark = [&](VolumeId volume, Mark mark) {
     PLUMB_CHECK(is_marked[volume] == 0 || out.volume_mark[volume] == mark);
     out.volume_mark[volume] = mark;
@@ -723,7 +724,7 @@ void copy_volume_marks(const SpaceDraft& draft, const PassedPoints& passed,
   const auto mark_at = [&](UseId u, std::uint32_t side) {
     return maps.face_mark[maps.face[2 * arc_of_use[u] + side]];
   };
-  // One corner of each facet sets the marks, and all others must agree.
+  // One corner of each facet determines the marks, and all other corners must have the same marks.
   for (std::uint32_t f = 0; f < out.facet_count(); ++f) {
     const UseId u = out.cycles_of(FacetId(f))[0];
     for (std::uint32_t side = 0; side < 2; ++side) {
@@ -806,7 +807,7 @@ SpaceComplex assemble_vertices(SpaceDraft draft, Context& context) {
 
 }  // namespace
 
-// Small drafts take less time than starting a thread.
+// For small drafts, starting a thread would take more time than it saves.
 SpaceComplex assemble(SpaceDraft draft, Context& context) {
   if (draft.vertex_count() == 0) return whole_space(draft);
   const bool is_small = draft.maps.point_count() < kLeastPoints;

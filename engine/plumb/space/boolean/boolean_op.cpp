@@ -40,8 +40,8 @@ namespace {
 
 constexpr const char* kMemoryName = "a Boolean of space";
 
-/// Returns the complex of a draft. A set without vertices is all of space or nothing: the draft's
-/// mark of the outside says which.
+/// Returns the complex of a draft. A set without vertices is the whole space or empty. The draft's
+/// mark of the outside determines which of the two it is.
 SpaceComplex assembled(CombinedDraft draft, Context& context) {
   SpaceComplex result = assemble(std::move(draft.vertices), context);
   if (result.vertex_count() == 0) result.volume_mark[0] = draft.outside;
@@ -68,9 +68,9 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
   const bool is_shared = a.tables == b.tables;
   if (is_shared) b.tables.reset();
   const bool is_own = a.tables.use_count() == 1;
-  // What another thread read before it let go of them comes before what is written here.
+  // The fence orders the reads of other threads before the writes of this one.
   if (is_own) std::atomic_thread_fence(std::memory_order_acquire);
-  // Sets share their tables and never write to them; who owns them alone may.
+  // Sets share their tables and never write to them. Only a sole owner may write.
   auto tables = is_own ? std::const_pointer_cast<SpaceTables>(a.tables) : copy(*a.tables);
   if (!is_shared) translate(b, merge(*tables, *b.tables));
   a.tables = b.tables = tables;
@@ -79,8 +79,8 @@ std::shared_ptr<SpaceTables> unite_tables(SpaceComplex& a, SpaceComplex& b) {
 
 namespace {
 
-/// Returns a context with one thread for small operands, where starting threads costs more than it
-/// saves, else one with all threads.
+/// Returns a context with one thread if the operands are small, because starting threads would take
+/// more time than it saves. Otherwise, returns a context with all threads.
 Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const Context& context) {
   constexpr std::size_t kLeastUses = 4000;
   const bool is_small = a.use_count() + b.use_count() < kLeastUses;
@@ -88,9 +88,9 @@ Context with_useful_threads(const SpaceComplex& a, const SpaceComplex& b, const 
                          JobProgress::Reported);
 }
 
-/// Returns an estimate of the bytes of the draft and of the assembled complex: so many for each
-/// corner of a facet, and so many for all that a contact adds (two pairs of cells, a point of the
-/// tables, a vertex with its map).
+/// Returns an estimate of the bytes of the draft and of the assembled complex. It has a number of
+/// bytes for each corner of a facet, and a number for everything that a contact adds: two pairs of
+/// cells, a point of the tables, and a vertex with its map.
 std::uint64_t draft_bytes(std::size_t uses, std::size_t contacts) {
   constexpr std::uint64_t kBytesPerUse = 60, kBytesPerContact = 600;
   return kBytesPerUse * uses + kBytesPerContact * contacts;
@@ -106,7 +106,7 @@ void free_kept(SpaceComplex& complex) {
 }
 
 /// Runs steps 2 to 6. The memory in use until the draft is assembled is charged to `memory`. If
-/// `owned` is not null, it has the operands, which are used up.
+/// `owned` is not null, it has the operands, which are consumed.
 CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceComplex& a,
                        const SpaceComplex& b, std::array<SpaceComplex, 2>* owned,
                        const MarkTable& f, const CommonOrigin& origin, MemoryCharge& memory,
@@ -116,7 +116,7 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
   phase.next("labels of vertices");
   memory.add(draft_bytes(a.use_count() + b.use_count(), contacts.size()), kMemoryName);
   const std::array<const SpaceComplex*, 2> operands{&a, &b};
-  // Both operands are labelled at once; neither changes the tables.
+  // Both operands are labelled at the same time, and neither job changes the tables.
   std::array<std::optional<TouchedComplex>, 2> touched;
   std::array<IdVector<VertexId, VolumeId>, 2> labels;
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
@@ -125,7 +125,7 @@ CombinedDraft draft_of(const std::shared_ptr<SpaceTables>& tables, const SpaceCo
   });
   phase.next("vertices of the result");
   Combiner combiner(operands, tables, contacts, f, origin);
-  if (context.threads() == 1) {  // One combiner makes all of it, nothing is appended.
+  if (context.threads() == 1) {  // One combiner makes the whole draft, so no parts are appended.
     combiner.overlay_contacts(context);
     for (const std::size_t i : {0U, 1U}) {
       combiner.keep_vertices(i, *touched[i], labels[i], context);
@@ -168,7 +168,8 @@ SpaceComplex boolean_op(SpaceComplex a, SpaceComplex b, MarkFunction f, Context&
   CombinedDraft draft = draft_of(tables, operands[0], operands[1], &operands, MarkTable(f),
                                  lesser_origin, memory, own);
   phase.next("assembling");
-  operands = {};  // The peak of memory is yet to come: the draft and the result at once.
+  // The peak of memory is still to come, when the draft and the result exist at the same time.
+  operands = {};
   return assembled(std::move(draft), own);
 }
 
@@ -237,7 +238,7 @@ void find_contacts_with_plane(const SpaceComplex& a, PlaneId plane, SpaceTables&
   }
   for (std::uint32_t e = 0; e < a.edge_count(); ++e) {
     const Sign from = sides[a.origin[2 * e]], to = sides[a.origin[2 * e + 1]];
-    // The ends are strictly on both sides: the edge crosses the plane in one point.
+    // The ends are strictly on both sides, so the edge crosses the plane in one point.
     if (from * to != Sign::Negative) continue;
     const auto& [p, q] = a.edge_planes[e];
     contacts.push_back({EdgeId(e), FacetId(0), tables.points.add(p, q, plane)});
@@ -273,7 +274,7 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Appends ids, each raised by `shift`. Invalid ids stay invalid.
+/// Appends ids, each increased by `shift`. Invalid ids remain invalid.
 template <class Id>
 void append_shifted(std::vector<Id>& all, const std::vector<Id>& more, std::size_t shift) {
   for (const Id id : more) all.push_back(id.is_valid() ? Id(id.value() + shift) : id);
@@ -300,7 +301,7 @@ class VolumeShift {
   std::uint32_t shift_;
 };
 
-/// The six ways from a box to infinity along the axes, and which of them are free so far. A way is
+/// The six ways from a box to infinity along the axes, and which of them are still free. A way is
 /// the box extended without bound in one direction.
 class Ways {
  public:
@@ -311,7 +312,8 @@ class Ways {
       ways_[2 * i + 1].high[i] = Box3::kInfinity;
     }
   }
-  /// Blocks the ways that meet `by`. Returns false if `by` meets the box itself or no way is left.
+  /// Blocks the ways that meet `by`. Returns false if `by` meets the box itself, or if no way is
+  /// left.
   bool obstruct(const Box3& by) {
     if (by.meets(from_)) return false;
     for (std::size_t w = 0; w < ways_.size(); ++w) {
@@ -326,9 +328,9 @@ class Ways {
   std::array<bool, 6> is_free_ = {true, true, true, true, true, true};
 };
 
-/// Whether the box can be moved to infinity without meeting the boundary of the complex. Then all
-/// of it lies in volume 0. Boxes of facets cover those of their edges and vertices, so that only
-/// free edges and isolated vertices are looked at besides.
+/// Whether the box can be moved to infinity without meeting the boundary of the complex. If it can,
+/// the whole box lies in volume 0. Boxes of facets cover their edges and vertices, so only free
+/// edges and isolated vertices must be tested in addition.
 bool is_beyond(const SpaceComplex& complex, const Box3& box) {
   Ways ways(box);
   for (std::size_t f = 0; f < complex.facet_count(); ++f) {
@@ -359,10 +361,10 @@ Box3 around(std::span<const Box3> parts) {
 
 }  // namespace
 
-// All of b's boundary lies in its box. If that box can leave along an axis without meeting a, then
-// b lies in volume 0 of a. And a lies in volume 0 of b: a has no point in the box, and the points
-// outside a box are connected. Single cells are tested only once, against the operand with more
-// facets.
+// The whole boundary of b lies in its box. If this box can move to infinity along an axis without
+// meeting a, then b lies in volume 0 of a. Then a also lies in volume 0 of b, because a has no
+// point in the box, and the points outside of a box are connected. Single cells are tested only
+// once, against the operand with more facets.
 bool are_apart(const BoxedComplex& a, const BoxedComplex& b) {
   if (a.complex.vertex_count() == 0 || b.complex.vertex_count() == 0) return false;
   const Box3 of_a = around(a.parts), of_b = around(b.parts);
@@ -371,7 +373,7 @@ bool are_apart(const BoxedComplex& a, const BoxedComplex& b) {
   return is_a_larger ? is_beyond(a.complex, of_b) : is_beyond(b.complex, of_a);
 }
 
-// Every array of b is appended with its ids raised by the sizes that a had before.
+// Every array of b is appended, with its ids increased by the sizes that a had before.
 SpaceComplex appended(SpaceComplex a, SpaceComplex b) {
   unite_tables(a, b);
   const std::size_t vertices = a.vertex_count(), edges = a.edge_count(), uses = a.use_count(),

@@ -27,18 +27,19 @@ namespace plumb {
 
 namespace {
 
-constexpr std::size_t kRingsAtOnce = 128;  // So many that their part of the draft stays cached.
+// The part of the draft of so many contacts remains in the cache.
+constexpr std::size_t kRingsAtOnce = 128;
 
-/// Returns the name of the line in which half-edges in the cells a and b run.
+/// Returns the name of the line that contains half-edges in the cells a and b.
 std::uint64_t line_key(SpaceItem a, SpaceItem b) {
   return (std::uint64_t{a.code()} << 32U) | b.code();
 }
 
 }  // namespace
 
-// An overlay that is the map of a facet or a volume is dropped: nothing distinguishes the contact
-// from its neighbourhood. The map of an edge is added as a place inside an edge, because its two
-// half-edges may come from different cells and have to be paired apart.
+// If the overlay is the map of a facet or of a volume, the contact is dropped, because it does not
+// differ from its neighbourhood. The map of an edge is added as a place inside of an edge, because
+// its two half-edges may come from different cells and must be paired separately.
 void Combiner::overlay_contacts(std::size_t begin, std::size_t end, Context& context) {
   std::vector<std::uint32_t> origin_ids;
   for (std::size_t i = begin; i < end; ++i) {
@@ -62,7 +63,7 @@ void Combiner::overlay_contacts(std::size_t begin, std::size_t end, Context& con
 void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
                              std::span<const VolumeId> labels, Context& context) {
   const SpaceComplex& complex = *operands_[operand];
-  MemoryCharge memory(context);  // The carrier's arrays for all half-edges and edge uses.
+  MemoryCharge memory(context);  // The arrays of the carrier for all half-edges and edge uses.
   memory.add(sizeof(std::uint32_t) * (complex.origin.size() + complex.use_count()),
              "vertices that stay");
   reserve(operand, own, labels);
@@ -73,8 +74,8 @@ void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
     if (v % 4096 == 0) context.checkpoint("vertices that stay", v, complex.vertex_count());
     if (own.is_touched(VertexId(v))) continue;
     const std::array<Mark, 3> becomes = marks_in(operand, labels[v]);
-    // Under a constant all marks around the vertex are equal, so that minimal form drops it. Only a
-    // vertex of the frame stays, as kBeyond does not change.
+    // If the function is constant, all marks around the vertex are equal, so the minimal form drops
+    // it. Only a vertex of the frame is kept, because kBeyond does not change.
     const bool is_constant = becomes[0] == becomes[1];
     if (is_constant && complex.vertex_mark[v] != kBeyond) continue;
     if (!is_constant && carrier.may_have_ring(VertexId(v))) {
@@ -89,9 +90,9 @@ void Combiner::keep_vertices(std::size_t operand, const TouchedComplex& own,
   face_kept_ends(operand, own, labels, carrier.point_of());
 }
 
-/// Pairs the half-edges of one operand. An edge without contacts whose both ends stay keeps its
-/// twins. Any other half-edge runs, up to the first contact, in its edge and in the volume of the
-/// other operand around its vertex: these two cells name its line.
+/// Pairs the half-edges of one operand. If an edge has no contacts and both ends are kept, its
+/// twins are kept. Any other half-edge lies, up to the first contact, in its edge and in the volume
+/// of the other operand around its vertex. These two cells are the name of its line.
 void Combiner::face_kept_ends(std::size_t operand, const TouchedComplex& own,
                               std::span<const VolumeId> labels,
                               std::span<const std::uint32_t> point_of) {
@@ -110,7 +111,8 @@ void Combiner::face_kept_ends(std::size_t operand, const TouchedComplex& own,
   }
 }
 
-// Appending shifts indices of points; names of lines are ids of the operands and stay.
+// When a draft is appended, the indices of points change, but the names of lines do not, because
+// they are ids of the operands.
 void Combiner::append(std::span<std::optional<Combiner>> parts, Context& context) {
   std::uint32_t offset = draft_.end().point;
   std::vector<SpaceDraft*> drafts;
@@ -129,14 +131,15 @@ CombinedDraft Combiner::finish() {
   return {std::move(draft_), table_(operands_[0]->volume_mark[0], operands_[1]->volume_mark[0])};
 }
 
-/// Returns what the marks 0, 1 and kBeyond of one operand become in a volume of the other.
+/// Returns the images of the marks 0, 1 and kBeyond of one operand in a volume of the other
+/// operand.
 std::array<Mark, 3> Combiner::marks_in(std::size_t operand, VolumeId volume) const {
   const Mark around = operands_[1 - operand]->volume_mark[volume];
   return {combined(operand, 0, around), combined(operand, 1, around), kBeyond};
 }
 
-/// Reserves memory for the vertices that stay: in most sets each has as many corners as edges, and
-/// two volumes around it.
+/// Reserves memory for the vertices that are kept. In most sets, each vertex has as many corners as
+/// edges, and two volumes around it.
 void Combiner::reserve(std::size_t operand, const TouchedComplex& own,
                        std::span<const VolumeId> labels) {
   const SpaceComplex& complex = *operands_[operand];
@@ -151,8 +154,8 @@ void Combiner::reserve(std::size_t operand, const TouchedComplex& own,
   draft_.reserve_more(vertices, points, points, 2 * vertices);
 }
 
-/// Adds all vertices of the list and empties it. The carrier stops at a vertex with several rings;
-/// that one is added by its local map.
+/// Adds all vertices of the list, and empties the list. The carrier stops at a vertex with several
+/// rings, which is added by its local map.
 void Combiner::keep_rings(const SpaceComplex& complex, std::vector<VertexCarrier::Remarked>& rings,
                           VertexCarrier& carrier) {
   std::span<const VertexCarrier::Remarked> left = rings;
@@ -183,8 +186,8 @@ void Combiner::keep_vertex(const SpaceComplex& complex, VertexId v,
   }
 }
 
-/// Returns the facet_origin of an arc of the overlay: that of the facet in which it lies, or what
-/// common_origin_ makes of both where facets of both operands overlap.
+/// Returns the facet_origin of an arc of the overlay. It is the facet_origin of the facet that
+/// contains the arc. If facets of both operands overlap, common_origin_ combines both.
 std::uint32_t Combiner::facet_origin(const SphereOrigins::Pair& cells) const {
   const auto is_facet = [&](std::size_t i) {
     return cells[i].is_valid() && cells[i].kind() == SphereCell::Kind::Arc;
@@ -197,16 +200,16 @@ std::uint32_t Combiner::facet_origin(const SphereOrigins::Pair& cells) const {
   return origin_in(1);
 }
 
-/// Notes a half-edge that leaves a contact. `p` is a point of map_, the overlay at hand.
+/// Notes a half-edge that leaves a contact. `p` is a point of map_, the current overlay.
 void Combiner::add_contact_end(std::uint32_t draft_point, std::uint32_t p) {
   const SphereOrigins::Pair& cells = origins_.point[p];
   const SpaceItem a = local_[0].item(cells[0]), b = local_[1].item(cells[1]);
   ends_.push_back({line_key(a, b), draft_point, sign_on_line(cells, map_.direction[p])});
 }
 
-/// Returns whether a direction runs along the reference direction of its line or against it. A cell
-/// that is an edge decides by the parity of the half-edge. Otherwise the cells are two facets,
-/// whose planes p, q give n_p x n_q, and same_direction() compares.
+/// Returns whether a direction agrees with the reference direction of its line, or is opposite to
+/// it. If a cell is an edge, the parity of the half-edge decides. Otherwise, the cells are two
+/// facets with planes p and q, the reference direction is n_p x n_q, and same_direction() compares.
 Sign Combiner::sign_on_line(const SphereOrigins::Pair& cells, SphereDirection direction) const {
   for (std::size_t i = 0; i < 2; ++i) {
     if (cells[i].kind() != SphereCell::Kind::Point) continue;
@@ -220,8 +223,8 @@ Sign Combiner::sign_on_line(const SphereOrigins::Pair& cells, SphereDirection di
 
 // ---------------------------------------------------------------- pairing
 
-// Sorting by the name of the line, then by point, makes the order independent of how the draft was
-// divided among threads.
+// The half-edges are sorted by the name of the line and then by point, so the order does not depend
+// on the division of the draft among threads.
 void Combiner::pair_ends() {
   std::sort(ends_.begin(), ends_.end(), [](const LineEnd& x, const LineEnd& y) {
     return x.line != y.line ? x.line < y.line : x.point < y.point;
@@ -234,8 +237,8 @@ void Combiner::pair_ends() {
   }
 }
 
-// Two ends that look in opposite directions face each other without any arithmetic: nearly all
-// lines are such.
+// If a line has only two ends, which look in opposite directions, they face each other without any
+// arithmetic. Nearly all lines are of this kind.
 void Combiner::pair_line(std::span<LineEnd> line) {
   if (line.size() == 2 && line[0].sign != line[1].sign) {
     face_each_other(line[0].point, line[1].point);

@@ -1,11 +1,12 @@
 // Location of points in large facets by slabs, and the leaves of the box trees of find_contacts().
 //
-// Slabs: between two neighbouring heights of vertices no edge of the facet begins or ends, so the
-// edges there have one order across, and a point is inside the facet if and only if an odd number
-// of edges lies beyond it. A segment tree over the slabs stores each edge O(log n) times instead of
-// once in every slab that it spans. Two edges in one list span a common slab. Their order is
-// decided at the later of their lower ends. If this gives a tie, it is decided at the earlier of
-// their higher ends. Two different edges share at most one end, so there is no tie at both.
+// Slabs: between two neighbouring heights of vertices, no edge of the facet begins or ends. So the
+// edges have one order along the axis across the heights, and a point is inside the facet if and
+// only if an odd number of edges lies beyond it. A segment tree over the slabs stores each edge
+// O(log n) times instead of once in every slab that it spans. Two edges in one list span a common
+// slab. Their order is decided at the later of their lower ends. If this gives a tie, it is decided
+// at the earlier of their higher ends. Two different edges share at most one end, so there is no
+// tie at both.
 //
 // Every comparison is exact: heights by compare_axis(), sides by another plane through the edge,
 // which exists because an edge has two planes. A point of another table is compared by its box
@@ -30,11 +31,11 @@
 
 namespace plumb {
 
-// The exact comparison needs both points in one table; those that are input points are in every
-// table over the same planes.
+// For the exact comparison, both points must be in one table. Input points are in every table over
+// the same planes.
 Sign PlacedPoint::compare(SpacePoint x, std::size_t axis) const {
   if (&own_ == &table_) return compare_axis(own_, x, at_, axis);
-  // Boxes of both tables decide nearly always.
+  // In nearly all cases, the boxes in both tables decide.
   const FilteredSign s = rung::compare_axis_filter(own_.box(x), box_, axis);
   if (is_decided(s)) return decide(Predicate::CompareAxis, Rung::Filter, s);
   Point3Table both(own_.planes());
@@ -64,8 +65,8 @@ FacetSlabs::FacetSlabs(const SpaceComplex& complex, FacetId f, Context& context)
 
 // ---------------------------------------------------------------- building
 
-// Sorts the vertices by height, then across, exactly. A new column begins wherever the height
-// changes.
+// Sorts the vertices exactly by height, and then by the coordinate across. A new column begins
+// wherever the height changes.
 void FacetSlabs::make_columns(Context& context) {
   const auto inner = complex_.inner_of(facet_);
   ascending_.assign(inner.begin(), inner.end());
@@ -89,7 +90,8 @@ void FacetSlabs::make_columns(Context& context) {
     const Sign height = order(v, w, up_);
     return (height != Sign::Zero ? height : order(v, w, across_)) == Sign::Negative;
   });
-  // place_ is the inverse of the sorting, so that a use finds its columns by the ids of its ends.
+  // The array place_ is the inverse of the sorting permutation, so that a use finds its columns by
+  // the ids of its ends.
   place_.resize(vertex_.size());
   for (std::uint32_t i = 0; i < vertex_.size(); ++i) {
     if (i == 0 || order(vertex_[i - 1], vertex_[i], up_) != Sign::Zero) column_begin_.push_back(i);
@@ -111,14 +113,16 @@ std::uint32_t FacetSlabs::column_of(std::uint32_t place) const {
                                     column_begin_.begin() - 1);
 }
 
-// Left of an edge use, seen from the positive side, is the facet; left of an edge that runs up lies
-// what comes before it across. So the turn of the other plane about the use gives the side beyond
-// the edge, with the sign changed if the use runs down or along half-edge 2e + 1.
+// Seen from the positive side, the facet is to the left of an edge use. To the left of an edge that
+// leads upward are the points that precede it across. Therefore the turn of the other plane about
+// the use determines the side beyond the edge. The sign is flipped if the use leads downward or
+// along half-edge 2e + 1.
 void FacetSlabs::add_use(UseId u) {
   const HalfedgeId h = complex_.use_halfedge[u];
   std::uint32_t from = place_of(complex_.origin[h]), to = place_of(complex_.target(h));
   const EdgeId e = SpaceComplex::edge_of(h);
-  if (column_of(from) == column_of(to)) {  // Edges hold no vertices, so these are neighbours.
+  // No vertices lie inside of edges, so these are neighbours.
+  if (column_of(from) == column_of(to)) {
     level_[std::min(from, to)] = e;
     return;
   }
@@ -170,9 +174,10 @@ Sign FacetSlabs::beyond(const Rise& e, VertexId v) const {
   return e.beyond * side(complex_.points(), complex_.vertex_point[v], e.plane);
 }
 
-/// Whether e comes before f across. Requires two edges that span a common slab. The later one of
-/// their lower ends has the height of a point of the other edge, so its side of that edge decides;
-/// if it lies on it, both begin at one vertex, and the earlier one of the higher ends decides.
+/// Whether e precedes f across. Requires two edges that span a common slab. Of their two lower
+/// ends, the later one is at the height of a point of the other edge, so its side of that edge
+/// decides. If it lies on that edge, both edges begin at the same vertex, and the earlier one of
+/// the higher ends decides.
 bool FacetSlabs::is_before(const Rise& e, const Rise& f) const {
   Sign order = e.first_slab >= f.first_slab ? -beyond(f, e.low) : beyond(e, f.low);
   if (order == Sign::Zero) {
@@ -183,9 +188,9 @@ bool FacetSlabs::is_before(const Rise& e, const Rise& f) const {
 
 // ---------------------------------------------------------------- queries
 
-// A point on a column that is no vertex and on no level edge is decided by the slab after the
-// column: an edge through it spans that slab, and as many edges lie beyond it as beyond the points
-// just above it.
+// A point on a column that is not a vertex and not on a level edge is located in the slab after the
+// column. An edge through the point spans that slab, and the number of edges beyond the point is
+// the number of edges beyond the points directly above it.
 SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
   const auto below = [&](std::uint32_t place) {
     return x.compare(complex_.vertex_point[vertex_[place]], up_);
@@ -217,15 +222,16 @@ SpaceItem FacetSlabs::on_column(std::size_t column, const PlacedPoint& x) const 
   return e.is_valid() ? SpaceItem(e) : SpaceItem();
 }
 
-/// Returns the edge of a slab on which the point lies, the facet if it lies inside, or an invalid
-/// item. The point lies beyond the first edges of each list, then before the others: those it
-/// counts.
+/// Returns the edge of a slab on which the point lies, or the facet if the point lies inside, or an
+/// invalid item. In each list, the point lies beyond the first edges, which are counted, and before
+/// the others.
 SpaceItem FacetSlabs::in_slab(std::size_t slab, const PlacedPoint& x) const {
   std::size_t beyond = 0;
   for (std::size_t node = slab + slab_count(); node > 0; node /= 2) {
     const auto edges = list(node);
     const auto side_of = [&](std::uint32_t i) { return rise_[i].beyond * x.side(rise_[i].plane); };
-    // Positive: the point lies beyond the edge. In the order across these come first.
+    // The sign Positive means that the point lies beyond the edge. In the order across, these edges
+    // come first.
     const auto at = std::partition_point(
         edges.begin(), edges.end(), [&](std::uint32_t i) { return side_of(i) == Sign::Positive; });
     if (at != edges.end() && side_of(*at) == Sign::Zero) return rise_[*at].edge;
@@ -243,8 +249,8 @@ FacetSites::FacetSites(const SpaceComplex& complex, std::span<const FacetId> lar
       large_(large.begin(), large.end()),
       state_(std::make_unique<Large[]>(large.size())) {}
 
-/// Returns the slabs of a facet; null for small facets, and for others as long as walks have cost
-/// less than slabs would.
+/// Returns the slabs of a facet. Returns null for small facets. For other facets, returns null as
+/// long as the walks so far took less time than the slabs would take.
 const FacetSlabs* FacetSites::slabs_of(FacetId f, Context& own) const {
   constexpr std::uint32_t kWalks = 48;
   const auto at = std::ranges::lower_bound(large_, f);
@@ -258,7 +264,8 @@ const FacetSlabs* FacetSites::slabs_of(FacetId f, Context& own) const {
   return &*large.slabs;
 }
 
-/// Builds the slabs, unless another thread has by now. If it throws, the next caller tries again.
+/// Builds the slabs, unless another thread has built them in the meantime. If this throws, the next
+/// caller tries again.
 void FacetSites::make(FacetId f, Large& large, Context& own) const {
   const std::lock_guard lock(large.making);
   if (large.slabs) return;
@@ -282,8 +289,8 @@ SpaceItem FacetSites::site(FacetId f, SpacePoint x, Context& own) const {
   return slabs->site(PlacedPoint(complex_.points(), complex_.points(), x));
 }
 
-// The point is made in a table of its own: this runs in several threads, and most points are not
-// needed later.
+// The point is made in a separate table, because this code runs in several threads, and most of the
+// points are not needed later.
 SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const {
   const FacetSlabs* slabs = large_.empty() ? nullptr : slabs_of(f, own);
   if (slabs == nullptr) return facet_site(complex_, f, p, q);
@@ -294,7 +301,7 @@ SpaceItem FacetSites::site(FacetId f, PlaneId p, PlaneId q, Context& own) const 
 
 // ---------------------------------------------------------------- leaves
 
-/// Counts corners, and checks the limits of a context after every few thousand of them.
+/// Counts corners, and checks the limits of a context after each few thousand corners.
 class ContactLeaves::CornerCount {
  public:
   explicit CornerCount(const Context* context) : context_(context) {}
@@ -328,7 +335,7 @@ ContactLeaves::ContactLeaves(const SpaceComplex& complex, const Box3& reach, con
   boxes_.shrink_to_fit();
 }
 
-// All of a facet lies within the box of its outer cycle.
+// The whole facet lies in the box of its outer cycle.
 void ContactLeaves::add_facet(FacetId f, CornerCount& count) {
   const std::span<const UseId> cycles = complex_.cycles_of(f);
   if (cycles.empty()) return;
@@ -342,7 +349,8 @@ void ContactLeaves::add_facet(FacetId f, CornerCount& count) {
     u = complex_.use_next[u];
   } while (u != cycles.front());
   if (!box.meets(reach_)) return;
-  // Facets of few corners make one leaf; others one for the surface and some for their corners.
+  // A facet with few corners is one leaf. Any other facet has one leaf for its surface, and leaves
+  // for some of its corners.
   if (cycles.size() == 1 && corners <= LeafItems::kMostCorners) {
     return add({f, SpaceItem(), u, corners}, box);
   }
@@ -371,7 +379,8 @@ std::uint32_t ContactLeaves::add_corners(UseId first, CornerCount& count) {
     } while (u != first && leaf.count < LeafItems::kMostCorners);
     corners += leaf.count;
     items.fill(complex_, leaf);
-    if (!items.vertices().empty()) add(leaf, box);  // Else all of it belongs to neighbours.
+    // If there are no vertices, all cells belong to neighbours.
+    if (!items.vertices().empty()) add(leaf, box);
   } while (u != first);
   return corners;
 }
@@ -406,8 +415,8 @@ bool is_flat(const SpaceComplex& complex, UseId u) {
   return true;
 }
 
-/// Returns the use that begins at the vertex and in whose leaf the vertex is; invalid if the vertex
-/// has free edges only.
+/// Returns the use that begins at the vertex and whose leaf contains the vertex. It is invalid if
+/// the vertex has only free edges.
 UseId owner(const SpaceComplex& complex, VertexId v) {
   for (const HalfedgeId h : complex.star_of(v)) {
     const UseId u = complex.edge_use[SpaceComplex::edge_of(h)];
@@ -419,7 +428,7 @@ UseId owner(const SpaceComplex& complex, VertexId v) {
 
 }  // namespace
 
-// Vertices come first, so that own_vertices() is a prefix of vertices().
+// Vertices are stored first, so that own_vertices() is a prefix of vertices().
 void LeafItems::fill(const SpaceComplex& complex, const ContactLeaf& leaf) {
   own_ = vertex_count_ = edge_count_ = 0;
   has_flat_edges_ = false;
@@ -436,7 +445,7 @@ void LeafItems::fill(const SpaceComplex& complex, const ContactLeaf& leaf) {
   }
 }
 
-/// Takes a free edge with those ends whose first half-edge it is, or a vertex.
+/// Adds a free edge with the ends whose first half-edge it is, or adds a vertex.
 void LeafItems::take_bare(const SpaceComplex& complex, SpaceItem bare) {
   if (bare.kind() == SpaceItem::Kind::Vertex) return take_vertex(bare.vertex());
   for (const std::uint32_t h : {2 * bare.index(), 2 * bare.index() + 1}) {
@@ -459,7 +468,7 @@ void LeafItems::take_edge(const SpaceComplex& complex, EdgeId e, bool is_flat) {
   has_flat_edges_ |= is_flat;
 }
 
-/// Returns the index of a vertex among vertices(), where it is added if it is new.
+/// Returns the index of a vertex among vertices(). A new vertex is appended.
 std::uint8_t LeafItems::place_of(VertexId v) {
   const auto known = vertices();
   const auto place = static_cast<std::size_t>(std::ranges::find(known, v) - known.begin());

@@ -39,7 +39,8 @@ namespace plumb {
 
 namespace {
 
-/// Planes that hold a vertex by construction. A plane among them gives the side 0 by comparing ids.
+/// Planes that contain a vertex by construction. If a plane is one of them, a comparison of ids
+/// gives the side 0.
 class IncidentPlanes {
  public:
   IncidentPlanes(const SpaceComplex& complex, VertexId v) {
@@ -53,12 +54,13 @@ class IncidentPlanes {
   std::span<const PlaneId> planes() const { return std::span(planes_).first(count_); }
 
  private:
-  std::array<PlaneId, 16> planes_;  // More are of little use: identity only saves time.
+  // More planes would hardly help, because identity only saves time.
+  std::array<PlaneId, 16> planes_;
   std::size_t count_ = 0;
 };
 
-/// Returns the side of a plane on which a vertex lies: by the filter, then by identity, then
-/// exactly. Known planes are gathered only where the filter fails.
+/// Returns the side of a plane on which a vertex lies: by the filter stage, then by identity, then
+/// exactly. The known planes are collected only if the filter stage fails.
 Sign side_of(const SpaceComplex& complex, VertexId v, PlaneId plane) {
   const Point3Table& points = complex.points();
   const SpacePoint x = complex.vertex_point[v];
@@ -104,8 +106,8 @@ bool is_on_edge(const SpaceComplex& of_vertex, VertexId v, const SpaceComplex& o
          runs_to(x, of_edge.vertex_point[end(of_edge, e, 1)]);
 }
 
-/// The corners of a facet that is a triangle of input points. Then no plane or constructed point is
-/// needed to cut it.
+/// The corners of a facet that is a triangle of input points. A cut with such a facet needs no
+/// planes and no constructed points.
 class InputTriangle {
  public:
   InputTriangle(const SpaceComplex& complex, FacetId f) {
@@ -146,10 +148,10 @@ class InputTriangle {
   bool is_valid_ = false;
 };
 
-/// Returns the side on which the line a b passes the line p q, the sign of orient3d(a, b, p, q).
-/// Zero if the lines meet, and if a point is constructed and the boxes do not show the sign. The
-/// planes of an edge may be nearly parallel, so signs of the ends are clearer than signs of the
-/// planes.
+/// Returns the side on which the line a b passes the line p q, which is the sign of orient3d(a, b,
+/// p, q). Returns Zero if the lines meet, and also if a point is constructed and the boxes do not
+/// determine the sign. The planes of an edge may be nearly parallel, so the ends give clearer signs
+/// than the planes.
 Sign passing_side(const Point3Table& points, SpacePoint a, SpacePoint b, SpacePoint p,
                   SpacePoint q) {
   if (a.is_input() && b.is_input() && p.is_input() && q.is_input()) {
@@ -163,10 +165,10 @@ Sign passing_side(const Point3Table& points, SpacePoint a, SpacePoint b, SpacePo
 }
 
 /// Whether the line a b passes through the interior of a facet of a few corners. Returns nothing
-/// for other facets, if the line meets a cycle or a diagonal from the first corner, or if a sign is
-/// unclear: then the facet is asked about the point of the cut. Requires that the line cuts the
-/// plane of the facet in one point. That point is inside if an odd number of triangles hold it that
-/// have the first corner and a side of a cycle.
+/// for other facets, or if the line meets a cycle or a diagonal from the first corner, or if a sign
+/// is unclear. In these cases, the point of the cut is located in the facet. Requires that the line
+/// cuts the plane of the facet in one point. That point is inside if an odd number of triangles
+/// hold it that have the first corner and a side of a cycle.
 std::optional<bool> passes_inside(const SpaceComplex& complex, FacetId f, SpacePoint a,
                                   SpacePoint b) {
   constexpr std::size_t kMostCorners = 16;
@@ -199,9 +201,9 @@ std::optional<bool> passes_inside(const SpaceComplex& complex, FacetId f, SpaceP
   return is_inside;
 }
 
-/// Returns the cell of a facet, facet or edge, where an edge cuts it that crosses its plane. A
-/// vertex may be reported or count as outside: it is found as a vertex of its own complex on the
-/// edge.
+/// Returns the cell of a facet, the facet or an edge, in which an edge that crosses its plane cuts
+/// it. A vertex may be reported, or may count as outside, because it is found as a vertex of its
+/// own complex on the edge.
 SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex& of_facet,
                       FacetId f, const FacetSites& sites, Context& context) {
   const SpacePoint a = of_edge.vertex_point[end(of_edge, e, 0)];
@@ -219,8 +221,8 @@ SpaceItem cut_of_edge(const SpaceComplex& of_edge, EdgeId e, const SpaceComplex&
   return sites.site(f, p, q, context);
 }
 
-/// Collects the pairs of cells in contact, in any order and some more than once. There is one
-/// collector for each part of the pairs of leaves; parts may run at the same time.
+/// Collects the pairs of cells in contact, in any order, some more than once. Each part of the
+/// pairs of leaves has one collector, and the parts may run at the same time.
 class ContactFinder {
  public:
   ContactFinder(const ContactLeaves& a, const ContactLeaves& b,
@@ -233,13 +235,14 @@ class ContactFinder {
         context_(context),
         memory_(context) {}
 
-  /// Tests leaf x of the first complex against leaf y of the second, both ways.
+  /// Tests leaf x of the first complex and leaf y of the second complex against each other, in both
+  /// directions.
   void test(std::size_t x, std::size_t y) {
     if (++tested_ % 4096 == 0) report();
     const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
     if (b_[y].facet.is_valid()) items_in_facet<true>(a_[x], in_a, y);
     if (a_[x].facet.is_valid()) items_in_facet<false>(b_[y], in_b, x);
-    // What facets do not reveal is compared directly.
+    // Contacts that facets do not reveal are found by direct comparison.
     const bool is_bare = a_[x].bare.is_valid() || b_[y].bare.is_valid();
     if (is_bare || (in_a.has_flat_edges() && in_b.has_flat_edges())) test_directly(x, y);
   }
@@ -273,7 +276,7 @@ class ContactFinder {
   }
 
   /// Computes the sides of the facet's plane on which vertices lie. Returns false if all are
-  /// strictly on one side: then nothing of the leaf meets the facet.
+  /// strictly on one side, because then no cell of the leaf meets the facet.
   template <bool kForward>
   bool find_sides(std::span<const VertexId> vertices, std::size_t y,
                   std::array<Sign, LeafItems::kMostVertices>& sides) const {
@@ -316,8 +319,8 @@ class ContactFinder {
     if (kForward || site.kind() == SpaceItem::Kind::Facet || e.is_flat) add<kForward>(e.edge, site);
   }
 
-  /// Tests what no facet reveals: pairs of flat edges, vertices on free edges, pairs of vertices
-  /// without facets.
+  /// Tests the contacts that no facet reveals: pairs of flat edges, vertices on free edges, pairs
+  /// of vertices without facets.
   void test_directly(std::size_t x, std::size_t y) {
     const LeafItems &in_a = items_of_a_[x], &in_b = items_of_b_[y];
     for (const LeafEdge& e : in_a.edges()) {
@@ -343,8 +346,8 @@ class ContactFinder {
     }
   }
 
-  /// Adds pairs of equal vertices that both have no facet. This is one of the few tests for
-  /// equality of points; both are vertices that the operands already had.
+  /// Adds pairs of equal vertices that both have no facet. This is one of the few places that test
+  /// the equality of points. Both points are vertices of the operands.
   void equal_vertices(const LeafItems& in_a, const LeafItems& in_b) {
     const SpaceComplex &a = a_.complex(), &b = b_.complex();
     for (const VertexId v : in_a.own_vertices()) {
@@ -387,9 +390,9 @@ class ContactFinder {
   std::vector<std::uint64_t> keys_;
 };
 
-/// Returns the point where an edge cuts another cell, a facet or an edge. Of the planes of another
-/// edge, one that does not hold this edge gives the point; both cannot hold it, or the edges would
-/// be on one line.
+/// Returns the point where an edge cuts another cell, which is a facet or an edge. If the cell is
+/// an edge, one of its planes does not contain this edge, and defines the point. Both planes cannot
+/// contain it, because the edges would then be on one line.
 SpacePoint cut_point(SpaceTables& tables, const SpaceComplex& of_edge, EdgeId e,
                      const SpaceComplex& of_other, SpaceItem other) {
   const auto [p, q] = of_edge.edge_planes[e];
@@ -401,7 +404,7 @@ SpacePoint cut_point(SpaceTables& tables, const SpaceComplex& of_edge, EdgeId e,
   return point.is_valid() ? point : tables.points.add(p, q, s);
 }
 
-/// Returns the point of a contact, constructed unless a vertex takes part.
+/// Returns the point of a contact. It is constructed unless one of the cells is a vertex.
 SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x,
                          const SpaceComplex& b, SpaceItem y) {
   using Kind = SpaceItem::Kind;
@@ -415,8 +418,8 @@ SpacePoint contact_point(SpaceTables& tables, const SpaceComplex& a, SpaceItem x
 
 namespace {
 
-/// Returns boxes around the leaves along the axes of another frame. The leaves of a facet follow
-/// each other, so the box of a large facet is computed once.
+/// Returns boxes around the leaves along the axes of another frame. The leaves of a facet are
+/// consecutive, so the box of a large facet is computed once.
 std::vector<Box3> turned_boxes(const ContactLeaves& leaves, const BoxFrame& frame,
                                Context& context) {
   constexpr std::size_t kLeavesPerCheckpoint = 1024;
@@ -440,8 +443,8 @@ std::vector<Box3> turned_boxes(const ContactLeaves& leaves, const BoxFrame& fram
   return boxes;
 }
 
-/// Trees over the leaves: over their boxes along the coordinate axes or, if those would give many
-/// pairs, in a frame that gives fewer. The frame changes the cost only.
+/// Trees over the leaves. They use boxes along the coordinate axes or, if those would give many
+/// pairs, boxes in a frame that gives fewer. The frame affects only the cost.
 struct LeafTrees {
   std::array<BoxTree, 2> of;    ///< One for each complex; empty if needs_oriented.
   bool is_turned = false;       ///< Whether the boxes are those of another frame.
@@ -509,7 +512,7 @@ ContactKeys keys_of_leaves(const ContactLeaves& xs, const ContactLeaves& ys, con
                            const std::array<FacetSites, 2>& sites, Context& context) {
   constexpr std::size_t kPartsAThread = 16;
   const std::size_t threads = context.threads();
-  // More parts than threads, so that uneven parts balance.
+  // There are more parts than threads, so that uneven parts are balanced.
   const std::vector<BoxTree::Part> parts =
       BoxTree::parts(trees.of[0], trees.of[1], threads == 1 ? 1 : kPartsAThread * threads);
   std::vector<ContactKeys> found(parts.size());
@@ -527,8 +530,8 @@ ContactKeys keys_of_leaves(const ContactLeaves& xs, const ContactLeaves& ys, con
   return keys;
 }
 
-/// Returns the contacts found, sorted, each once. Sorting makes the result independent of the trees
-/// and the parts.
+/// Returns the contacts in sorted order, each once. After sorting, the result does not depend on
+/// the trees and the parts.
 ContactKeys contact_keys(const ContactLeaves& xs, const ContactLeaves& ys, Context& context) {
   const LeafTrees trees = make_trees(xs, ys, context);
   const std::array<FacetSites, 2> sites{FacetSites(xs.complex(), xs.large_facets(), context),
@@ -550,12 +553,13 @@ Box3 common_part(const Box3& a, const Box3& b) {
   return part;
 }
 
-/// Returns the leaves of both complexes that may meet one of the other complex: those within the
-/// box of the other complex and, if they are many, in a cell with leaves of both.
+/// Returns the leaves of both complexes that may meet a leaf of the other complex. They are the
+/// leaves in the box of the other complex and, if there are many, in a cell of a grid with leaves
+/// of both complexes.
 std::array<std::optional<ContactLeaves>, 2> leaves_within_reach(const SpaceComplex& a,
                                                                 const SpaceComplex& b,
                                                                 Context& context) {
-  constexpr std::size_t kMany = 1024;  // A grid costs more than it saves for fewer leaves.
+  constexpr std::size_t kMany = 1024;  // For fewer leaves, a grid takes more time than it saves.
   const Box3 box_a = box_of(a), box_b = box_of(b);
   std::array<std::optional<ContactLeaves>, 2> leaves;
   run_jobs(context, 2, [&](std::size_t i, Context& own) {

@@ -1,4 +1,4 @@
-// Adding the cube, dropping it, and cutting a complex to a far box.
+// This file adds the cube, drops the cube, and cuts a complex to a far box.
 //
 // Adding the cube adds 8 vertices whose maps are known; the vertices of the set go into the draft
 // with their own maps and twins, so no predicate is needed before the complex is assembled.
@@ -68,24 +68,24 @@ SphereMap corner_map(const Corner& corner, const std::array<PlaneId, 3>& plane, 
   map.face.resize(6);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t i = (k + 1) % 3, j = (k + 2) % 3;
-    // All frame planes have the axis as their normal, so n_i x n_j runs along +k. The edge leads
-    // inwards, against the axis if the corner lies at +R.
+    // All frame planes have the axis as their normal, so n_i x n_j has the direction +k. The edge
+    // leads inwards, which is against the axis if the corner lies at +R.
     const SphereDirection along{plane[i], plane[j]};
     map.direction.push_back(corner[k] ? along.opposite() : along);
     map.point_mark.push_back(kBeyond);
     map.point_face.push_back(kNone);
     map.circle.push_back(plane[k]);
     map.arc_mark.push_back(kBeyond);
-    // Seen from +k, the arc runs counter-clockwise from axis i to axis j if both edges lead the
-    // same way along their axes, else from j to i.
+    // Seen from +k, the arc is counter-clockwise from axis i to axis j if both edges have the same
+    // direction along their axes. Otherwise, it is counter-clockwise from j to i.
     const bool is_turned = corner[i] != corner[j];
     map.origin[2 * k] = is_turned ? j : i;
     map.origin[2 * k + 1] = is_turned ? i : j;
     map.face[2 * k] = corner[k] ? 1 : 0;
     map.face[2 * k + 1] = corner[k] ? 0 : 1;
   }
-  // Each face has three half-arcs, one along each arc, so the next one of a face is the only one
-  // there that starts where this one ends.
+  // Each face has three half-arcs, one along each arc. Therefore the next half-arc of a face is the
+  // only one that starts where this one ends.
   map.first_out.resize(3);
   for (std::uint32_t h = 0; h < 6; ++h) {
     map.first_out[map.origin[h]] = h;
@@ -162,8 +162,8 @@ SpaceComplex without_idle_frame(SpaceComplex complex, Context& context) {
   if (!has_frame(complex)) return complex;
   const auto is_kept = [&complex](VertexId v) { return complex.vertex_mark[v] != kBeyond; };
   if (is_reached(complex)) return complex;
-  // Without cells inside, the result has no vertices, and the mark of all of space is that of the
-  // volume within the cube.
+  // If there are no cells inside, the result has no vertices, and the mark of the whole space is
+  // the mark of the volume in the cube.
   Mark inside = kBeyond;
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     for (const VolumeId v : complex.facet_volume[f]) {
@@ -190,8 +190,8 @@ RationalRow normal_of(const PlaneTable& planes, PlaneId p) {
   return {Rational(row[0]), Rational(row[1]), Rational(row[2])};
 }
 
-/// Whether a line of direction d leaves the box through an edge: the two largest of |n_i.d| are
-/// equal, as the line reaches both sides at the same distance.
+/// Whether a line of direction d leaves the box through an edge. This is the case if the two
+/// largest of |n_i.d| are equal, because the line then reaches both sides at the same distance.
 bool runs_towards_edge(const RationalMatrix& normal, const RationalRow& d) {
   RationalRow reach;
   for (std::size_t i = 0; i < 3; ++i) reach[i] = abs(dot(normal[i], d));
@@ -241,9 +241,9 @@ RationalMatrix some_normals(std::uint64_t attempt) {
   return normal;
 }
 
-/// Returns the box with these normals that is half as large as would still fit into the cube. The
-/// box |n_i.x| <= s has the corners x = N^-1 c for c_i = +-s, whose j-th coordinate is at most s
-/// times the sum of magnitudes of row j of N^-1 = cofactors / determinant.
+/// Returns the box with these normals that is half as large as the largest one that fits into the
+/// cube. The box |n_i.x| <= s has the corners x = N^-1 c for c_i = +-s. Their j-th coordinate is at
+/// most s times the sum of magnitudes of row j of N^-1 = cofactors / determinant.
 FarBox box_in_cube(const RationalMatrix& normal) {
   const RationalMatrix columns = cofactors(normal);
   Rational reach = 0;
@@ -300,8 +300,8 @@ OrientedPlane far_plane(PlaneTable& planes, const RationalRow& normal, const Rat
 
 FarBox frame_box() { return {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 1}; }
 
-// Edges that reach the frame must not run towards an edge of the box, and planes of facets that
-// reach it must hold no diagonal.
+// Edges that reach the frame must not have the direction of an edge of the box, and planes of
+// facets that reach it must not contain a diagonal.
 bool is_general(const SpaceComplex& complex, const RationalMatrix& normal) {
   const PlaneTable& planes = complex.planes();
   for (std::size_t e = 0; e < complex.edge_count(); ++e) {
@@ -320,8 +320,8 @@ bool is_general(const SpaceComplex& complex, const RationalMatrix& normal) {
   return true;
 }
 
-// An attempt fails with small probability: the bad normals lie on finitely many surfaces, and the
-// range of entries doubles each time.
+// An attempt fails with small probability, because the bad normals lie on finitely many surfaces,
+// and the range of entries doubles each time.
 FarBox general_box(const SpaceComplex& complex) {
   if (is_general(complex, frame_box().normal)) return frame_box();
   for (std::uint64_t attempt = 1;; ++attempt) {
@@ -330,7 +330,7 @@ FarBox general_box(const SpaceComplex& complex) {
   }
 }
 
-// A side that frames the complex already cuts nothing off and is skipped.
+// A side that is already a side of the frame cuts off no part, and is skipped.
 SpaceComplex inside(SpaceComplex complex, const FarBox& box,
                     const std::shared_ptr<SpaceTables>& tables, Context& context) {
   complex.tables = tables;

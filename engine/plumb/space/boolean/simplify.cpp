@@ -3,9 +3,9 @@
 // Which cells are superfluous is a local question (docs/design/boolean.md, Lemma 2). If no facet,
 // free edge or isolated vertex is superfluous, then volumes stay, and only edges between two facets
 // of one plane and vertices inside edges or facets are removed (docs/design/meshes.md, Lemma 4):
-// facets are united over flat edges, edges over passed vertices, and every list is made anew by
-// walking around the removed cells. Otherwise every map is simplified and all is assembled again.
-// Both ways give the same complex, up to numbering.
+// facets are united across flat edges, edges are united across passed vertices, and every list is
+// made again by walks around the removed cells. Otherwise, every map is simplified and the complex
+// is assembled again. Both ways give the same complex, up to numbering.
 //
 // Invariant of the walks: from an edge use that stays, the next edge use along the united facet is
 // found by turning around its end across flat edges; all corners of the result are found so, and a
@@ -31,13 +31,14 @@
 namespace plumb {
 namespace {
 
-constexpr std::uint64_t kBytesPerHalfedge = 2;    // What finding the removed cells takes.
-constexpr std::uint64_t kBytesPerMergedUse = 60;  // The merged complex, and numbers of cells.
+constexpr std::uint64_t kBytesPerHalfedge = 2;  // The memory for finding the removed cells.
+// The memory of the merged complex, and of the numbers of cells.
+constexpr std::uint64_t kBytesPerMergedUse = 60;
 
 }  // namespace
 
-// Without flat edges only a vertex with two edges can be removed; sets that are minimal need no
-// arrays at all.
+// If there are no flat edges, only a vertex with two edges can be removed. Sets that are minimal
+// need no arrays at all.
 CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
     : memory_(context), in_(complex) {
   memory_.add(kBytesPerHalfedge * in_.origin.size(), "the minimal form");
@@ -45,7 +46,7 @@ CoplanarMerge::CoplanarMerge(const SpaceComplex& complex, Context& context)
   const bool has_flat = !is_flat_.empty();
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
     if (v % 4096 == 0) context.checkpoint("simplify", v, in_.vertex_count());
-    if (!has_flat && in_.star_of(VertexId(v)).size() != 2) continue;  // It is kept.
+    if (!has_flat && in_.star_of(VertexId(v)).size() != 2) continue;  // The vertex is kept.
     const Fate fate = fate_of(VertexId(v));
     if (fate == Fate::Kept) continue;
     fate_.resize(in_.vertex_count());
@@ -98,10 +99,10 @@ bool CoplanarMerge::is_flat_edge(EdgeId e) const {
          in_.facet_mark[g] == own;
 }
 
-// The edges left at v, and the corners between them, decide. If some flat half-edge is in no such
-// corner, one facet lies all around v: v is gone if no edge is left and it has the mark of the
-// facet, else it stays inside the facet. Otherwise v is passed if two edges are left that continue
-// each other.
+// The remaining edges at v and the corners between them decide. If a flat half-edge is in no such
+// corner, one facet lies all around v. Then v is removed if no edge is left and it has the mark of
+// the facet; otherwise, it remains inside of the facet. If all flat half-edges are in corners, v is
+// passed if two edges are left that continue each other.
 CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   const std::span<const HalfedgeId> star = in_.star_of(v);
   if (star.empty() || in_.vertex_facet[v].is_valid()) return Fate::Kept;
@@ -123,8 +124,8 @@ CoplanarMerge::Fate CoplanarMerge::fate_of(VertexId v) {
   return count == 2 && is_passed(v, left[0], left[1]) ? Fate::Passed : Fate::Kept;
 }
 
-/// Marks the flat half-edges at v that lie in corners between edges that are left, and returns how
-/// many there are. Each corner is crossed from the use that begins it.
+/// Marks the flat half-edges at v in corners between remaining edges, and returns their number.
+/// Each corner is crossed from the use that begins it.
 std::size_t CoplanarMerge::cross_from_left(VertexId v) {
   std::size_t crossed = 0;
   for (const HalfedgeId h : in_.star_of(v)) {
@@ -133,7 +134,7 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
     UseId u = first;
     do {
       if (in_.use_halfedge[u] == h) {
-        // The corner of u extends counter-clockwise across flat edges up to an edge that is left.
+        // The corner of u extends counter-clockwise across flat edges up to an edge that remains.
         for (UseId w = in_.use_prev[u]; is_flat(w); w = prev_around(w)) {
           is_crossed_[SpaceComplex::twin(in_.use_halfedge[w])] = 1;
           ++crossed;
@@ -145,8 +146,8 @@ std::size_t CoplanarMerge::cross_from_left(VertexId v) {
   return crossed;
 }
 
-/// Returns a part of the facet whose flat edges surround v: those that no corner holds. Requires
-/// that there is such an edge.
+/// Returns a part of the facet whose flat edges surround v, that is, edges that are in no corner.
+/// Requires that there is such an edge.
 FacetId CoplanarMerge::facet_around(VertexId v) const {
   const std::span<const HalfedgeId> star = in_.star_of(v);
   const HalfedgeId h = *std::ranges::find_if(
@@ -166,7 +167,8 @@ bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const 
   PlaneId plane;
   bool has_two_planes = false;
   const UseId first = in_.edge_use[h.value() / 2];
-  // Each facet of h must go on, past v, along `other`: forward if its use leaves v, else backward.
+  // Each facet of h must continue beyond v along `other`, forward if its use leaves v, and
+  // otherwise backward.
   for (UseId u = first; u.is_valid();) {
     const bool leaves = in_.use_halfedge[u] == h;
     const UseId w = leaves ? prev_left(u) : next_left(u);
@@ -183,13 +185,13 @@ bool CoplanarMerge::is_passed(VertexId v, HalfedgeId h, HalfedgeId other) const 
 
 // ---------------------------------------------------------------- walks
 
-/// Returns the other half-edge that is left at a passed vertex.
+/// Returns the other half-edge that remains at a passed vertex.
 HalfedgeId CoplanarMerge::other_left(VertexId v, HalfedgeId h) const {
   const std::span<const HalfedgeId> star = in_.star_of(v);
   return *std::ranges::find_if(star, [&](HalfedgeId g) { return g != h && !is_flat(g); });
 }
 
-/// Returns the next use along the united facet: across flat edges, around their ends.
+/// Returns the next use along the united facet. The walk crosses flat edges around their ends.
 UseId CoplanarMerge::next_left(UseId u) const {
   UseId w = in_.use_next[u];
   while (is_flat(w)) w = in_.use_next[in_.use_radial[w]];
@@ -203,7 +205,7 @@ UseId CoplanarMerge::prev_left(UseId u) const {
   return w;
 }
 
-/// Returns the use that arrives where a flat one does, in the facet across it.
+/// Returns the use that arrives where the given flat use arrives, in the facet on the other side.
 UseId CoplanarMerge::prev_around(UseId flat) const { return in_.use_prev[in_.use_radial[flat]]; }
 
 // ---------------------------------------------------------------- what is left
@@ -220,7 +222,7 @@ void CoplanarMerge::number_vertices() {
   }
 }
 
-// A chain keeps the planes, mark and direction of its first edge.
+// A chain keeps the planes, the mark and the direction of its first edge.
 void CoplanarMerge::make_edges() {
   number_.resize(in_.edge_count());
   for (std::uint32_t e = 0; e < in_.edge_count(); ++e) {
@@ -230,7 +232,8 @@ void CoplanarMerge::make_edges() {
     out_.edge_planes.push_back(in_.edge_planes[e]);
     out_.edge_mark.push_back(in_.edge_mark[e]);
     out_.edge_volume.push_back(in_.edge_volume[e]);
-    // The chain is followed from its first edge to both ends, as that may lie in its midst.
+    // The chain is followed from its first edge to both ends, because this edge may be in its
+    // middle.
     const VertexId to = end_of_chain(HalfedgeId(2 * e), number);
     const VertexId from = end_of_chain(HalfedgeId(2 * e + 1), number);
     out_.origin.push_back(vertex_number_[from]);
@@ -292,7 +295,7 @@ void CoplanarMerge::make_facets() {
   facet_number_.resize(in_.facet_count());
   for (std::uint32_t f = 0; f < in_.facet_count(); ++f) {
     const std::uint32_t root = classes.root(f);
-    // UnionFind keeps the least element as the root, so the root has its number already.
+    // The root of each class of UnionFind is its least element, so the root already has its number.
     if (root != f) {
       facet_number_[f] = facet_number_[root];
       continue;
@@ -322,7 +325,7 @@ void CoplanarMerge::make_facets() {
   for (std::uint32_t f = 0; f < out_.facet_count(); ++f) {
     const auto begin = out_.cycle.begin() + out_.cycle_begin[f];
     const auto end = out_.cycle.begin() + out_.cycle_begin[f + 1];
-    // With one cycle that is the outer one, and no sign is needed.
+    // A facet with one cycle has only the outer cycle, so no sign is needed.
     if (end - begin < 2) continue;
     const auto outer = std::find_if(begin, end, [&](UseId u) { return is_outer(out_, u); });
     PLUMB_CHECK(outer != end);
@@ -330,8 +333,8 @@ void CoplanarMerge::make_facets() {
   }
 }
 
-/// Gives each facet the least facet_origin of the parts at its corners: those whose uses leave a
-/// vertex that stays along an edge that does. Sphere maps would give the same.
+/// Gives each facet the least facet_origin of the parts at its corners. These parts are those whose
+/// uses leave a kept vertex along a kept edge. Sphere maps would give the same result.
 void CoplanarMerge::name_facets() {
   out_.facet_origin.assign(out_.facet_count(), ~std::uint32_t{0});
   for (std::uint32_t u = 0; u < in_.use_count(); ++u) {
@@ -342,8 +345,8 @@ void CoplanarMerge::name_facets() {
   }
 }
 
-/// Lists the vertices inside facets: those that were there before, and those that now are,
-/// ascending.
+/// Lists the vertices inside of facets in ascending order: the old ones, and those that are now
+/// inside.
 void CoplanarMerge::gather_inner() {
   out_.vertex_facet.resize(out_.vertex_count());
   for (std::uint32_t v = 0; v < in_.vertex_count(); ++v) {
@@ -369,7 +372,8 @@ void CoplanarMerge::gather_inner() {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerUse = 110;  // The draft and the assembled complex.
+// The memory of the draft and of the assembled complex.
+constexpr std::uint64_t kBytesPerUse = 110;
 
 /// Whether a facet, a free edge or an isolated vertex is superfluous, so that sphere maps are
 /// needed.
@@ -396,7 +400,7 @@ class MapChanges {
  private:
   /// Whether the volume has this mark.
   bool has_mark(VolumeId v, Mark mark) const { return c_.volume_mark[v] == mark; }
-  /// Whether a vertex without edges has the mark of what is around it.
+  /// Whether a vertex without edges has the mark of the cells around it.
   bool goes_alone(std::uint32_t v) const {
     const FacetId f = c_.vertex_facet[v];
     if (f.is_valid()) return c_.facet_mark[f] == c_.vertex_mark[v];

@@ -10,7 +10,7 @@ namespace plumb {
 
 ThinLeaves::ThinLeaves(const ContactLeaves& leaves, const std::function<void()>& on_step)
     : triangles_(cover(leaves)), tree_(triangles_.corners, {}, on_step) {
-  triangles_.corners = std::vector<OrientedBoxTree::Triangle>();  // Frees the memory.
+  triangles_.corners = std::vector<OrientedBoxTree::Triangle>();  // The memory is released here.
 }
 
 ThinLeaves::Triangles ThinLeaves::cover(const ContactLeaves& leaves) {

@@ -61,9 +61,10 @@ class Labels {
   /// Whether the vertex has no contact and no label yet.
   bool needs_label(VertexId v) const { return !own_.is_touched(v) && !label_[v].is_valid(); }
 
-  /// Returns the volume of the other operand into which a half-edge leaves a contact. It leaves
-  /// into a face of the map: along an arc or a point it would run in a facet or an edge of the
-  /// other operand, and the next vertex or place along it would have a contact.
+  /// Returns the volume of the other operand that a half-edge enters when it leaves a contact. The
+  /// half-edge enters a face of the map. If it left along an arc or a point, it would lie in a
+  /// facet or an edge of the other operand, and the next vertex or place along it would have a
+  /// contact.
   VolumeId volume_along(const Contact& contact, HalfedgeId h) {
     local_map(other_, item_of(contact, 1 - operand_), local_);
     const SphereCell cell = locate(tables_.planes, local_.map, direction_of(complex_, h));
@@ -86,7 +87,8 @@ class Labels {
     for (const VertexId v : group_) label_[v] = volume;
   }
 
-  /// Collects in group_ all vertices without a label that edges without contacts join to `start`.
+  /// Collects in group_ all vertices without a label that are connected with `start` by edges
+  /// without contacts.
   void collect(VertexId start) {
     group_.assign(1, start);
     if (in_group_.empty()) in_group_.assign(complex_.vertex_count(), 0);
@@ -102,8 +104,8 @@ class Labels {
     }
   }
 
-  /// Labels a group that no contact at a vertex has labelled: by a contact on an edge that leaves
-  /// it, else by a ray.
+  /// Labels a group that has no label from a contact at a vertex. The label is found by a contact
+  /// on an edge that leaves the group, or otherwise by a ray.
   void label_group(VertexId start) {
     collect(start);
     VolumeId volume;
@@ -115,8 +117,8 @@ class Labels {
     for (const VertexId v : group_) label_[v] = volume;
   }
 
-  /// Returns the volume before the nearest contact on an edge that leaves v; invalid if no such
-  /// edge has a contact.
+  /// Returns the volume before the nearest contact on an edge that leaves v, or an invalid id if no
+  /// such edge has a contact.
   VolumeId volume_by_contact(VertexId v) {
     for (const HalfedgeId h : complex_.star_of(v)) {
       const EdgeId e = SpaceComplex::edge_of(h);
@@ -129,7 +131,7 @@ class Labels {
   const Contact& nearest_contact(HalfedgeId h) const {
     const EdgeId e = SpaceComplex::edge_of(h);
     const auto& planes = complex_.edge_planes[e];
-    // A contact is nearer than the best one if it comes before it in the direction of h.
+    // A contact is nearer than the best one if it precedes the best one in the direction of h.
     const Sign along = SpaceComplex::is_reverse(h) ? Sign::Negative : Sign::Positive;
     std::uint32_t best = own_.edge_contacts[own_.edge_begin[e]];
     for (std::uint32_t i = own_.edge_begin[e] + 1; i < own_.edge_begin[e.value() + 1]; ++i) {
@@ -219,7 +221,7 @@ void VertexCarrier::add(VertexId v, const LocalMap& local) {
   }
 }
 
-// Simplifying renumbers points and arcs; kept_ says from which old one each new one came.
+// Simplifying renumbers points and arcs. The array kept_ has the old number of each new one.
 void VertexCarrier::add_simplified(VertexId v, LocalMap& local) {
   overlay_.simplify(local.map, &kept_);
   const PyramidKind kind = classify(complex_.planes(), local.map);
@@ -249,8 +251,8 @@ bool VertexCarrier::may_have_ring(VertexId v) const {
   });
 }
 
-// The draft grows once for all vertices, by sizes that follow from their degrees, and is cut back
-// if a vertex turns out to have several rings.
+// The draft grows once for all vertices, by sizes that follow from their degrees. It is shortened
+// again if a vertex has several rings.
 std::size_t VertexCarrier::add_rings(std::span<const Remarked> vertices) {
   if (vertices.empty()) return 0;
   const auto first = static_cast<std::uint32_t>(draft_->vertex_count());
@@ -271,9 +273,10 @@ std::size_t VertexCarrier::add_rings(std::span<const Remarked> vertices) {
   return vertices.size();
 }
 
-/// Writes the map of a vertex with the numbering of local_map(): points in the order of the star,
-/// arcs by the point at which their edge use begins, the face to the left of the first half-arc
-/// before the other one. Returns false if there are several rings; then nothing is carried.
+/// Writes the map of a vertex with the numbering of local_map(): points have the order of the star,
+/// and arcs the order of the points at which their edge uses begin. The face to the left of the
+/// first half-arc precedes the other face. Returns false if there are several rings; in this case,
+/// no map is written.
 bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
                                const SpaceDraft::Offsets& at) {
   const auto& [v, becomes] = remarked;
@@ -307,8 +310,8 @@ bool VertexCarrier::write_ring(const Remarked& remarked, std::uint32_t vertex,
   return true;
 }
 
-/// Writes the marks of the two faces: left of the first half-arc lies the positive side of its
-/// facet.
+/// Writes the marks of the two faces. The positive side of its facet is to the left of the first
+/// half-arc.
 void VertexCarrier::write_face_marks(FacetId of_first_arc, const std::array<Mark, 3>& becomes,
                                      std::uint32_t face) {
   const auto& [positive, negative] = complex_.facet_volume[of_first_arc];
@@ -324,16 +327,17 @@ bool VertexCarrier::link_ring(std::span<const HalfedgeId> star, const SpaceDraft
   std::uint32_t point = at.point;
   for (const HalfedgeId h : star) {
     const auto uses = two_uses(h);
-    // After a half-arc that arrives at this point follows, along the same face, the other one that
-    // leaves it.
+    // A half-arc that arrives at this point is followed, along the same face, by the other half-arc
+    // that leaves the point.
     const std::uint32_t x = half_arc(uses[0], h), y = half_arc(uses[1], h);
     maps.origin[x] = maps.origin[y] = point;
     maps.next[SphereMap::twin(x)] = y;
     maps.next[SphereMap::twin(y)] = x;
     maps.first_out[point++] = SpaceComplex::is_reverse(h) ? y : x;
   }
-  // The face left of the first half-arc is walked and gets number at.face; all others keep at.face
-  // + 1. In one ring it has as many half-arcs as there are points.
+  // The face to the left of the first half-arc is followed, and gets the number at.face. All other
+  // half-arcs keep at.face + 1. If there is one ring, this face has as many half-arcs as there are
+  // points.
   const std::uint32_t first = 2 * at.arc;
   std::fill_n(maps.face.begin() + first, 2 * star.size(), at.face + 1);
   std::uint32_t half = first;
@@ -352,8 +356,8 @@ std::array<UseId, 2> VertexCarrier::two_uses(HalfedgeId h) const {
   return {first, complex_.use_radial[first]};
 }
 
-/// Returns the half-arc that leaves point h in the facet of u: that of the corner which begins
-/// along h, or the reverse of that which ends there.
+/// Returns the half-arc that leaves point h in the facet of u. It is the half-arc of the corner
+/// that begins along h, or the reverse of the half-arc of the corner that ends there.
 std::uint32_t VertexCarrier::half_arc(UseId u, HalfedgeId h) const {
   if (complex_.use_halfedge[u] == h) return 2 * arc_of_use_[u];
   return 2 * arc_of_use_[complex_.use_next[u]] + 1;

@@ -1,5 +1,5 @@
-// Stores one bit for each cell of a grid: whether a box reaches the cell. Compares other boxes with
-// these cells.
+// A grid with one bit for each cell, which states whether a box reaches the cell. Other boxes are
+// compared with these cells.
 //
 // Cells follow coordinates monotonically, so a common point of two boxes lies in a cell that both
 // boxes reach. If boxes would set many words, the grid would be useless and slow. In this case no
@@ -15,7 +15,8 @@ namespace plumb {
 namespace {
 
 constexpr std::size_t kWordsPerBox = 16;  // Boxes that set more words on average are too large.
-constexpr std::uint32_t kMostWords = 64;  // A box of more words is taken to meet some box.
+// If a box covers more words, it counts as meeting some box.
+constexpr std::uint32_t kMostWords = 64;
 
 }  // namespace
 

@@ -25,10 +25,13 @@
 namespace plumb {
 namespace {
 
-constexpr double kSlack = 0x1p-40;        // A bound for roundings, relative to what is summed.
-constexpr double kTiny = 0x1p-1000;       // More than flushed subnormal numbers lose.
+// A bound for roundings, relative to the terms of the sum.
+constexpr double kSlack = 0x1p-40;
+// The bound exceeds the loss if subnormal numbers are flushed.
+constexpr double kTiny = 0x1p-1000;
 constexpr std::uint32_t kGroupShare = 4;  // A large group is more than a quarter of a node.
-constexpr std::uint32_t kLongShare = 8;   // Long, and short, triangles are more than an eighth.
+// Long triangles, and short triangles, are more than an eighth of a node.
+constexpr std::uint32_t kLongShare = 8;
 
 /// Returns the sum of magnitudes, which is at least the Euclidean length.
 double length(const Vector3& a) { return std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2]); }
@@ -52,7 +55,8 @@ OrientedBoxTree::OrientedBoxTree(std::span<const Triangle> triangles,
         std::max({length(minus(t[1].mid, t[0].mid)), length(minus(t[2].mid, t[1].mid)),
                   length(minus(t[0].mid, t[2].mid))}));
   }
-  nodes_.reserve(2 * triangles.size());  // At most so many, if leaves have one triangle.
+  // If leaves have one triangle, there are at most so many nodes.
+  nodes_.reserve(2 * triangles.size());
   if (!triangles.empty())
     add_node(triangles, 0, static_cast<std::uint32_t>(triangles.size()), on_step);
 }
@@ -139,9 +143,10 @@ OrientedBoxTree::LargestGroup OrientedBoxTree::largest_group(std::uint32_t begin
   return largest;
 }
 
-/// Divides a node and returns where its second part begins. A group that is a large part of the
-/// node is separated from the rest; else long triangles from shorter ones, whose boxes would be as
-/// long as theirs; else there are two halves.
+/// Divides a node, and returns where its second part begins. If a group is a large part of the
+/// node, it is separated from the rest. Otherwise, if there are both long and short triangles, long
+/// triangles are separated from short ones, because the boxes of the short ones would be as long as
+/// those of the long ones. Otherwise, the node is divided into two halves.
 std::uint32_t OrientedBoxTree::split(std::span<const Triangle> triangles, const Node& node,
                                      const LargestGroup& largest) {
   const std::uint32_t size = node.end - node.begin;
@@ -198,8 +203,8 @@ const Vector3& OrientedBoxTree::longest_axis(const Node& node) {
   return node.axis[static_cast<std::size_t>(longest)];
 }
 
-// Along an axis the boxes are apart if their middles are farther apart than the sum of their half
-// extents. A comparison with a value that is not a number is false: not apart.
+// Along an axis, the boxes are apart if the distance of their middles exceeds the sum of their half
+// extents. A comparison with a NaN is false, so the boxes do not count as apart.
 bool OrientedBoxTree::are_apart(const Node& m, const Node& n) {
   const Vector3 d = minus(n.middle, m.middle);
   const double slack = kSlack * (length(d) + m.size() + n.size()) + kTiny;

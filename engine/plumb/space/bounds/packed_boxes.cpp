@@ -17,11 +17,14 @@
 namespace plumb {
 namespace {
 
-constexpr int kLast = 0xfffd;             // The last cell. One place more on both sides is empty.
-constexpr int kMiddle = 0x7fff;           // Subtracted from cells, which makes places signed.
-constexpr std::size_t kMostPoints = 64;   // So many boxes may lie within one cell in any case.
-constexpr std::size_t kPointShare = 8;    // One box in so many may lie within one cell besides.
-constexpr std::size_t kLongestRun = 256;  // So many boxes of one code may follow each other.
+// The last cell. On both sides, there is one more place, which is empty.
+constexpr int kLast = 0xfffd;
+// This is subtracted from cells, so that places are signed.
+constexpr int kMiddle = 0x7fff;
+constexpr std::size_t kMostPoints = 64;  // In any case, so many boxes may lie within one cell.
+// In addition, one box in so many may lie within one cell.
+constexpr std::size_t kPointShare = 8;
+constexpr std::size_t kLongestRun = 256;  // So many boxes with the same code may be consecutive.
 
 /// Returns the box around all boxes.
 Box3 box_around(std::span<const Box3> boxes) {
@@ -69,7 +72,7 @@ void PackedBoxTree::Group::set(std::uint32_t i, const Box& b) {
   }
 }
 
-/// Returns a box beyond all cells on both sides: it meets nothing, not even itself.
+/// Returns a box beyond all cells on both sides. It meets no box, not even itself.
 constexpr PackedBoxTree::Box PackedBoxTree::nowhere() {
   constexpr Place least = std::numeric_limits<Place>::min(),
                   most = std::numeric_limits<Place>::max();
@@ -189,7 +192,7 @@ std::vector<PackedBoxTree::Box> PackedBoxTree::pack(
   return packed;
 }
 
-/// Sorts the boxes in Morton order of their middles. Returns false if too many are in one place.
+/// Sorts the boxes in Morton order of their middles. Returns false if too many are at one place.
 bool PackedBoxTree::sort(std::span<const Box> boxes) {
   std::vector<MortonCoded> sorted;
   sorted.reserve(boxes.size());

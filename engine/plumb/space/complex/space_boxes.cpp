@@ -29,8 +29,8 @@ Box3 everywhere() {
 
 }  // namespace
 
-// A sum of two doubles is off by one rounding, 2^-52 of it at most, and by what flushing subnormal
-// operands loses.
+// The error of a sum of two doubles is one rounding, at most 2^-52 of the sum, plus the loss if
+// subnormal operands are flushed.
 Box3 box_of(const PointBox& point) {
   if (point.radius == 0) return {point.mid, point.mid};
   Box3 box;
@@ -49,7 +49,7 @@ Box3 box_of_constructed(const Point3Table& points, SpacePoint p) {
   Box3 box = box_of(points.near_box(p));
   for (std::size_t i = 0; i < 3; ++i) {
     if (point.mid[i] == 0) continue;
-    // The far part of the point is not 0 along this axis: it is beyond all doubles.
+    // Along this axis, the far part of the point is not 0, so the point exceeds all doubles.
     const bool is_above = point.mid[i] > 0;
     box.low[i] = is_above ? std::numeric_limits<double>::max() : -Box3::kInfinity;
     box.high[i] = is_above ? Box3::kInfinity : std::numeric_limits<double>::lowest();
@@ -219,7 +219,7 @@ double expected_pairs(std::span<const Box3> a, std::span<const Box3> b) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double width = all.high[k] - all.low[k];
     if (!std::isfinite(sides[k])) return std::numeric_limits<double>::infinity();
-    // Boxes as wide as everything overlap along this axis in any case.
+    // Boxes that are as wide as everything overlap along this axis in any case.
     if (sides[k] < width) pairs *= sides[k] / width;
   }
   return pairs;

@@ -42,7 +42,7 @@ std::shared_ptr<SpaceTables> copy(const SpaceTables& tables) {
   return std::make_shared<SpaceTables>(PlaneTable(tables.planes), tables.points);
 }
 
-// Planes first: constructed points refer to them by their new ids.
+// Planes are copied first, because constructed points refer to them by their new ids.
 TableMap merge(SpaceTables& into, const SpaceTables& other) {
   TableMap map;
   map.input_offset = static_cast<std::uint32_t>(into.planes.points().size());
@@ -56,7 +56,8 @@ TableMap merge(SpaceTables& into, const SpaceTables& other) {
 
 namespace {
 
-/// What is kept, by old ids. Keeping an object keeps all that defines it.
+/// The objects that are kept, by old ids. If an object is kept, all objects that define it are
+/// kept.
 class Kept {
  public:
   explicit Kept(const SpaceTables& tables)

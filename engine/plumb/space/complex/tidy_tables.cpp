@@ -48,7 +48,7 @@ std::size_t array_bytes(const SpaceComplex& c) {
 
 namespace {
 
-/// Returns the planes of edges and facets, ascending, each once.
+/// Returns the planes of edges and facets in ascending order, each once.
 std::vector<PlaneId> used_planes(const SpaceComplex& complex) {
   std::vector<std::uint8_t> is_used(complex.planes().size(), 0);
   for (const PlaneId p : complex.facet_plane) is_used[p.value()] = 1;
@@ -71,7 +71,7 @@ std::size_t count_facet_planes(const SpaceComplex& complex) {
   return count;
 }
 
-/// Returns the complex with tables of its own that have these planes and its vertices' points.
+/// Returns the complex with its own tables, which have these planes and the points of its vertices.
 SpaceComplex compacted(SpaceComplex complex, const std::vector<PlaneId>& planes) {
   const CompactedTables kept = compacted(*complex.tables, planes, complex.vertex_point);
   for (SpacePoint& p : complex.vertex_point) p = kept(p);
@@ -88,8 +88,8 @@ SpaceComplex with_used_tables(SpaceComplex complex) {
   return compacted(std::move(complex), planes);
 }
 
-// Compacting costs time linear in the tables; doing it only when they are twice too large keeps the
-// cost of a chain of operations linear.
+// Compaction takes time linear in the tables. It is done only if the tables are twice as large as
+// needed, so that the cost of a chain of operations is linear.
 SpaceComplex with_tidy_tables(SpaceComplex complex) {
   const SpaceTables& tables = *complex.tables;
   const std::size_t points = tables.points.size() + tables.planes.points().size();
@@ -97,7 +97,7 @@ SpaceComplex with_tidy_tables(SpaceComplex complex) {
   const auto has_few_planes = [&](std::size_t used) {
     return tables.planes.size() <= 2 * used + 64;
   };
-  // In general position the planes of facets are enough, and each facet has a plane of its own.
+  // In general position, each facet has its own plane, and the planes of facets are sufficient.
   if (has_few_points && has_few_planes(count_facet_planes(complex))) return complex;
   const std::vector<PlaneId> planes = used_planes(complex);
   if (has_few_points && has_few_planes(planes.size())) return complex;

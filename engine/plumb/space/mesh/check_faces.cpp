@@ -20,7 +20,7 @@
 namespace plumb {
 namespace {
 
-/// The check of one mesh.
+/// Checks one mesh.
 class FaceCheck {
  public:
   FaceCheck(const PolygonMesh& mesh, const DoubtfulFaces& doubtful, std::uint64_t max_listed,
@@ -36,7 +36,7 @@ class FaceCheck {
   }
 
  private:
-  /// Reads the doubtful faces as a mesh and reports what is wrong with it.
+  /// Reads the doubtful faces as a mesh, and reports their defects.
   void judge() {
     PolygonMesh near = doubtful_mesh();
     MeshOptions options;
@@ -80,12 +80,13 @@ class FaceCheck {
     }
     return result;
   }
-  /// Returns how many vertices coincide before rounding: they were split on purpose.
+  /// Returns the number of vertices that coincide before rounding, because they were split on
+  /// purpose.
   static std::uint64_t merged_before(const PolygonMesh& near) {
     SpaceTables tables;
     return merge_equal_points(near, tables).merged;
   }
-  /// Returns the faces of the mesh for doubtful ones.
+  /// Returns the faces of the mesh that correspond to doubtful faces.
   std::vector<std::uint32_t> faces(std::vector<std::uint32_t> near) const {
     for (std::uint32_t& f : near) f = doubtful_.faces[f];
     return near;
@@ -100,7 +101,8 @@ class FaceCheck {
 
   // ---------------------------------------------------------------- flipped
 
-  /// Whether the area vectors of a face before and after rounding point apart.
+  /// Whether the scalar product of the area vectors of a face before and after rounding is
+  /// negative.
   bool is_flipped(std::uint32_t f) const {
     const std::array<Rational, 3> now = area(f, false), then = area(f, true);
     return dot(now, then) < 0;

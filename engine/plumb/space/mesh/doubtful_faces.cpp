@@ -1,8 +1,8 @@
 // Finds the faces that rounding may have damaged.
 //
-// Most rounded vertices are corners of large triangles that meet at large angles. For these a few
-// products of doubles prove that nothing has happened. A triangle f and another face g meet only in
-// their common vertices, or in a common edge, if one of these planes separates them:
+// Most rounded vertices are corners of large triangles that meet at large angles. For these, a few
+// products of doubles prove that rounding caused no damage. A triangle f and another face g meet
+// only in their common vertices, or in a common edge, if one of these planes separates them:
 //
 //  - the plane of f, if all other vertices of g are on one side of it;
 //  - the plane through an edge of f and a direction, if the third vertex of f is on one side of it,
@@ -46,8 +46,8 @@ using Vec3 = std::array<double, 3>;
 using Corners = std::span<const std::uint32_t>;
 
 constexpr double kProductError = 0x1p-49;
-constexpr double kLeastProduct = 0x1p-960;  // Products below it may have lost digits.
-constexpr std::uint64_t kMostPairs = 64;    // For each face.
+constexpr double kLeastProduct = 0x1p-960;  // Smaller products may have lost digits.
+constexpr std::uint64_t kMostPairs = 64;    // For each face, the greatest number of pairs.
 
 Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double size_of(const Vec3& v) { return std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]); }
@@ -85,7 +85,7 @@ struct FilteredTriangle {
   bool is_usable = false;  ///< Whether the face has three different corners.
   bool has_edges = false;  ///< Whether `edge` is filled.
   /// For edge i, from at[i] to the next corner, the plane through the edge and the normal, if the
-  /// third corner is surely on its positive side. Otherwise, no sign is known.
+  /// third corner is certainly on its positive side. Otherwise, no sign is known.
   std::array<Form, 3> edge{};
   FilteredTriangle() = default;
   FilteredTriangle(const PolygonMesh& mesh, Corners face) {
@@ -108,8 +108,8 @@ struct FilteredTriangle {
   }
 };
 
-/// The test of one pair of triangles with the planes that are listed at the top of this file.
-/// Requires has_edges of both.
+/// The test of one pair of triangles, with the planes that are listed at the top of this file.
+/// Requires that has_edges is true for both.
 class FilteredPair {
  public:
   FilteredPair(const FilteredTriangle& a, const FilteredTriangle& b) : a_(a), b_(b) {
@@ -153,7 +153,8 @@ class FilteredPair {
   static bool is_beyond_upright_edge(const FilteredTriangle& t, const Flags& in_face,
                                      const FilteredTriangle& face, const Flags& in_t) {
     for (std::size_t i = 0; i < 3; ++i) {
-      if (in_face[kNextCorner[kNextCorner[i]]]) continue;  // So common vertices are ends of it.
+      // Therefore common vertices are ends of the edge.
+      if (in_face[kNextCorner[kNextCorner[i]]]) continue;
       const auto is_outside = [&](std::size_t l) {
         return in_t[l] || t.edge[i].sign(minus(face.at[l], t.at[i])) < 0;
       };
@@ -166,7 +167,7 @@ class FilteredPair {
                              const FilteredTriangle& face, const Flags& in_t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = kNextCorner[i], k = kNextCorner[j];
-      if (in_face[k]) continue;  // So common vertices are ends of the edge.
+      if (in_face[k]) continue;  // Therefore common vertices are ends of the edge.
       const Form plane(face.plane.m, minus(t.at[j], t.at[i]));
       const int inside = plane.sign(minus(t.at[k], t.at[i]));
       if (inside == 0) continue;
@@ -197,8 +198,8 @@ class FilteredPair {
   }
 
   /// Whether a plane that is parallel to an edge of each triangle separates them. An edge of a
-  /// triangle is on the plane then, with all of the triangle on one side, so it suffices to
-  /// look at planes through vertices.
+  /// triangle then lies in such a plane, with the whole triangle on one side. So it is sufficient
+  /// to test planes through vertices.
   bool have_gap() const {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = kNextCorner[i], k = kNextCorner[j];
@@ -216,14 +217,14 @@ class FilteredPair {
   }
 
   const FilteredTriangle &a_, &b_;
-  Flags in_b_{}, in_a_{};  // Whether the corners of a are in b, and those of b in a.
+  Flags in_b_{}, in_a_{};  // Whether the corners of a occur in b, and those of b in a.
   int common_ = 0;         // The number of common corners.
 };
 
 // ---------------------------------------------------------------- cells
 
-/// The cells of a grid that boxes meet. Most faces are far from all faces to be checked, and for
-/// these a few cells cost less than a tree. Cells 1 to 62 along each axis divide the box around the
+/// The cells of a grid that boxes meet. Most faces are far from all faces to be checked. For these,
+/// a few cells take less time than a tree. Cells 1 to 62 along each axis divide the box around the
 /// boxes, up to rounding; cells 0 and 63 are outside.
 class MarkedCells {
  public:
@@ -250,8 +251,8 @@ class MarkedCells {
     const std::uint64_t row = near_[kCells * (c & kByte) + (c >> 8 & kByte)];
     return c | ((row >> (c >> 16) & 1) != 0 ? kIsNear : 0);
   }
-  /// Whether a face may meet one of the boxes. If it does not, it surely meets none. `codes` has
-  /// the codes of all points.
+  /// Whether a face may meet one of the boxes. If the result is false, the face certainly meets
+  /// none. `codes` has the codes of all points.
   bool may_meet(Corners face, std::span<const std::uint32_t> codes) const {
     // Nearly all faces are small and far away from the boxes.
     const std::uint32_t a = codes[face[0]];
@@ -263,10 +264,10 @@ class MarkedCells {
   }
 
  private:
-  static constexpr std::uint32_t kCells = 64;  // A row of cells is a word.
+  static constexpr std::uint32_t kCells = 64;  // One word stores a row of cells.
   static constexpr std::uint32_t kByte = 0xff, kCellMask = 0xffffff, kIsNear = 0x1000000;
 
-  /// Returns the cell of a point. It is monotone in every coordinate, as each step of the
+  /// Returns the cell of a point. It is monotone in every coordinate, because each step of the
   /// arithmetic is.
   std::uint32_t cell(const Vec3& at) const {
     std::uint32_t cell = 0;
@@ -301,7 +302,7 @@ class MarkedCells {
   }
 
   /// Calls visit(row, cells in it) for the cells from `low` to `high` until it returns false.
-  /// Returns false if it did.
+  /// Returns whether it never returned false.
   template <class Visit>
   static bool for_rows(std::uint32_t low, std::uint32_t high, const Visit& visit) {
     const std::uint32_t high_x = high & kByte, high_y = high >> 8 & kByte;
@@ -329,10 +330,10 @@ class MarkedCells {
     }
   }
 
-  Vec3 low_;  // Where cell 0 ends is one step above it.
+  Vec3 low_;  // One step above the end of cell 0.
   Vec3 scale_{};
-  std::vector<std::uint64_t> rows_;  // One bit for each cell: whether it is marked,
-  std::vector<std::uint64_t> near_;  // and whether a marked cell is near it.
+  std::vector<std::uint64_t> rows_;  // For each cell, one bit states whether the cell is marked,
+  std::vector<std::uint64_t> near_;  // and one bit states whether a marked cell is near it.
 };
 
 // ---------------------------------------------------------------- fans
@@ -347,7 +348,8 @@ class MarkedCells {
 /// an edge that does not rise and ends at one that does.
 class Fans {
  public:
-  /// The corners of a triangle that have a fan, and kNone for the others, side by side.
+  /// The corners of a triangle at which there is a fan, side by side. The other corners are
+  /// replaced by kNone.
   using Corners4 __attribute__((vector_size(16))) = std::uint32_t;
 
   /// Finds the fans at numbered vertices. `number` has the number of each corner of each triangle,
@@ -400,8 +402,8 @@ class Fans {
     }
   }
 
-  /// The direction of a view, with coordinates -1, 0 and 1, and a vector orthogonal to it. Both
-  /// coordinates of the vector that may not be 0 are at i and j.
+  /// The direction of a view, with the coordinates -1, 0 and 1, and a vector that is orthogonal to
+  /// it. The two coordinates of this vector that may not be 0 are at i and j.
   struct View {
     Vec3 along{};
     std::size_t i = 0, j = 1;
@@ -414,7 +416,7 @@ class Fans {
     const View view = view_of(around);
     return is_seen_from_one_side(around, view) && goes_around_once(around, view);
   }
-  /// Returns a view against which most normals around a vertex point.
+  /// Returns a view such that most normals around a vertex have the opposite direction.
   View view_of(std::span<const std::uint32_t> around) const {
     Vec3 sum{};
     for (const std::uint32_t c : around) {
@@ -422,7 +424,7 @@ class Fans {
       const double factor = plane.size > 0 ? 1 / plane.size : 0;
       for (std::size_t k = 0; k < 3; ++k) sum[k] += factor * plane.m[k];
     }
-    constexpr double kFlatter = 0.375;  // Of the largest coordinate.
+    constexpr double kFlatter = 0.375;  // As a part of the largest coordinate.
     const double least =
         kFlatter * std::max({std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])});
     View view;
@@ -441,10 +443,10 @@ class Fans {
       return known_sign(dot(plane.m, view.along), 4 * kProductError * plane.size) > 0;
     });
   }
-  /// Whether one closed chain of edges goes through all corners, and goes around the vertex once.
+  /// Whether all corners form one closed chain of edges that goes around the vertex once.
   bool goes_around_once(std::span<const std::uint32_t> around, const View& view) const {
     std::array<std::uint32_t, kMostCorners> begins{}, ends{};
-    std::array<int, kMostCorners> rises{};  // Of the edges at which corners begin.
+    std::array<int, kMostCorners> rises{};  // The edges at which corners begin.
     for (std::size_t n = 0; n < around.size(); ++n) {
       const FilteredTriangle& t = triangles_[around[n] / 4];
       const std::size_t i = around[n] % 4, j = kNextCorner[i];
@@ -474,8 +476,8 @@ class Fans {
   std::span<const FilteredTriangle> triangles_;
   std::span<const std::array<std::uint32_t, 3>> number_;
   std::vector<std::uint8_t> has_fan_;
-  std::vector<std::uint32_t> begin_;    // Where the corners of each vertex begin.
-  std::vector<std::uint32_t> corners_;  // Those of all vertices.
+  std::vector<std::uint32_t> begin_;    // The index at which the corners of each vertex begin.
+  std::vector<std::uint32_t> corners_;  // The corners of all vertices.
 };
 
 // ---------------------------------------------------------------- the search
@@ -511,7 +513,7 @@ class DoubtSearch {
     }
     checked_ = face_.size();
     // Half a unit of the last digit of a coordinate is at most 2^-53 or 2^-24 times the coordinate.
-    // It counts twice in a difference, and a factor of 2 is left.
+    // It counts twice in a difference, and a factor of 2 remains as a margin.
     const bool are_floats = has_floats_only();
     const double step = are_floats ? 0x1p-22 : 0x1p-51, least = are_floats ? 0x1p-148 : 0x1p-1000;
     boxes_.reserve(checked_);
@@ -549,8 +551,9 @@ class DoubtSearch {
     return box;
   }
 
-  /// Whether a face may have had another direction before its corners moved, or may have no area.
-  /// In differences, coordinates have moved by at most `step` times the largest one plus `least`.
+  /// Whether the orientation of a face may have changed when its corners moved, or the face may
+  /// have no area. In differences, coordinates have moved by at most `step` times the largest one
+  /// plus `least`.
   bool may_be_flipped(Corners face, const FilteredTriangle& t, double step, double least) const {
     double largest = 0;
     for (const std::uint32_t v : face) {
@@ -646,7 +649,7 @@ class DoubtSearch {
   // ---- pairs
 
   /// Marks the faces of pairs that may meet. Returns false if there are too many pairs. The packed
-  /// tree is given up if it finds far more pairs than there are.
+  /// tree is abandoned if it finds far more pairs than there are.
   bool look_at_pairs(const PackedBoxTree& packed) {
     const std::uint64_t most = kMostPairs * mesh_.face_count() + 4096;
     pairs_left_ = steps_left_ = most;
@@ -675,7 +678,7 @@ class DoubtSearch {
     for (std::uint32_t j = 0; j < face_.size() && pairs_left_ > 0; ++j) {
       if (j % 1024 == 0) checkpoint(face_[j]);
       tree.for_each_meeting(boxes_[j], [&](std::uint32_t i) {
-        if (i < j) look_at(i, j);  // Each pair of checked faces once.
+        if (i < j) look_at(i, j);  // Each pair of checked faces is visited once.
         return pairs_left_ > 0;
       });
     }
@@ -716,7 +719,7 @@ class DoubtSearch {
     return are_certain_polygons(mesh_.face(face_[i]), mesh_.face(face_[j]));
   }
 
-  /// Does the same for faces of which one may be a polygon.
+  /// Computes the same result for faces, one of which may be a polygon.
   bool are_certain_polygons(Corners a, Corners b) const {
     std::uint32_t common = 0;
     for (const std::uint32_t v : b) common += contains_corner(a, v) ? 1 : 0;
@@ -725,8 +728,8 @@ class DoubtSearch {
            (b.size() == 3 && (is_on_one_side(b, a) || is_beyond_edge(b, a)));
   }
 
-  /// Whether two corners of a face that are corners of the other one follow each other. Requires
-  /// that there are two.
+  /// Whether two corners of a face are consecutive and are corners of the other face. Requires that
+  /// there are two such corners.
   static bool have_common_edge(Corners a, Corners b) {
     const auto has_pair = [](Corners face, Corners other) {
       std::uint32_t from = face.back();
@@ -789,10 +792,10 @@ class DoubtSearch {
   std::vector<Fans::Corners4> fan_corners_;
   std::vector<std::uint8_t> is_doubtful_;
   std::size_t checked_ = 0;            // The number of faces to be checked.
-  std::vector<std::uint32_t> vertex_;  // The numbers of the vertices of faces to be checked.
-  std::uint32_t vertices_ = 0;         // How many there are.
-  std::uint64_t pairs_left_ = 0;       // Pairs that may still be looked at.
-  std::uint64_t steps_left_ = 0;       // Steps that a packed tree may still take.
+  std::vector<std::uint32_t> vertex_;  // The vertices of faces to be checked, as numbers.
+  std::uint32_t vertices_ = 0;         // The number of these vertices.
+  std::uint64_t pairs_left_ = 0;       // The number of pairs that may still be tested.
+  std::uint64_t steps_left_ = 0;       // The number of steps that a packed tree may still take.
   DoubtfulFaces result_;
 };
 

@@ -36,8 +36,9 @@ namespace {
 using Vector3 = std::array<double, 3>;
 
 constexpr std::uint32_t kMostAround = 32;  // Triangulating a link takes cubic time.
-constexpr double kMostError = 16;          // In widths.
-constexpr double kThinnest = 2;            // In widths: the least altitude of a triangle.
+constexpr double kMostError = 16;          // As a multiple of the width.
+// The least altitude of a triangle, as a multiple of the width.
+constexpr double kThinnest = 2;
 /// A bound of the errors of 2 h + s per unit of the size of the link. Differences have a relative
 /// error of 2^-53. So h has an error of 4 * 2^-53, and s has one of 5 * 2^-53, because the segment
 /// is longer than its parts on both sides of v.
@@ -110,7 +111,7 @@ class FlatVertices {
     }
   }
 
-  /// Gathers all triangles at the chosen vertices, and links their corners there.
+  /// Collects all triangles at the chosen vertices, and links their corners there.
   void gather_triangles_at(const std::vector<std::uint8_t>& is_chosen) {
     triangle_.clear();
     face_.clear();
@@ -124,8 +125,8 @@ class FlatVertices {
     }
     link_corners_at(is_chosen);
   }
-  /// Gathers all triangles at the vertices of the triangles gathered before. The removal of
-  /// removable vertices makes triangles only of these vertices.
+  /// Collects all triangles at the vertices of the triangles that were collected before. The
+  /// removal of vertices makes triangles only of these vertices.
   void gather_triangles_around() {
     std::vector<std::uint8_t> is_around(input_.points.size(), 0);
     for (const Triangle& t : triangle_) {
@@ -210,7 +211,8 @@ class FlatVertices {
     }
     return false;
   }
-  /// Returns false only if distance_from_line() exceeds width_. Takes no roots and no quotient.
+  /// Returns false only if distance_from_line() exceeds width_. This test needs no roots and no
+  /// quotient.
   bool may_be_near_line(std::size_t i, std::size_t j) const {
     constexpr double kLeastSquare = 0x1p-1000;  // Smaller squares may have lost digits.
     if (!(dot(from_[i], from_[j]) < 0)) return false;
@@ -235,8 +237,9 @@ class FlatVertices {
     return most > 0 && side.height <= width_;
   }
 
-  /// Returns the vertices that are flat or on a fold, in ascending order. Most vertices are near no
-  /// line, whatever the order of the triangles around them, so their fans need not be found.
+  /// Returns the vertices that are flat or on a fold, in ascending order. Most vertices are not
+  /// near any line, whatever the order of the triangles around them is, so their fans are not
+  /// needed.
   std::vector<std::uint32_t> find_candidates() {
     std::vector<std::uint32_t> result;
     for (std::uint32_t v = 0; v < is_removable_.size(); ++v) {
@@ -276,7 +279,7 @@ class FlatVertices {
     made_.clear();
     double height = 0;
     for (Side& side : sides) {
-      // A side of one triangle is as flat as v is near the line.
+      // A side of one triangle is flat up to the distance of v from the line.
       if (side.last - side.first == 1) continue;
       if (!find_plane(side) || !triangulate(side)) return false;
       height = std::max(height, side.height);
@@ -291,8 +294,8 @@ class FlatVertices {
     return true;
   }
 
-  /// Adds the triangles of a side without v to made_: those whose worst shape is best. Returns
-  /// false if one of them would be too thin or flipped.
+  /// Adds the triangles of a side without v to made_. Of all triangulations, it uses the one whose
+  /// worst triangle has the best shape. Returns false if one of them would be too thin or flipped.
   bool triangulate(const Side& side) {
     const std::size_t n = side.last - side.first + 1;
     best_.assign(n * n, 1);
@@ -361,7 +364,7 @@ class FlatVertices {
     return false;
   }
 
-  /// Puts made_ in the places of the fan.
+  /// Replaces the fan by made_.
   void replace(double error) {
     std::uint32_t origin = kNone;
     for (const std::uint32_t t : fan_) {
@@ -407,10 +410,11 @@ class FlatVertices {
   const PolygonMesh& input_;
   std::vector<std::uint8_t> is_removable_;
   Context& context_;
-  std::vector<std::uint32_t> near_;  // The faces in which triangles are looked for.
+  std::vector<std::uint32_t> near_;  // The faces in which triangles are searched.
   int scale_ = 0;                    // The exponent of the largest coordinate of the faces near_.
-  double width_ = 0;                 // Divided by 2^scale_, as all distances here.
-  double factor_ = 0;                // 2^-scale_, or 0 if it may not be a double.
+  // The width divided by 2^scale_, like all distances in this class.
+  double width_ = 0;
+  double factor_ = 0;  // The value 2^-scale_, or 0 if it may not be a double.
   std::vector<Triangle> triangle_;
   std::vector<std::uint32_t> face_;    // The face of the input of each triangle.
   std::vector<std::uint32_t> origin_;  // The least face from which each triangle was made.

@@ -45,7 +45,7 @@ namespace {
 /// A directed edge, and the corner of a triangle that it leaves.
 struct Leaving {
   std::array<std::uint32_t, 2> edge;
-  std::uint32_t corner;  // 3 t + i for corner i of triangle t.
+  std::uint32_t corner;  // The number 3 t + i represents corner i of triangle t.
 };
 
 }  // namespace
@@ -103,9 +103,9 @@ void require_sizes(const MeshAttributes& attributes, std::size_t faces, std::siz
 
 namespace {
 
-/// Sets the corners of a face that runs along another one, forwards or backwards, and leaves out
-/// some of its corners. Returns false if it does not. `to` has the corners of the face, and `from`
-/// those of the other one, whose first corner has the index `begin`.
+/// Sets the corners of a face that follows another face, forwards or backwards, and leaves out some
+/// of its corners. Returns false if the face does not do this. `to` has the corners of the face,
+/// and `from` those of the other one, whose first corner has the index `begin`.
 ///
 /// A point may occur at several corners. The first corner of `from` at the first point of `to` is a
 /// right start whichever corner was the start, because only corners that were left out lie between.

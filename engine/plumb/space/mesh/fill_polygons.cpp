@@ -7,8 +7,8 @@
 // Design 12, 1995). Areas are compared in doubles, because any choice is valid. Whether a chain is
 // planar is decided exactly, so a hole in a plane becomes one face of that plane.
 //
-// A face is cut in the first view along an axis in which it is simple: in such a view triangles
-// cover it once. Views are tried in the order of the area that they show.
+// A face is triangulated in the first view along an axis in which it is simple, because in such a
+// view the triangles cover it once. Views are tried in the order of the projected area.
 //
 // Tested by tests/space/fill_polygons_test.cpp.
 
@@ -61,7 +61,7 @@ class LeastArea {
         apex_(size_ * size_, 0) {}
 
   std::vector<IndexTriangle> run() {
-    // The part from i to j is closed by the triangle i, m, j for the best m between them.
+    // The part from i to j is closed by the triangle i, m, j with the best m between them.
     for (std::size_t length = 2; length < size_; ++length) {
       for (std::size_t i = 0; i + length < size_; ++i) close(i, i + length);
     }
@@ -109,7 +109,7 @@ class LeastArea {
 
 // ---------------------------------------------------------------- faces
 
-/// Cuts polygons one after the other.
+/// Triangulates polygons one after the other.
 class FaceCutter {
  public:
   FaceCutter(const PolygonMesh& mesh, const MeshVertices& vertices, const Point3Table& table,
@@ -120,7 +120,7 @@ class FaceCutter {
   std::span<const IndexTriangle> cut(Chain face) {
     triangles_.clear();
     list_corners(face);
-    if (shown_.size() == face.size()) {  // Every corner once.
+    if (shown_.size() == face.size()) {  // Every corner is used once.
       for (const std::size_t axis : axes(face)) {
         if (cut_in({axis, false}) || cut_in({axis, true})) return triangles_;
       }
@@ -144,7 +144,7 @@ class FaceCutter {
     }
   }
 
-  /// Returns the axes by the area that is seen along them, largest first.
+  /// Returns the axes in the order of the area in the view along them, the largest first.
   std::array<std::size_t, 3> axes(Chain face) const {
     Vector3 sum{};
     const Point3& o = mesh_.points[face[0]];
@@ -158,7 +158,7 @@ class FaceCutter {
     return order;
   }
 
-  /// Cuts the face in a view in which it is simple and runs counter-clockwise.
+  /// Triangulates the face in a view in which it is simple and counter-clockwise.
   bool cut_in(FlatView view) {
     flat_.reset(view);
     for (const std::uint32_t p : shown_) flat_.push_back(vertices_.point[vertices_.of_point[p]]);
@@ -173,7 +173,7 @@ class FaceCutter {
     return true;
   }
 
-  /// Whether no two corners lie behind each other in the view, as shape_of() requires.
+  /// Whether no two corners coincide in the view, as shape_of() requires.
   bool is_injective() {
     order_.resize(shown_.size());
     std::iota(order_.begin(), order_.end(), 0U);
@@ -189,8 +189,8 @@ class FaceCutter {
   const MeshVertices& vertices_;
   Context& context_;
   FlatPoints flat_;
-  std::vector<std::uint32_t> shown_;  // The point of each entry of flat_.
-  std::vector<std::uint32_t> local_;  // The entry of flat_ of each corner.
+  std::vector<std::uint32_t> shown_;  // For each entry of flat_, its point.
+  std::vector<std::uint32_t> local_;  // For each corner, its entry of flat_.
   std::vector<std::uint32_t> order_;
   std::vector<IndexTriangle> triangles_;
 };

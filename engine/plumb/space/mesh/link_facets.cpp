@@ -5,11 +5,11 @@
 // equal cycles, because each cycle starts at its least vertex; only facets that start along the
 // same edge are compared.
 //
-// An edge has two planes of its facets if there are two; else a second plane is made through the
-// edge, parallel to the coordinate axis along which the first plane is seen largest: through both
-// ends and a point straight above one of them, so that its coefficients are no longer than the
-// coefficients of an input plane (docs/design/planes-first.md, "Invariants"). Half-edge 2e then
-// runs along n_p x n_q.
+// If the facets of an edge have two planes, the edge has these. Otherwise, a second plane is made
+// through both ends of the edge and a point straight above one of them. It is parallel to the
+// coordinate axis with the largest component of the first normal. Its coefficients are no longer
+// than those of an input plane (docs/design/planes-first.md, "Invariants"). Half-edge 2e then runs
+// along n_p x n_q.
 //
 // Around an edge with more than two uses the radial order is sorted by quarters and signs of turns
 // about the line; with two uses there is nothing to sort.
@@ -46,13 +46,14 @@ void link_cycles(const MeshFacets& facets, MeshLinks& links) {
   }
 }
 
-/// Uses in buckets by their lesser vertex; each entry is (greater vertex, use) as one word.
+/// The uses in buckets by their lesser vertex. Each entry is (greater vertex, use) as one word.
 struct Buckets {
   std::vector<std::uint32_t> begin;
   std::vector<std::uint64_t> entry;
 };
 
-/// Counts, then places the uses: begin[v + 1] serves as the place of the next entry of v.
+/// Counts the uses, and then places them. The entry begin[v + 1] is the place of the next entry of
+/// v.
 Buckets bucket_uses(const MeshFacets& facets, const MeshLinks& links, std::size_t vertex_count) {
   Buckets b;
   b.begin.assign(vertex_count + 2, 0);
@@ -86,7 +87,7 @@ MeshLinks link_corners(const MeshFacets& facets, std::size_t vertex_count) {
   links.end.reserve(facets.corner.size() / 2 + 1);
   links.begin.reserve(facets.corner.size() / 2 + 2);
   links.use.resize(facets.corner.size());
-  std::uint32_t place = 0;  // Where the next use goes.
+  std::uint32_t place = 0;  // The place of the next use.
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     const auto first = buckets.entry.begin() + buckets.begin[v];
     const auto last = buckets.entry.begin() + buckets.begin[v + 1];
@@ -112,11 +113,11 @@ bool is_plainly_closed(const MeshFacets& facets, const MeshLinks& links) {
     if (links.begin[e + 1] - links.begin[e] != 2) return false;
     const std::uint32_t u = links.use[links.begin[e]], v = links.use[links.begin[e] + 1];
     const std::uint32_t f = links.facet[u], g = links.facet[v];
-    // Uses of one direction need opposite jumps, others equal ones. A use leaves the lesser end of
-    // its edge if it runs forward.
+    // Uses of the same direction need opposite jumps, and uses of opposite directions need equal
+    // jumps. A use leaves the lesser end of its edge if it is forward.
     const bool is_one_way = facets.corner[u] == facets.corner[v];
     if (facets.jump[f] != (is_one_way ? -facets.jump[g] : facets.jump[g])) return false;
-    // Facets that come twice are in one plane and begin with the same use.
+    // Facets that occur twice are in one plane and begin with the same use.
     if (is_one_way && facets.plane[f] == facets.plane[g] && facets.begin[f] == u) return false;
   }
   return true;
@@ -131,9 +132,9 @@ class Doubles {
  public:
   Doubles(const MeshFacets& facets, const MeshLinks& links) : facets_(facets), links_(links) {}
 
-  /// Returns for each facet the first one with the same boundary, or itself; an empty list if no
-  /// two facets have the same boundary. Cost: O(n log n) for n corners, however many facets share
-  /// an edge.
+  /// Returns for each facet the first facet with the same boundary, which may be the facet itself.
+  /// Returns an empty list if no two facets have the same boundary. Cost: O(n log n) for n corners,
+  /// even if many facets share an edge.
   std::vector<std::uint32_t> find() {
     std::vector<std::uint32_t> beginning;  // The facets whose cycles begin with an edge.
     for (std::size_t e = 0; e < links_.edge_count(); ++e) {
@@ -151,7 +152,7 @@ class Doubles {
   /// with equal uses.
   bool is_first(std::uint32_t use) const { return facets_.begin[links_.facet[use]] == use; }
 
-  /// Sorts facets such that equal ones are neighbours, those of lower numbers first.
+  /// Sorts facets such that equal facets are consecutive, in the order of their numbers.
   void join_equal(std::vector<std::uint32_t>& facets) {
     std::sort(facets.begin(), facets.end(), [this](std::uint32_t f, std::uint32_t g) {
       const auto order = compare(f, g);
@@ -184,7 +185,7 @@ class Doubles {
   std::vector<std::uint32_t> same_;
 };
 
-/// Returns the facets that are their own `same`, with the jumps of the others added.
+/// Returns the facets that are their own `same`, with the jumps of the other facets added.
 MeshFacets merged(const MeshFacets& facets, std::span<const std::uint32_t> same) {
   MeshFacets kept;
   kept.loose = facets.loose;
@@ -223,9 +224,9 @@ std::vector<MeshReport::FacePair> merge_doubled(MeshFacets& facets, MeshLinks& l
 
 namespace {
 
-/// Returns a point straight above or below p, seen along an axis. The other coordinates stay, so
-/// that the plane through p, another point and this one is exactly parallel to the axis. 0 and 1
-/// keep numbers short.
+/// Returns a point straight above or below p, seen along an axis. The other coordinates do not
+/// change, so the plane through p, another point and this one is exactly parallel to the axis. The
+/// coordinate becomes 0 or 1, which keeps numbers short.
 Point3 moved_along(Point3 p, std::size_t axis) {
   double& c = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
   c = c == 0 ? 1 : 0;
@@ -243,7 +244,7 @@ class EdgePlanes {
     std::vector<std::array<InputPointId, 3>> triples;
     std::vector<std::uint32_t> of_inputs;
     for (const std::uint32_t e : edges) {
-      // The first plane is surely not parallel to the axis along which its normal is largest.
+      // The first plane is certainly not parallel to the axis of its largest normal component.
       const std::size_t axis = FlatView::of_plane(tables_.planes, c_.edge_planes[e][0]).axis;
       const SpacePoint a = end(2 * e), b = end(2 * e + 1);
       if (a.is_input() && b.is_input()) {
@@ -260,8 +261,9 @@ class EdgePlanes {
     }
   }
 
-  /// Whether half-edge 2e runs along n_p x n_q. It does if its run and that of n_p x n_q agree
-  /// along an axis in which its ends differ; that in which they differ most is decided fastest.
+  /// Whether half-edge 2e has the direction n_p x n_q. The two directions are compared along an
+  /// axis in which the ends of the edge differ. The axis in which they differ most is decided
+  /// fastest.
   bool is_along(std::uint32_t e) const {
     // minor_sign() is the sign of the component of n_p x n_q along the axis.
     const SpacePoint from = end(2 * e), to = end(2 * e + 1);
@@ -297,14 +299,14 @@ class EdgePlanes {
     return tables_.planes.intern(n[0], n[1], n[2], -(n[i] * at[i] + n[j] * at[j])).plane();
   }
 
-  /// An axis, and which way an edge runs along it.
+  /// An axis, and the direction of an edge along it.
   struct Run {
     std::size_t axis;
     Sign sign;
   };
 
-  /// Does the same for input points. A difference of doubles has the right sign unless it is
-  /// flushed to zero.
+  /// Computes the same result for input points. A difference of doubles has the right sign unless
+  /// it is flushed to zero.
   Run longest_axis(InputPointId a, InputPointId b) const {
     const Point3 &p = tables_.planes.point(a), &q = tables_.planes.point(b);
     const std::array<double, 3> d{q.x - p.x, q.y - p.y, q.z - p.z};
@@ -378,8 +380,8 @@ class Linker {
     choose_planes();
   }
 
-  /// Whether an edge with one plane may wait for its second one: it lies between two triangles of
-  /// input points.
+  /// Whether an edge with one plane may get its second plane later. This is the case if it lies
+  /// between two triangles of input points.
   bool can_be_open(std::span<const std::uint32_t> uses) const {
     return uses.size() == 2 && is_input_triangle(uses[0]) && is_input_triangle(uses[1]);
   }
@@ -391,9 +393,9 @@ class Linker {
            std::ranges::all_of(corners, [this](std::uint32_t v) { return points_[v].is_input(); });
   }
 
-  /// Chooses two planes through every edge: that of the first use, and the first different one.
-  /// Planes that share a line are not parallel. Where there is none, one is made, or the edge stays
-  /// open.
+  /// Chooses two planes through every edge: the plane of the first use, and the first plane that
+  /// differs from it. Planes with a common line are not parallel. If there is no second plane, one
+  /// is made, or the edge stays open.
   void choose_planes() {
     out_.edge_planes.resize(links_.edge_count());
     EdgePlanes planes(out_, tables_);
@@ -441,7 +443,7 @@ class Linker {
       const bool is_reverse = out_.origin[2 * e].value() != facets_.corner[u];
       out_.use_halfedge[u] = HalfedgeId(2 * e + (is_reverse ? 1 : 0));
     }
-    // Two uses follow each other in either order.
+    // For two uses, both orders are the same.
     if (uses.size() == 2) {
       out_.use_radial[uses[0]] = UseId(uses[1]);
       out_.use_radial[uses[1]] = UseId(uses[0]);
@@ -509,7 +511,7 @@ class Linker {
   std::vector<std::uint32_t> ring_;
 };
 
-/// Exchanges the names of half-edges 2e and 2e + 1. Requires an edge with two uses.
+/// Exchanges the ids of half-edges 2e and 2e + 1. Requires an edge with two uses.
 void turn_edge(SpaceComplex& complex, std::uint32_t e) {
   const HalfedgeId h(2 * e), twin(2 * e + 1);
   const auto turned = [&](HalfedgeId g) { return g == h ? twin : h; };
@@ -537,7 +539,7 @@ SpaceComplex link_facets(const MeshFacets& facets, const MeshLinks& links,
   return complex;
 }
 
-// All second planes are interned at once, before any half-edge is turned.
+// All second planes are interned at once, before any half-edge is reversed.
 void complete_flat_edges(SpaceComplex& complex, SpaceTables& tables) {
   std::vector<std::uint32_t> flat;
   for (std::uint32_t e = 0; e < complex.edge_count(); ++e) {

@@ -30,7 +30,7 @@
 namespace plumb {
 namespace {
 
-/// Lists of numbers, one for each of some items, in one array.
+/// Lists of numbers, one list for each item, in one array.
 struct Lists {
   std::vector<std::uint32_t> begin;
   std::vector<std::uint32_t> entry;
@@ -111,8 +111,8 @@ class Colouring {
     for (const std::uint32_t f : facets) put(f, layer);
   }
 
-  /// Walks from a facet to its neighbours, breadth first, and stays in one layer where that is
-  /// free.
+  /// Visits the neighbours of a facet, breadth first, and keeps them in the same layer where this
+  /// layer is free.
   void spread_from(std::uint32_t start) {
     if (layers_.of_facet[start] != kNone) return;
     put_near(start, kNone);
@@ -132,7 +132,7 @@ class Colouring {
     }
   }
 
-  /// Puts a facet into the wanted layer if it is free, else into the least free one.
+  /// Puts a facet into the wanted layer if it is free; otherwise into the least layer that is free.
   void put_near(std::uint32_t f, std::uint32_t wanted) {
     ++round_;
     exclude_rivals(f);
@@ -147,7 +147,7 @@ class Colouring {
     }
   }
 
-  /// Returns the least layer not excluded in this round, perhaps a new one.
+  /// Returns the least layer that is not excluded in this round. It may be a new layer.
   std::uint32_t least_free() const {
     const auto free = std::ranges::find_if(excluded_, [this](auto r) { return r != round_; });
     return static_cast<std::uint32_t>(free - excluded_.begin());
@@ -220,7 +220,7 @@ class Bundles {
  public:
   explicit Bundles(std::uint32_t sheets) : sheets_(sheets) {}
 
-  /// Returns the number of the bundle that joins two bundles; the same for the same pair.
+  /// Returns the number of the bundle that joins two bundles. Equal pairs get the same number.
   std::uint32_t of_both(std::uint32_t a, std::uint32_t b) {
     const std::uint64_t key = key_of({a, b});
     const auto next = static_cast<std::uint32_t>(pairs_.size());
@@ -231,7 +231,7 @@ class Bundles {
     return sheets_ + found;
   }
 
-  /// Appends the sheets of a bundle. Each is in one layer, so none comes twice.
+  /// Appends the sheets of a bundle. Each sheet is in one layer, so no sheet occurs twice.
   void unfold(std::uint32_t bundle, std::vector<std::uint32_t>& sheets) {
     open_.assign(1, bundle);
     while (!open_.empty()) {
@@ -257,7 +257,7 @@ class Bundles {
   std::vector<std::uint32_t> open_;
 };
 
-/// Gives a surface marks under which nothing is simplified: kBeyond differs from the marks of
+/// Gives a surface marks that prevent every simplification: kBeyond differs from the marks of
 /// facets and volumes.
 void mark_surface(SpaceComplex& complex) {
   complex.vertex_mark.assign(complex.vertex_count(), kBeyond);
@@ -286,8 +286,8 @@ class Arranger {
   Bundles& bundles() { return bundles_; }
 
  private:
-  /// Returns the overlay of layers first, ..., last - 1, as a balanced tree: then each facet takes
-  /// part in O(log layers) overlays.
+  /// Returns the overlay of layers first, ..., last - 1, as a balanced tree. Each facet takes part
+  /// in O(log layers) overlays.
   SpaceComplex overlay(std::size_t first, std::size_t last) {
     if (last - first == 1) {
       SpaceComplex layer = layer_of(mesh_.complex, facets_[first], tables_, context_);
@@ -353,8 +353,8 @@ bool is_one_shell(const MeshComplex& mesh, std::span<const std::uint8_t> has_fan
 }
 
 /// Gives the facets of one shell the volumes that label_volumes() finds. The sign of the volume of
-/// the shell tells whether winding numbers rise to its inside, and a jump to which side of its
-/// facet they rise.
+/// the shell states whether winding numbers increase towards its inside. The sign of a jump states
+/// on which side of its facet they are greater.
 void label_sides(const MeshComplex& mesh, SpaceComplex& complex) {
   constexpr VolumeId outside(0), inside(1);
   const bool is_inside_out = mesh.is_inside_out[0] != 0;
@@ -373,7 +373,8 @@ void label_sides(const MeshComplex& mesh, SpaceComplex& complex) {
 
 void arrange(MeshComplex& mesh, Context& context) {
   if (mesh.is_arranged()) return;
-  // Fans say which sphere maps are connected. They are of no use after facets have been cut.
+  // Fans state which sphere maps are connected. After facets have been cut, they are no longer
+  // valid.
   const std::vector<std::uint8_t> has_fan = std::exchange(mesh.has_fan, {});
   if (mesh.crossings.empty()) {
     if (is_one_shell(mesh, has_fan)) {
@@ -403,15 +404,15 @@ std::vector<std::int32_t> facet_jumps(const MeshComplex& mesh) {
 
 namespace {
 
-/// Returns for each component 1 if it borders on volume 0: alone somewhere or, where several lie
-/// upon each other, with others of which none does so alone.
+/// Returns 1 for each component that borders on volume 0. The component borders on it alone at some
+/// place, or together with other components none of which borders on it alone.
 std::vector<std::uint8_t> find_outermost(const MeshComplex& mesh) {
   const auto component_of = [&](std::uint32_t sheet) { return mesh.component[sheet]; };
   std::vector<std::uint8_t> is_outermost(mesh.is_inside_out.size(), 0);
   std::vector<std::uint32_t> shared;  // Facets in which sheets of several components lie.
   for (std::uint32_t f = 0; f < mesh.complex.facet_count(); ++f) {
     const auto& sides = mesh.complex.facet_volume[f];
-    // Only facets that border on volume 0 count.
+    // Only facets that border on volume 0 are considered.
     if (sides[0] != VolumeId(0) && sides[1] != VolumeId(0)) continue;
     const auto sheets = mesh.sheets_of(FacetId(f));
     const std::uint32_t first = component_of(sheets[0]);
@@ -421,7 +422,8 @@ std::vector<std::uint8_t> find_outermost(const MeshComplex& mesh) {
       shared.push_back(f);
     }
   }
-  // A shared facet decides only if none of its components borders on volume 0 by itself elsewhere.
+  // A shared facet decides only if none of its components borders on volume 0 alone at another
+  // place.
   std::vector<std::uint8_t> result = is_outermost;
   for (const std::uint32_t f : shared) {
     const auto sheets = mesh.sheets_of(FacetId(f));

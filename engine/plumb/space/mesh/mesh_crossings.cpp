@@ -1,11 +1,12 @@
 // The search for pairs of facets that cross: candidates by boxes, then one exact test for each.
 //
-// Up to 32 triangles are compared pair by pair. For more, no tree of boxes is good for all meshes,
-// so three are tried in turn. Packed boxes (16 bits a coordinate) serve meshes of one scale: 7 to 8
-// steps a triangle for spheres and scans. They are given up after 32 steps a triangle, which bounds
-// the lost time by a constant factor. Then boxes of many scales go to a tree of doubles; triangles
-// that are long and thin, or very many around a vertex or in one facet, go to oriented boxes, which
-// leave out pairs of one group, and pairs around a vertex are found by boxes of their directions.
+// Up to 32 triangles are compared pair by pair. For larger meshes, no tree of boxes is good for all
+// of them, so three trees are tried in turn. Packed boxes (16 bits a coordinate) serve meshes of
+// one scale: 7 to 8 steps a triangle for spheres and scans. They are given up after 32 steps a
+// triangle, which bounds the lost time by a constant factor. Then boxes of many scales go to a tree
+// of doubles; triangles that are long and thin, or very many around a vertex or in one facet, go to
+// oriented boxes, which leave out pairs of one group, and pairs around a vertex are found by boxes
+// of their directions.
 //
 // Every tree reports each pair whose boxes meet, so the result does not depend on the tree that is
 // used. The pairs are sorted, and repetitions are dropped.
@@ -59,12 +60,13 @@ class CrossingSearch {
   static constexpr std::uint64_t kStepsPerTriangle = 32;
   static constexpr std::size_t kFew = 32;
 
-  /// Tests all pairs. What the first tree cannot find in a few steps a box is left to one of two
-  /// others: for boxes of many scales, or for boxes that say little about their triangles.
+  /// Tests all pairs. If the first tree cannot find them in a few steps for each box, one of two
+  /// other trees is used: one for boxes of many scales, and one for boxes that are much larger than
+  /// their triangles.
   void find_all() {
     checkpoint();
     if (triangles_.size() <= kFew) return find_among_few();
-    bool is_given_up = false;  // Whether a packed tree fits but takes too many steps.
+    bool is_given_up = false;  // Whether a packed tree is possible, but takes too many steps.
     if (const auto tree = tree_of_points()) {
       if (find_in(*tree)) return;
       is_given_up = true;
@@ -107,7 +109,7 @@ class CrossingSearch {
     return tree;
   }
 
-  /// Tests the pairs of a few triangles, for which a tree costs more than it saves.
+  /// Tests the pairs of a few triangles, for which a tree takes more time than it saves.
   void find_among_few() {
     const std::vector<Box3> boxes = boxes_by([&](VertexId v) { return box_of(complex_, v); });
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
@@ -117,8 +119,8 @@ class CrossingSearch {
     }
   }
 
-  /// Tests the pairs that a packed tree finds. Returns false if it was given up, so that pairs are
-  /// missing. For spheres and scanned models it takes 7 to 8 steps a triangle.
+  /// Tests the pairs that a packed tree finds. Returns false if it was abandoned, so that pairs are
+  /// missing. For spheres and scanned models, it takes 7 to 8 steps for each triangle.
   bool find_in(const PackedBoxTree& tree) {
     std::uint64_t left = kStepsPerTriangle * (triangles_.size() + 256);
     const auto may_go_on = [&] {
@@ -135,8 +137,7 @@ class CrossingSearch {
       look_at(triangle_of(i), triangle_of(j));
     });
   }
-  /// Tests pairs of triangles that are thin and run in more directions than one, except pairs of
-  /// one group.
+  /// Tests pairs of thin triangles of several directions, except pairs of one group.
   void find_thin(std::span<const Box3> boxes, std::span<const std::uint32_t> groups) {
     memory_.add(kBytesPerThinTriangle * triangles_.size(), "oriented boxes of triangles");
     std::vector<OrientedBoxTree::Triangle> corners;
@@ -153,8 +154,8 @@ class CrossingSearch {
             },
             on_step);
   }
-  /// Tests the pairs of one group, which have been left out. A facet does not cross itself, and
-  /// around a vertex the directions decide.
+  /// Tests the pairs of one group, which were left out. A facet does not cross itself, and around a
+  /// vertex the directions decide.
   void find_around_hubs(const TriangleGroups& groups) {
     std::vector<std::uint32_t> around;
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -168,7 +169,7 @@ class CrossingSearch {
       find_around(groups.hub[g], {first, last});
     }
   }
-  /// Tests pairs of triangles around one vertex. If the vertex has a fan, none of them cross.
+  /// Tests pairs of triangles around one vertex. If the vertex has a fan, no two of them cross.
   void find_around(VertexId hub, std::span<const std::uint32_t> triangles) {
     std::vector<Box3> boxes;
     for (const std::uint32_t t : triangles) {
@@ -189,9 +190,9 @@ class CrossingSearch {
   }
   void checkpoint() { context_.checkpoint("crossings of the mesh with itself", 0, 0); }
 
-  /// Tests one pair of triangles and notes their facets if they cross.
+  /// Tests one pair of triangles, and notes their facets if they cross.
   void look_at(std::uint32_t i, std::uint32_t j) {
-    if (share_fan(fan_corners_[i], fan_corners_[j])) return;  // As most pairs do.
+    if (share_fan(fan_corners_[i], fan_corners_[j])) return;  // Most pairs do.
     const FacetTriangle &s = triangles_[i], &t = triangles_[j];
     if (s.facet == t.facet || !test_(s, t)) return;
     if (found_.size() % 4096 == 0) memory_.add(4096 * sizeof(found_[0]), "crossings of the mesh");
@@ -222,12 +223,13 @@ class CrossingSearch {
            std::min(4 * complex_.facet_count(), complex_.use_count() + 2 * complex_.cycle.size());
   }
   TriangleCorner corner(VertexId v) const { return {v, complex_.vertex_point[v]}; }
-  /// Whether the facet, the last one gathered, gave one triangle.
+  /// Whether the facet that was collected last has one triangle.
   bool is_triangle(FacetId f) const {
     return !triangles_.empty() && (triangles_.size() == 1 || triangles_.rbegin()[1].facet != f);
   }
 
-  /// Marks the sides of the last triangles, those of facet f, that are not on its boundary.
+  /// Marks the sides of the last triangles, which belong to facet f, that are not on the boundary
+  /// of f.
   void mark_diagonals(FacetId f) {
     boundary_.clear();
     for (const UseId first : complex_.cycles_of(f)) {
@@ -269,7 +271,8 @@ class CrossingSearch {
     return boxes;
   }
 
-  /// The corners of a triangle that have a fan, and kNone for all others, side by side.
+  /// The corners of a triangle at which there is a fan, side by side. The other corners are
+  /// replaced by kNone.
   using FanCorners __attribute__((vector_size(16))) = std::uint32_t;
 
   /// Whether two triangles have a common corner with a fan: then they do not cross.
@@ -293,8 +296,8 @@ class CrossingSearch {
   std::vector<FacetTriangle> triangles_;
   std::vector<FanCorners> fan_corners_;  // One entry for each triangle.
   std::vector<std::pair<VertexId, VertexId>> boundary_;
-  FacetPairs found_;         // Some pairs come more than once.
-  std::uint64_t steps_ = 0;  // The steps in all trees.
+  FacetPairs found_;         // Some pairs occur more than once.
+  std::uint64_t steps_ = 0;  // The number of steps in all trees.
 };
 
 }  // namespace

@@ -38,13 +38,13 @@ double largest(const Vector3& v) {
 
 // ---------------------------------------------------------------- 1. corners
 
-/// A face by its vertices, trimmed.
+/// A face given by its vertices, after trimming.
 struct Loop {
   std::span<const std::uint32_t> corners;
   std::uint32_t face;
 };
 
-/// What is left of the faces after trimming.
+/// The remaining parts of the faces after trimming.
 struct Loops {
   std::vector<std::uint32_t> corner;       ///< The vertices of all loops.
   std::vector<std::uint32_t> begin = {0};  ///< Where each loop starts in `corner`, and the end.
@@ -54,14 +54,14 @@ struct Loops {
   Loop at(std::size_t i) const {
     return {std::span(corner).subspan(begin[i], begin[i + 1] - begin[i]), face[i]};
   }
-  /// Makes a loop of the corners since the last one.
+  /// Makes a loop of the corners since the last loop.
   void close(std::uint32_t f) {
     face.push_back(f);
     begin.push_back(static_cast<std::uint32_t>(corner.size()));
   }
 };
 
-/// Takes a face of three different corners, of which nothing is to be trimmed: nearly all faces.
+/// Adds a face with three different corners, which needs no trimming, as nearly all faces are.
 /// Returns false for any other face.
 bool take_triangle(std::span<const std::uint32_t> face, std::uint32_t f,
                    const MeshVertices& vertices, Loops& loops) {
@@ -113,15 +113,16 @@ struct VertexPoints {
   Vector3 middle(std::uint32_t v) const { return table.box(point[v]).mid; }
 };
 
-/// Returns the largest coordinate, or 1 if that is so small that its inverse overflows.
+/// Returns the largest coordinate, or 1 if it is so small that its inverse overflows.
 double reach(const VertexPoints& points, Corners corners) {
   double reach = 0;
   for (const std::uint32_t v : corners) reach = std::max(reach, largest(points.middle(v)));
   return reach > 0x1p-1000 ? reach : 1;
 }
 
-/// Returns three corners far apart: the first, the farthest from it, and the farthest from their
-/// line. The choice is a matter of speed only: any three that are not on a line would do.
+/// Returns three corners that are far apart: the first corner, the corner that is farthest from it,
+/// and the corner that is farthest from their line. The choice affects only the speed. Any three
+/// corners that are not collinear are sufficient.
 IndexTriangle widest_triple(const VertexPoints& points, Corners corners) {
   const double scale = 1 / reach(points, corners);
   const auto from_first = [&](std::uint32_t v) {
@@ -144,8 +145,8 @@ IndexTriangle widest_triple(const VertexPoints& points, Corners corners) {
   return {corners[0], far, wide};
 }
 
-/// The homogeneous coordinates of vertices, in lowest terms. Those of a vertex are computed when
-/// they are asked for first: several faces need them.
+/// The homogeneous coordinates of vertices, in lowest terms. The coordinates of a vertex are
+/// computed at the first request, because several faces need them.
 class HomogeneousVertices {
  public:
   HomogeneousVertices(std::span<const SpacePoint> point, const Point3Table& table)
@@ -179,8 +180,8 @@ OrientedPlane plane_through(PlaneTable& planes, const IntegerRow& a, const Integ
   return planes.intern(row[0], row[1], row[2], row[3]);
 }
 
-/// Returns the plane of each loop by three of its corners; invalid if these lie on one line. Planes
-/// through input points are interned all at once.
+/// Returns the plane of each loop, given by three of its corners. The id is invalid if these are
+/// collinear. Planes through input points are interned all at once.
 std::vector<OrientedPlane> planes_of(const Loops& loops, std::span<const SpacePoint> point,
                                      SpaceTables& tables) {
   HomogeneousVertices homogeneous(point, tables.points);
@@ -190,7 +191,7 @@ std::vector<OrientedPlane> planes_of(const Loops& loops, std::span<const SpacePo
   const VertexPoints points{point, tables.points};
   for (std::uint32_t i = 0; i < loops.size(); ++i) {
     const Corners corners = loops.at(i).corners;
-    // Triangles have no choice; polygons take three corners far apart.
+    // For triangles, there is no choice. For polygons, three corners that are far apart are used.
     const IndexTriangle t = corners.size() == 3 ? IndexTriangle{corners[0], corners[1], corners[2]}
                                                 : widest_triple(points, corners);
     const SpacePoint a = point[t[0]], b = point[t[1]], c = point[t[2]];
@@ -264,7 +265,7 @@ FlatView newell_view(const VertexPoints& points, Corners corners) {
   const bool is_sure = approximate_newell(points, corners, sum, bound);
   std::array<double, 3> size{std::fabs(sum[0]), std::fabs(sum[1]), std::fabs(sum[2])};
   std::sort(size.begin(), size.end());
-  // Both areas are off by less than `bound`, so a larger gap orders them surely.
+  // The error of both areas is less than `bound`, so a larger gap determines their order.
   if (!is_sure || !(size[2] - size[1] > 2 * bound)) return exact_newell_view(points, corners);
   std::size_t axis = 0;
   while (std::fabs(sum[axis]) != size[2]) ++axis;
@@ -274,7 +275,7 @@ FlatView newell_view(const VertexPoints& points, Corners corners) {
 // ---------------------------------------------------------------- 3. facets
 
 /// Adds the facets of one loop after the other. It is a class because all loops share the buffers
-/// of the polygon being looked at.
+/// of the current polygon.
 class FacetMaker {
  public:
   FacetMaker(const Loops& loops, std::span<const SpacePoint> point, SpaceTables& tables,
@@ -291,7 +292,7 @@ class FacetMaker {
     facets_.corner.reserve(loops.corner.size());
   }
 
-  /// Adds the facet or facets of a loop. `plane` is that of planes_of().
+  /// Adds the facet or facets of a loop. `plane` is the result of planes_of().
   void add(const Loop& loop, OrientedPlane plane) {
     if (loop.corners.size() == 3) {
       add_triangle(loop, plane);
@@ -299,12 +300,13 @@ class FacetMaker {
       add_polygon(loop, plane);
     }
   }
-  /// Gives the facets away.
+  /// Returns the facets, and removes them from this object.
   MeshFacets take() { return std::move(facets_); }
 
  private:
-  /// Adds a facet whose corners run counter-clockwise seen from the positive side of `plane`. It is
-  /// listed counter-clockwise seen from the canonical side, the least corner first.
+  /// Adds a facet whose corners are counter-clockwise seen from the positive side of `plane`. The
+  /// facet lists them counter-clockwise seen from the canonical side, beginning with the least
+  /// corner.
   void add_facet(Corners corners, OrientedPlane plane, std::uint32_t face) {
     const std::size_t last = corners.size() - 1;
     auto i = static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin());
@@ -338,8 +340,8 @@ class FacetMaker {
     }
   }
 
-  /// Adds a face of four corners or more, as one facet if it is planar and simple, else as
-  /// triangles.
+  /// Adds a face with at least four corners. It becomes one facet if it is planar and simple;
+  /// otherwise, it is triangulated.
   void add_polygon(const Loop& loop, OrientedPlane by_widest) {
     const OrientedPlane plane = by_widest.is_valid() ? by_widest : any_plane(loop.corners);
     if (!plane.is_valid()) {
@@ -347,8 +349,8 @@ class FacetMaker {
       report_.degenerate.push_back(loop.face);
     } else if (is_planar(loop.corners, plane.plane())) {
       view(loop.corners, FlatView::of_plane(tables_.planes, plane.plane()));
-      // Seen along an axis that crosses its plane, the polygon is simple if and only if it is so in
-      // the plane; its orientation there says which side is outside.
+      // Seen along an axis that crosses its plane, the polygon is simple if and only if it is
+      // simple in the plane. Its orientation in this view determines its outer side.
       const PolygonShape shape = shape_of(flat_, local_, context_);
       if (shape == PolygonShape::Simple) {
         const bool is_opposite = orientation_of(flat_, local_) == Sign::Negative;
@@ -363,8 +365,9 @@ class FacetMaker {
     }
   }
 
-  /// Returns a plane of three corners that follow each other; invalid if all corners lie on one
-  /// line: if every three neighbours are collinear, all are, as neighbours differ.
+  /// Returns the plane of three consecutive corners. The id is invalid if all corners are
+  /// collinear. If every three neighbours are collinear, all corners are, because neighbours
+  /// differ.
   OrientedPlane any_plane(Corners corners) const {
     OrientedPlane plane;
     for (std::size_t i = 2; i < corners.size() && !plane.is_valid(); ++i) {
@@ -382,8 +385,8 @@ class FacetMaker {
 
   // ---------------------------------------------------------------- polygons as triangles
 
-  /// Shows the polygon in a plane: flat_ has its vertices in ascending order, local_ the index
-  /// there of each corner.
+  /// Projects the polygon to a plane. The array flat_ has its vertices in ascending order, and
+  /// local_ has the index of each corner in flat_.
   void view(Corners corners, FlatView view) {
     shown_.assign(corners.begin(), corners.end());
     std::sort(shown_.begin(), shown_.end());
@@ -413,11 +416,11 @@ class FacetMaker {
     }
   }
 
-  /// Makes constrained Delaunay triangles, wound as the polygon is. Returns false if neither the
-  /// polygon nor its reverse bounds a region.
+  /// Makes constrained Delaunay triangles with the orientation of the polygon. Returns false if
+  /// neither the polygon nor its reverse bounds a region.
   bool add_delaunay_pieces() {
-    // The region lies to the left of a polygon that runs counter-clockwise; a clockwise one is
-    // triangulated in reverse, and its triangles are turned back.
+    // The region lies to the left of a counter-clockwise polygon. A clockwise polygon is reversed
+    // before it is triangulated, and its triangles are reversed afterwards.
     std::vector<IndexEdge> edges = boundary_of(local_);
     if (!triangulate(flat_, edges, pieces_)) {
       for (IndexEdge& e : edges) std::swap(e[0], e[1]);
@@ -445,16 +448,16 @@ class FacetMaker {
   MeshReport& report_;
   Context& context_;
   MeshFacets facets_;
-  FlatPoints flat_;                   // The points of the polygon being looked at.
-  std::vector<std::uint32_t> shown_;  // The vertex of each point of flat_.
-  std::vector<std::uint32_t> local_;  // The point of flat_ of each corner.
+  FlatPoints flat_;                   // The points of the current polygon.
+  std::vector<std::uint32_t> shown_;  // For each point of flat_, its vertex.
+  std::vector<std::uint32_t> local_;  // For each corner, its point in flat_.
   std::vector<IndexTriangle> pieces_;
 };
 
 // ---------------------------------------------------------------- meshes of triangles
 
 /// Whether all faces are triangles with three different corners at input points, as in nearly all
-/// meshes of triangles. Nothing of them is to be trimmed, and their planes are interned in order.
+/// meshes of triangles. They need no trimming, and their planes are interned in order.
 bool has_plain_triangles_only(const MeshView& mesh, const MeshVertices& vertices) {
   if (mesh.corners.size() != 3 * mesh.face_count()) return false;
   for (std::size_t f = 0; f < mesh.face_begin.size(); ++f) {
@@ -469,7 +472,7 @@ bool has_plain_triangles_only(const MeshView& mesh, const MeshVertices& vertices
   return std::ranges::all_of(vertices.point, &SpacePoint::is_input);
 }
 
-/// Returns the planes of all faces; invalid for faces without area.
+/// Returns the planes of all faces. The id is invalid for faces without area.
 std::vector<OrientedPlane> planes_of_triangles(const MeshView& mesh, const MeshVertices& vertices,
                                                SpaceTables& tables) {
   std::vector<std::array<InputPointId, 3>> triples(mesh.face_count());
@@ -482,7 +485,7 @@ std::vector<OrientedPlane> planes_of_triangles(const MeshView& mesh, const MeshV
   return planes;
 }
 
-/// Does what FacetMaker does to a mesh that has_plain_triangles_only().
+/// Computes the result of FacetMaker for a mesh for which has_plain_triangles_only() holds.
 MeshFacets flatten_triangles(const MeshView& mesh, const MeshVertices& vertices,
                              SpaceTables& tables, MeshReport& report, Context& context) {
   const std::vector<OrientedPlane> planes = planes_of_triangles(mesh, vertices, tables);
@@ -550,7 +553,8 @@ void trim_ends(std::vector<std::uint32_t>& corner, std::size_t first) {
                corner.begin() + static_cast<std::ptrdiff_t>(begin));
 }
 
-// Input points define the plane by their ids; others by the coefficients of (b - a) x (c - a).
+// Input points define the plane by their ids, and other points by the coefficients of (b - a) x (c
+// - a).
 OrientedPlane plane_through(SpaceTables& tables, SpacePoint a, SpacePoint b, SpacePoint c) {
   if (a.is_input() && b.is_input() && c.is_input()) {
     return tables.planes.intern(a.input(), b.input(), c.input());

@@ -36,7 +36,7 @@ class SignedClasses {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
-  /// A face seen from the root of its class.
+  /// The sign of a face relative to the root of its class.
   struct Place {
     std::uint32_t root;
     bool is_opposite;  ///< Whether its sign is opposite to that of the root.
@@ -55,7 +55,7 @@ class SignedClasses {
     }
   }
 
-  /// Demands equal or opposite signs of two faces. Returns whether that united two classes.
+  /// Requires equal or opposite signs of two faces. Returns whether this united two classes.
   bool relate(std::uint32_t i, std::uint32_t j, bool are_opposite) {
     Place a = find(i), b = find(j);
     const bool roots_are_opposite = (a.is_opposite != b.is_opposite) != are_opposite;
@@ -70,12 +70,12 @@ class SignedClasses {
     return true;
   }
 
-  /// Whether demands on the class of a root contradict each other.
+  /// Whether the requirements of the class of a root contradict each other.
   bool has_clash(std::uint32_t root) const { return clash_[root] != 0; }
 
  private:
   std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> is_opposite_;  // The sign of each face, seen from its parent.
+  std::vector<std::uint8_t> is_opposite_;  // The sign of each face relative to its parent.
   std::vector<std::uint8_t> clash_;        // One entry for each root.
 };
 
@@ -89,7 +89,7 @@ struct FaceAtEdge {
       times;  ///< How often it runs from the lesser to the greater end, less how often back.
 };
 
-/// Which faces run along which edges. Faces that run along an edge as often forth as back are left
+/// The faces that use each edge. Faces that use an edge equally often in both directions are left
 /// out, and so are edges without faces.
 struct EdgeFaces {
   std::vector<VertexPair> end;             ///< The ends of each edge, ascending.
@@ -101,7 +101,7 @@ struct EdgeFaces {
   }
 };
 
-/// A face that runs along an edge, in a list to be sorted.
+/// A face that uses an edge, in a list to be sorted.
 struct Run {
   VertexPair end;
   FaceAtEdge at;
@@ -116,7 +116,7 @@ void add_run(std::uint32_t from, std::uint32_t to, FaceAtEdge at, std::vector<Ru
   runs.push_back({{from, to}, at});
 }
 
-/// Sorts runs by edge and face, and adds up those of a face along an edge.
+/// Sorts uses by edge and face, and adds up the uses of a face at an edge.
 EdgeFaces collected(std::vector<Run> runs) {
   std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
     return std::tie(a.end, a.at.face) < std::tie(b.end, b.at.face);
@@ -138,7 +138,7 @@ EdgeFaces collected(std::vector<Run> runs) {
   return edges;
 }
 
-/// Finds which faces to turn.
+/// Finds the faces that must be flipped.
 class FaceOrienter {
  public:
   FaceOrienter(const MeshView& mesh, const MeshVertices& vertices, const Point3Table& table,
@@ -168,7 +168,7 @@ class FaceOrienter {
 
  private:
   void list_edges() {
-    // A run becomes at most one edge with one face.
+    // Each use contributes at most one edge with one face.
     constexpr std::size_t kBytesPerRun =
         sizeof(Run) + sizeof(VertexPair) + sizeof(std::uint32_t) + sizeof(FaceAtEdge);
     memory_.add(
@@ -187,7 +187,7 @@ class FaceOrienter {
     edges_ = collected(std::move(runs));
   }
 
-  // An edge that an odd number of faces use cannot balance, whichever way they face.
+  // An edge with an odd number of faces cannot balance, whatever the directions of the faces are.
   void cut_edges() {
     std::vector<VertexPair> odd;
     for (std::size_t e = 0; e < edges_.end.size(); ++e) {
@@ -215,7 +215,7 @@ class FaceOrienter {
     return sum % 2 != 0;
   }
 
-  /// Relates two faces that balance an edge if they face the right way.
+  /// Relates two faces that balance an edge if their directions are right.
   bool relate(const FaceAtEdge& a, const FaceAtEdge& b) {
     if (std::abs(a.times) != std::abs(b.times)) return false;
     return classes_.relate(a.face, b.face, a.times == b.times);
@@ -229,8 +229,8 @@ class FaceOrienter {
     }
   }
 
-  // Each round unites classes or is the last. Rounds beyond a few would be for meshes that nobody
-  // makes.
+  // Each round except the last unites classes. More than a few rounds are only needed for meshes
+  // that do not occur in practice.
   void relate_rest() {
     constexpr int kMostRounds = 8;
     bool has_united = true;
@@ -243,7 +243,7 @@ class FaceOrienter {
     }
   }
 
-  /// Adds up the faces at an edge for each class; keeps the sums that are not 0, by root.
+  /// For each class, adds up the faces at an edge. Stores the sums that are not 0, by root.
   void sum_classes(std::uint32_t e) {
     sums_.clear();
     for (const FaceAtEdge& at : edges_.of(e)) {
@@ -265,13 +265,13 @@ class FaceOrienter {
 
   void choose() {
     const auto count = static_cast<std::uint32_t>(mesh_.face_count());
-    std::vector<std::uint32_t> opposite(count, 0), size(count, 0);  // Counts for each root.
+    std::vector<std::uint32_t> opposite(count, 0), size(count, 0);  // The counts for each root.
     for (std::uint32_t f = 0; f < count; ++f) {
       const auto [root, is_opposite] = classes_.find(f);
       ++size[root];
       if (is_opposite) ++opposite[root];
     }
-    // For each root, whether the faces with its own sign are turned instead of the others.
+    // For each root, whether the faces with its own sign are flipped instead of the others.
     std::vector<std::uint8_t> turns_root(count, 0);
     std::vector<std::uint32_t> equal;
     for (std::uint32_t r = 0; r < count; ++r) {
@@ -290,12 +290,12 @@ class FaceOrienter {
     }
   }
 
-  /// Chooses for classes with two equal parts: after the turn the volume is positive. If it is 0,
-  /// the part without the least face is turned.
+  /// Chooses for classes with two equal parts. After the flip, the volume is positive. If it is 0,
+  /// the part without the least face is flipped.
   void choose_by_volume(std::span<const std::uint32_t> roots,
                         std::vector<std::uint8_t>& turns_root) {
     if (roots.empty()) return;
-    std::map<std::uint32_t, Rational> volume;  // With the sign of the root's orientation.
+    std::map<std::uint32_t, Rational> volume;  // The sum has the sign of the root's orientation.
     for (const std::uint32_t r : roots) volume[r] = 0;
     for (std::uint32_t f = 0; f < mesh_.face_count(); ++f) {
       if (f % 4096 == 0) context_.checkpoint("orientation", 2, 4);
@@ -342,7 +342,7 @@ class FaceOrienter {
     result_.holes = chains_of(helps ? after : before, memory_, context_);
   }
 
-  /// Returns the edges that do not balance after `flipped` have been turned.
+  /// Returns the edges that do not balance after the faces `flipped` have been flipped.
   EdgeSurpluses surplus() {
     std::vector<std::uint8_t> is_flipped(mesh_.face_count());
     for (const std::uint32_t f : result_.flipped) is_flipped[f] = 1;
@@ -372,7 +372,7 @@ class FaceOrienter {
   const Chains* borders_;  // The borders of the mesh as it is, or null.
   EdgeFaces edges_;
   SignedClasses classes_;
-  std::vector<std::uint32_t> crowded_;  // Edges with more than two faces.
+  std::vector<std::uint32_t> crowded_;  // The edges with more than two faces.
   std::vector<FaceAtEdge> sums_;        // The classes at an edge, by their roots.
   MeshOrientation result_;
 };

@@ -1,18 +1,19 @@
 // Borders, components, signed volumes and fans of a mesh.
 //
-// Borders: the boundary of the sum of all faces, as an integer chain. If it is not 0, edges are cut
-// at vertices that lie on them, so that chains of equal places cancel; the rest balances at every
-// vertex, because it is a boundary, and is traced as closed chains.
+// Borders: the boundary of the sum of all faces is an integer chain. If it is not 0, edges are cut
+// at vertices that lie on them, so that parts at equal places cancel. The rest balances at every
+// vertex, because it is a boundary, and is followed as closed chains.
 //
-// Components: joining facets over plain edges, then over edges where a component alone does not
-// balance. Invariant: every component except the open component balances at each of its edges.
+// Components: facets are joined across plain edges, and then across edges where a component alone
+// does not balance. Invariant: every component except the open component balances at each of its
+// edges.
 //
 // Volumes: sums of cones over a fan of every facet, in doubles with an error bound: first from the
 // origin with one bound for all cones, then from a corner of the component with a bound for each
 // cone, and exactly where that bound is larger than the sum. Jumps give the orientation of the
 // facets.
 //
-// Fans: the comparisons of the header for the three axes at once, as bits of one byte.
+// Fans: the comparisons of the header are made for the three axes at once, as bits of one byte.
 //
 // See docs/design/meshes.md, "Winding numbers", "Components turned inside out" and "Does the mesh
 // meet itself?".
@@ -44,7 +45,7 @@ namespace {
 
 using VertexPair = std::array<std::uint32_t, 2>;
 
-/// Reports progress, and stops if the caller wants it, about every thousand steps of work.
+/// Reports progress, and stops if the caller requests it, after about every thousand steps.
 class StepCounter {
  public:
   StepCounter(std::string_view phase, Context& context) : phase_(phase), context_(context) {}
@@ -67,8 +68,8 @@ EdgeSurpluses imbalances(const MeshFacets& facets, const MeshLinks& links, Memor
     step();
     std::int32_t sum = 0;
     for (const std::uint32_t u : links.uses_of(e)) {
-      // The facet runs `times` times in its canonical direction, counter-clockwise seen from the
-      // positive side: a face seen so from outside has the jump -1.
+      // The facet occurs `times` times in its canonical direction, which is counter-clockwise seen
+      // from the positive side. If a face has this direction seen from outside, its jump is -1.
       const std::int32_t times = -facets.jump[links.facet[u]];
       sum += links.is_forward(facets, u) ? times : -times;
     }
@@ -93,10 +94,11 @@ class InnerVertexSearch {
         context_(context),
         step_("vertices on edges", context) {}
 
-  /// Finds the ends of all edges that lie inside an edge. Vertices with other edges only need no
-  /// look: cutting there changes no balance.
+  /// Finds the ends of all edges that lie inside of an edge. Other vertices need no test, because a
+  /// cut there does not change the balance.
   InnerVertices find(std::span<const VertexPair> edges) {
-    constexpr std::size_t kBytesPerEnd = 2 * sizeof(std::uint32_t) + sizeof(Box3) + 76;  // A tree.
+    // The memory of a tree.
+    constexpr std::size_t kBytesPerEnd = 2 * sizeof(std::uint32_t) + sizeof(Box3) + 76;
     memory_.add(2 * edges.size() * kBytesPerEnd, "vertices on edges");
     for (const VertexPair& edge : edges) ends_.insert(ends_.end(), edge.begin(), edge.end());
     std::sort(ends_.begin(), ends_.end());
@@ -120,7 +122,7 @@ class InnerVertexSearch {
   }
 
  private:
-  /// Gathers the vertices inside the edge, from its first end to its second.
+  /// Collects the vertices inside of the edge, from its first end to its second end.
   void gather_inner(const VertexPair& edge, const BoxTree& tree) {
     inner_.clear();
     const std::size_t axis = axis_of(edge);
@@ -203,13 +205,13 @@ class InnerVertexSearch {
   Context& context_;
   StepCounter step_;
   std::vector<std::uint32_t> ends_;   // The ends of all edges, ascending.
-  std::vector<std::uint32_t> inner_;  // The vertices inside the edge at hand.
+  std::vector<std::uint32_t> inner_;  // The vertices inside of the current edge.
 };
 
 // ---------------------------------------------------------------- chains
 
-/// Walks directed edges, of which as many lead into every vertex as out of it, and cuts loops off
-/// the walk. So every chain is simple.
+/// Walks along directed edges, of which equally many enter and leave every vertex, and cuts off
+/// loops. Therefore every chain is simple.
 class ChainWalker {
  public:
   ChainWalker(const EdgeSurpluses& surplus, MemoryCharge& memory, Context& context)
@@ -219,7 +221,8 @@ class ChainWalker {
       count += static_cast<std::size_t>(std::abs(s.times));
       vertex_.insert(vertex_.end(), s.end.begin(), s.end.end());
     }
-    // Besides the targets, every edge is in one chain, most of which have at least three edges.
+    // Apart from the targets, every edge is in one chain, and most chains have at least three
+    // edges.
     memory.add((vertex_.size() + count) * 4 * sizeof(std::uint32_t), "the borders of a mesh");
     std::sort(vertex_.begin(), vertex_.end());
     vertex_.erase(std::unique(vertex_.begin(), vertex_.end()), vertex_.end());
@@ -249,16 +252,16 @@ class ChainWalker {
       for (std::int32_t i = 0; i < std::abs(s.times); ++i) target_[end_[from]++] = to;
     }
   }
-  /// Returns the vertex from which an edge must lead to balance the surplus: the lesser one if the
-  /// edge is run downward too often.
+  /// Returns the vertex at which an edge must begin to balance the surplus. It is the lesser vertex
+  /// if the edge occurs too often in the downward direction.
   static std::uint32_t start_of(const EdgeSurplus& s) { return s.end[s.times < 0 ? 0 : 1]; }
   std::uint32_t number_of(std::uint32_t v) {
     step_();
     return static_cast<std::uint32_t>(std::ranges::lower_bound(vertex_, v) - vertex_.begin());
   }
 
-  /// Walks until it is back at the start, which it reaches since as many edges lead out of every
-  /// vertex as into it.
+  /// Walks until the start is reached again. This happens because equally many edges enter and
+  /// leave every vertex.
   void walk(std::uint32_t start) {
     path_ = {start};
     place_[start] = 0;
@@ -275,7 +278,7 @@ class ChainWalker {
     place_[start] = kNone;
   }
 
-  /// Makes a chain of the path from a vertex that is reached again.
+  /// Makes a chain of the part of the path since a vertex that is reached again.
   void cut_loop(std::size_t from) {
     std::vector<std::uint32_t>& chain = chains_.emplace_back();
     chain.reserve(path_.size() - from);
@@ -287,12 +290,14 @@ class ChainWalker {
   }
 
   StepCounter step_;
-  std::vector<std::uint32_t> vertex_;  // The vertices, ascending. Below, they are numbers here.
-  std::vector<std::uint32_t> target_;  // Where edges lead, by the vertex from which they lead.
-  std::vector<std::uint32_t> begin_;   // The first target of each vertex.
-  std::vector<std::uint32_t> end_;     // The end of the targets not yet walked to.
-  std::vector<std::uint32_t> path_;    // The walk, without the loops that were cut off.
-  std::vector<std::uint32_t> place_;   // The place of each vertex in the walk, or kNone.
+  // The vertices in ascending order. The arrays below have indices of this array.
+  std::vector<std::uint32_t> vertex_;
+  // The targets of edges, sorted by the vertices at which the edges begin.
+  std::vector<std::uint32_t> target_;
+  std::vector<std::uint32_t> begin_;  // The first target of each vertex.
+  std::vector<std::uint32_t> end_;    // The end of the targets that have not been visited.
+  std::vector<std::uint32_t> path_;   // The walk, without the loops that were cut off.
+  std::vector<std::uint32_t> place_;  // The place of each vertex in the walk, or kNone.
   std::vector<std::vector<std::uint32_t>> chains_;
 };
 
@@ -358,13 +363,13 @@ namespace {
 /// The sum of the jumps at an edge, for the component of each of its facets.
 using JumpSums = std::vector<std::pair<std::uint32_t, std::int32_t>>;
 
-/// Whether one facet or two lie at the edge of a use.
+/// Whether there are one or two facets at the edge of a use.
 bool is_plain(const SpaceComplex& complex, UseId u) {
   return complex.use_radial[complex.use_radial[u]] == u;
 }
 
-/// Whether the two facets at a plain edge balance: winding numbers rise to the same side. They do
-/// at most edges of most meshes.
+/// Whether the two facets at a plain edge balance, that is, winding numbers increase towards the
+/// same side. They do at most edges of most meshes.
 bool is_balanced(const SpaceComplex& complex, std::span<const std::int32_t> jump, UseId u,
                  UseId v) {
   const std::int32_t at_u = jump[complex.use_facet[u].value()],
@@ -386,8 +391,9 @@ std::vector<UseId> unite_at_plain_edges(const SpaceComplex& complex,
   return rest;
 }
 
-/// Unites the components that run through an edge more often one way than the other, and with them
-/// `one`. Returns a facet of the united component, or `one` if all balance. `sums` is scratch.
+/// Unites the components that use an edge more often in one direction than in the other, and adds
+/// `one` to them. Returns a facet of the united component, or `one` if all components balance.
+/// `sums` is scratch memory.
 std::uint32_t unite_unbalanced(const SpaceComplex& complex, std::span<const std::int32_t> jump,
                                UseId first, UnionFind& classes, JumpSums& sums,
                                std::uint32_t one = kNone) {
@@ -466,7 +472,7 @@ class VolumeSigns {
   }
 
  private:
-  /// A sum of products with what its error bound needs.
+  /// A sum of products, with the data for its error bound.
   struct Sum {
     double value = 0;      ///< The sum in doubles.
     double size = 0;       ///< The sum of the magnitudes of all products.
@@ -486,7 +492,7 @@ class VolumeSigns {
     for (std::size_t c = 0; c < sums.size(); ++c) {
       Sum& sum = sums[c];
       if (sum.is_sure) continue;
-      if (std::fabs(sum.value) > sum.error()) {  // False if anything overflowed.
+      if (std::fabs(sum.value) > sum.error()) {  // If anything overflowed, this is false.
         sum.is_sure = true;
         signs[c] = sign_of(sum.value);
       } else {
@@ -591,7 +597,7 @@ class VolumeSigns {
     });
   }
 
-  /// Computes the sums that are not sure with rationals.
+  /// Computes the sums that are not certain with rationals.
   void decide(const std::vector<Sum>& sums, std::vector<Sign>& signs) const {
     std::vector<Rational> exact(sums.size());
     for (std::uint32_t f = 0; f < complex_.facet_count(); ++f) {
@@ -602,8 +608,8 @@ class VolumeSigns {
     }
   }
 
-  /// Returns the cone over a facet from the origin. The apex does not matter, as the component is
-  /// closed.
+  /// Returns the cone over a facet from the origin. The apex does not matter, because the component
+  /// is closed.
   Rational exact_cone(std::uint32_t f) const {
     Rational sum;
     for_fan(f, [&](SpacePoint p, SpacePoint q, SpacePoint r) {
@@ -618,7 +624,7 @@ class VolumeSigns {
   const SpaceComplex& complex_;
   std::span<const std::int32_t> jump_;
   const std::vector<std::uint32_t>& component_;
-  std::vector<SpacePoint> apex_;  // The apex of each component, once it is known.
+  std::vector<SpacePoint> apex_;  // The apex of each component, after it is known.
 };
 
 }  // namespace
@@ -631,13 +637,13 @@ MeshComponents find_components(const SpaceComplex& complex, std::span<const std:
 
 namespace {
 
-/// A set of axes as bits 0, 1, 2. Along axis i the other two, i + 1 and i + 2, are seen as right
+/// A set of axes as bits 0, 1, 2. In the view along axis i, the axes i + 1 and i + 2 point right
 /// and up.
 using Axes = std::uint8_t;
 constexpr Axes kAllAxes = 7;
 
-/// The axes along which a facet is seen from the positive and from the negative side of its plane.
-/// An axis in neither is undecided.
+/// The axes along which the positive side of a facet's plane is visible, and those along which the
+/// negative side is. An axis in neither set is undecided.
 struct Sides {
   Axes positive = 0;
   Axes negative = 0;
@@ -670,8 +676,8 @@ class FanSearch {
     Axes twice = 0;
   };
 
-  // A component of the row's normal is off by less than the row's error, so a larger one has the
-  // right sign.
+  // The error of a component of the row's normal is less than the error of the row, so a larger
+  // component has the right sign.
   void find_sides() {
     sides_.reserve(complex_.facet_count());
     for (const PlaneId plane : complex_.facet_plane) {
@@ -686,9 +692,10 @@ class FanSearch {
     }
   }
 
-  /// Excludes the axes along which the facets at an edge do not lie on different sides of it. Edge
-  /// uses run with the facet to their left, seen from the positive side: two that run oppositely
-  /// need the same side in view, two that run alike different sides.
+  /// Excludes the axes along which the facets at an edge do not lie on different sides of it. Seen
+  /// from the positive side, the facet is to the left of its edge use. Two uses in opposite
+  /// directions need the same visible side, and two uses in the same direction need different
+  /// visible sides.
   void look_at_edge(EdgeId e) {
     const UseId u = complex_.edge_use[e];
     const UseId v = u.is_valid() ? complex_.use_radial[u] : u;
@@ -704,7 +711,7 @@ class FanSearch {
   }
   const Sides& sides_of(UseId u) const { return sides_[complex_.use_facet[u].value()]; }
 
-  /// Counts the corners of a facet. A triangle of input points costs three comparisons of points.
+  /// Counts the corners of a facet. A triangle of input points takes three comparisons of points.
   void count_turns(FacetId f) {
     const UseId first = complex_.cycles_of(f)[0];
     std::array<UseId, 3> uses{first};
@@ -721,11 +728,12 @@ class FanSearch {
       corner[i] = v.value();
       at[i] = &complex_.planes().point(p.input());
     }
-    std::array<Axes, 3> rises;  // The axes along which side i, to the next corner, rises.
+    std::array<Axes, 3> rises;  // The axes along which side i, to the next corner, leads upward.
     for (std::size_t i = 0; i < 3; ++i) rises[i] = rises_along(*at[i], *at[i == 2 ? 0 : i + 1]);
     const Axes is_reversed = sides_[f.value()].negative;
     for (std::size_t i = 0; i < 3; ++i) {
-      // Counter-clockwise, seen from the positive side: from the next corner to the one before.
+      // Seen from the positive side, the counter-clockwise order is from the next corner to the
+      // previous corner.
       const Axes begins_up = rises[i], ends_up = ~rises[i == 0 ? 2 : i - 1];
       const Axes passes =
           (is_reversed & begins_up & ~ends_up) | (~is_reversed & ~begins_up & ends_up);
@@ -739,7 +747,7 @@ class FanSearch {
     turns.once |= static_cast<Axes>(passes);
   }
 
-  /// Returns the axes along which q is in the upper half-plane around p: above it, or level with it
+  /// Returns the axes along which q is in the upper half-plane around p: above p, or level with p
   /// and to the right.
   static Axes rises_along(const Point3& p, const Point3& q) {
     const std::array<unsigned, 3> above{q.x > p.x, q.y > p.y, q.z > p.z};
@@ -764,9 +772,9 @@ class FanSearch {
       } while (u != first);
     }
   }
-  /// Counts the corner of a use. Axes along which boxes do not decide how its edges run are
-  /// excluded. If both edges run up or both down, the corner passes the direction 0 if and only if
-  /// it is not below half a turn.
+  /// Counts the corner of a use. Axes along which boxes do not determine the directions of its
+  /// edges are excluded. If both edges lead up or both lead down, the corner passes the direction 0
+  /// if and only if it is not less than a half turn.
   void count_turn(FacetId f, UseId u) {
     const VertexId v = complex_.use_origin(u);
     const HalfedgeId next = complex_.use_halfedge[u];
@@ -786,7 +794,7 @@ class FanSearch {
     count(v.value(), (~begins_up & ends_up) | (is_reflex ? is_level : 0));
   }
 
-  /// The axes along which an edge surely runs up, and those along which the boxes decide it.
+  /// The axes along which an edge certainly leads upward, and those along which the boxes decide.
   struct Rises {
     Axes up = 0;
     Axes known = 0;

@@ -36,8 +36,8 @@ namespace {
 /// The number of points whose hashes are computed ahead.
 constexpr std::size_t kBlock = 256;
 
-/// Returns the value, with 0 for -0. Decides by the bits: subnormals stay what they are, whatever
-/// FTZ/DAZ say.
+/// Returns the value, where -0 becomes 0. The bits decide, so subnormal numbers do not change, even
+/// under FTZ and DAZ.
 double without_negative_zero(double value) {
   return std::bit_cast<std::uint64_t>(value) << 1U == 0 ? 0.0 : value;
 }
@@ -62,7 +62,7 @@ struct RationalLess {
   }
 };
 
-/// Adds points one after the other, each place once.
+/// Adds points one after the other. Each place is stored once.
 class VertexMaker {
  public:
   VertexMaker(const MeshView& mesh, SpaceTables& tables) : mesh_(mesh), tables_(tables) {}
@@ -90,7 +90,7 @@ class VertexMaker {
   }
 
  private:
-  /// Gives used points the number 0 instead of kNone; checks all corners.
+  /// Replaces the number kNone of used points by 0, and checks all corners.
   void mark_used() {
     result_.of_point.assign(mesh_.point_count(), kNone);
     for (const std::uint32_t c : mesh_.corners) {
@@ -102,7 +102,7 @@ class VertexMaker {
     }
   }
 
-  /// Returns the vertex `known`, and counts the point as merged unless it is new.
+  /// Returns the vertex `known`. If it is not new, counts the point as merged.
   std::uint32_t take(std::uint32_t known, std::uint32_t next) {
     if (known != next) ++result_.merged;
     return known;
@@ -142,8 +142,8 @@ class VertexMaker {
     return take(vertex_of_input_[input], next);
   }
 
-  /// Finds or adds a rational point. One that doubles hold is found among the doubles, so that
-  /// equal points have one place.
+  /// Finds or adds a rational point. If doubles can represent it, it is searched among the doubles,
+  /// so that equal points have one place.
   std::uint32_t find_or_add(std::uint32_t i, const RationalPoint3& p) {
     const Point3 near{nearest_double(p.x), nearest_double(p.y), nearest_double(p.z)};
     if (is_exactly(near.x, p.x) && is_exactly(near.y, p.y) && is_exactly(near.z, p.z)) {
@@ -215,7 +215,7 @@ bool has_only_triangles(const MeshView& mesh) {
   return true;
 }
 
-/// Whether all corners name points and all coordinates are finite.
+/// Whether all corners refer to points, and all coordinates are finite.
 bool is_sound(const MeshView& mesh) {
   const std::size_t points = mesh.point_count();
   return std::ranges::all_of(mesh.corners, [=](std::uint32_t c) { return c < points; }) &&
@@ -255,7 +255,8 @@ std::vector<MortonCoded> sorted(std::size_t n, CodeOf&& code_of) {
 
 namespace {
 
-constexpr std::size_t kCrowd = 16;  // Comparing so many points costs more than hashing them.
+// For more points, comparing them takes more time than hashing them.
+constexpr std::size_t kCrowd = 16;
 
 /// Whether no cell has more than kCrowd points.
 bool has_no_crowd(std::span<const std::uint32_t> cell) {
@@ -267,7 +268,7 @@ bool has_no_crowd(std::span<const std::uint32_t> cell) {
 
 }  // namespace
 
-// The points of an ordered mesh are finite, and its corners name points.
+// The points of an ordered mesh are finite, and its corners refer to points.
 MeshVertices merge_equal_points(const OrderedMesh& ordered, SpaceTables& tables) {
   const MeshView mesh = ordered.view();
   if (!has_no_crowd(ordered.cell)) return merge_equal_points(mesh, tables);
@@ -278,7 +279,7 @@ MeshVertices merge_equal_points(const OrderedMesh& ordered, SpaceTables& tables)
   places.reserve(mesh.point_count());
   result.input.reserve(mesh.point_count());
   std::uint32_t cell = kNone;
-  std::size_t first = 0;  // The first vertex in the cell of the point at hand.
+  std::size_t first = 0;  // The first vertex in the cell of the current point.
   for (std::uint32_t i = 0; i < mesh.point_count(); ++i) {
     if (ordered.cell[i] != cell) first = places.size();
     cell = ordered.cell[i];

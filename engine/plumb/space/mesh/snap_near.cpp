@@ -2,10 +2,10 @@
 //
 // A vertex v near the middle of an edge a b is inserted into this edge in all its faces, so the
 // edge is replaced by the edges a v and v b everywhere, and the mesh stays closed. A triangle a b v
-// then runs from v to b and back, and vanishes. Other triangles become polygons, which are cut into
-// triangles again, so that the worst triangle is as good as can be. Both new edges are shorter than
-// a b, so a sequence of insertions among the same vertices ends. Faces with more than three corners
-// get the vertex as a further corner.
+// then runs from v to b and back, and vanishes. Other triangles become polygons, which are
+// triangulated again such that the worst triangle is as good as possible. Both new edges are
+// shorter than a b, so a sequence of insertions among the same vertices ends. Faces with more than
+// three corners get the vertex as a further corner.
 //
 // Points of faces move by at most the sum of two distances: of vertices that become one, and of
 // vertices from the edges and triangles into which they are inserted. Distances are computed with
@@ -33,8 +33,8 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 using FacePair = std::pair<std::uint32_t, std::uint32_t>;
 using Vector3 = std::array<double, 3>;
 
-/// The most vertices that are inserted into an edge at once. A face then has few enough corners for
-/// cut(); later rounds insert the others into the shorter edges.
+/// At most so many vertices are inserted into an edge at once. The number of corners of a face then
+/// suits cut(). Later rounds insert the other vertices into the shorter edges.
 constexpr std::size_t kMostOnEdge = 16;
 
 Vector3 difference(const Vector3& a, const Vector3& b) {
@@ -83,7 +83,8 @@ class Snapping {
     result_.changed.assign(input_.face_count(), 0);
     for (std::uint32_t f = 0; f < input_.face_count(); ++f) rebuild(f);
     result_.mesh.points = input_.points;
-    constexpr double kErrors = 0x1p-49;  // Of a height that is computed with coordinates below 2.
+    // This refers to a height that is computed with coordinates below 2.
+    constexpr double kErrors = 0x1p-49;
     const double insertion = insertion_ > 0 ? insertion_ + kErrors : 0;
     result_.largest_move = std::ldexp(merging_ * (1 + kErrors) + insertion, scale_);
     return std::move(result_);
@@ -166,7 +167,7 @@ class Snapping {
     thin_out();
   }
 
-  /// Keeps kMostOnEdge points of an edge that has more, at equal steps.
+  /// If an edge has more than kMostOnEdge points, keeps kMostOnEdge of them at equal steps.
   void thin_out() {
     std::vector<EdgePoint> kept;
     for (std::size_t i = 0, end = 0; i < edge_points_.size(); i = end) {
@@ -251,8 +252,9 @@ class Snapping {
     result_.origin.push_back(f);
   }
 
-  /// Cuts corners_ into the triangles whose worst one is best. best_[i n + j] is the shape of the
-  /// worst triangle between corners i and j, and apex_[i n + j] the corner that their triangle has.
+  /// Cuts corners_ into triangles such that the worst one is as good as possible. The entry best_[i
+  /// n + j] is the shape of the worst triangle between corners i and j, and apex_[i n + j] is the
+  /// third corner of the triangle at these two.
   void cut(std::uint32_t f) {
     const std::size_t n = corners_.size();
     best_.assign(n * n, 1);
@@ -294,11 +296,12 @@ class Snapping {
   std::span<const std::uint8_t> is_damaged_;
   std::span<const FacePair> pairs_;
   int scale_ = 0;            // The exponent of the largest coordinate.
-  double width_ = 0;         // Divided by 2^scale_, as all distances here.
+  double width_ = 0;         // The width divided by 2^scale_, like all distances in this class.
   std::vector<Vector3> at_;  // The points, divided by 2^scale_.
-  PolygonMesh merged_;       // The faces of the input after vertices became one.
-  double merging_ = 0;       // The greatest distance of vertices that became one.
-  double insertion_ = 0;     // The greatest distance of a vertex from where it was inserted.
+  PolygonMesh merged_;       // The faces of the input after vertices were merged.
+  double merging_ = 0;       // The greatest distance of merged vertices.
+  // The greatest distance of a vertex from the place where it was inserted.
+  double insertion_ = 0;
   std::vector<EdgePoint> edge_points_;
   std::vector<FacePair> face_points_;  // A face, and the vertex inside it.
   std::vector<std::uint32_t> corners_;

@@ -36,7 +36,7 @@
 namespace plumb {
 namespace {
 
-/// The test of one mesh.
+/// Tests one mesh.
 class StarTest {
  public:
   StarTest(const MeshFacets& facets, std::span<const SpacePoint> point, const Point3Table& points)
@@ -68,8 +68,9 @@ class StarTest {
     return std::isfinite(centre_.x) && std::isfinite(centre_.y) && std::isfinite(centre_.z);
   }
 
-  /// Returns the sign that the volumes of the cones from the centre over all facets have; Zero if
-  /// they differ or are not known. The inner side of a facet is the negative one if its jump is -1.
+  /// Returns the common sign of the volumes of the cones from the centre over all facets. Returns
+  /// Zero if they differ or are not known. The inner side of a facet is the negative side if its
+  /// jump is -1.
   Sign common_orientation() const {
     const PointBox centre{{centre_.x, centre_.y, centre_.z}, 0};
     Sign common = Sign::Zero;
@@ -86,9 +87,9 @@ class StarTest {
     return common;
   }
 
-  /// Whether the ray from the centre along x meets exactly one facet. Only facets whose normal away
-  /// from the centre runs along x can be met. False if one that would be met is nearly parallel to
-  /// the ray, or if it is not known whether one is met.
+  /// Whether the ray from the centre along x meets exactly one facet. It can only meet facets whose
+  /// normal away from the centre has a positive x component. Returns false if a facet that would be
+  /// met is nearly parallel to the ray, or if it is not known whether one is met.
   bool is_hit_once(Sign orientation) const {
     std::size_t hits = 0;
     for (std::size_t f = 0; f < facets_.size(); ++f) {
@@ -129,8 +130,8 @@ class StarTest {
     return is_inside;
   }
 
-  /// Whether y of a vertex is greater than y of the centre. Nothing if the box does not tell. The
-  /// difference is rounded, so it has to be twice the radius.
+  /// Whether y of a vertex is greater than y of the centre. Returns nothing if the box does not
+  /// decide. The difference is rounded, so it must be at least twice the radius.
   std::optional<bool> is_above(const PointBox& p) const {
     if (p.radius == 0) return p.mid[1] > centre_.y;
     const double y = p.mid[1] - centre_.y;

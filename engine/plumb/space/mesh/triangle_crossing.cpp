@@ -43,8 +43,9 @@ class CornerSigns {
 
   Sign side_of(const Corner& c, const Triangle& t) const { return side(points_, c.point, t.plane); }
 
-  /// Returns how p q passes a b: Positive if counter-clockwise, seen from a. Requires that a b
-  /// crosses the plane of p and q, which is not parallel to it.
+  /// Returns the sign of the turn from p to q around a b. It is Positive if the turn is
+  /// counter-clockwise, seen from a. Requires that a b crosses the plane of p and q, and is not
+  /// parallel to it.
   Sign pass(const Corner& a, const Corner& b, const Corner& p, const Corner& q) const {
     if (are_inputs(a, b) && are_inputs(p, q)) return orient3d(at(a), at(b), at(p), at(q));
     return orient3d(exact_at(a), exact_at(b), exact_at(p), exact_at(q));
@@ -109,7 +110,7 @@ class CornerSigns {
   const Point3Table& points_;
 };
 
-/// How the corners of two triangles coincide.
+/// The coincidences of the corners of two triangles.
 struct Common {
   std::size_t count = 0;
   std::array<std::size_t, 2> of_first{};
@@ -150,9 +151,10 @@ class PairTest {
   }
 
  private:
-  /// Tests triangles with two common corners. Both run around the triangle with the positive side
-  /// up, so on one side of a common edge they run along it in the same direction. A common side
-  /// that is a diagonal of a facet is no common edge: then its points are common points elsewhere.
+  /// Tests triangles with two common corners. Both triangles are counter-clockwise seen from the
+  /// positive side. If they are on the same side of a common edge, they have the same direction
+  /// along it. A common side that is a diagonal of a facet is not a common edge, so its points are
+  /// common points at other places.
   static bool meet_at_side(const Triangle& s, const Triangle& t, const Common& common) {
     const auto [i, j] = common.of_first;
     const auto [k, l] = common.of_second;
@@ -164,9 +166,9 @@ class PairTest {
   // ---------------------------------------------------------------- one common corner
 
   /// Tests triangles with one common corner v. In one plane their sectors overlap if and only if a
-  /// bounding direction of one lies in the other. In two planes both sectors must have directions
-  /// on both sides of the other's plane (or in it): then each meets the common line of the planes
-  /// in a ray from v, and it remains to test whether these rays are one.
+  /// bounding direction of one lies in the other. In two planes, both sectors must have directions
+  /// on both sides of the other's plane, or in it. Then each meets the common line of the planes in
+  /// a ray from v, and it remains to test whether these rays are equal.
   bool meet_at_corner(const Triangle& s, std::size_t i, const Triangle& t, std::size_t j) const {
     const Corner &v = s.corner[i], &a = s.corner[next(i)], &b = s.corner[next(next(i))];
     const Corner &c = t.corner[next(j)], &d = t.corner[next(next(j))];
@@ -175,12 +177,12 @@ class PairTest {
              is_in_sector(s.plane, v, c, d, a) || is_in_sector(s.plane, v, c, d, b);
     }
     const Sign side_a = signs_.side_of(a, t), side_b = signs_.side_of(b, t);
-    if (side_a == side_b) return false;  // Both 0 would mean one plane.
+    if (side_a == side_b) return false;  // If both were 0, the triangles would be in one plane.
     const Sign side_c = signs_.side_of(c, s), side_d = signs_.side_of(d, s);
     if (side_c == side_d) return false;
-    // Both meet the common line of the planes in a piece that begins at v. They leave v the same
-    // way if and only if the segment a b, which crosses the plane of t, does so within the sector
-    // of t.
+    // Both meet the common line of the planes in a segment that begins at v. These segments have
+    // the same direction if and only if the segment a b crosses the plane of t within the sector of
+    // t.
     if (side_a == Sign::Zero) return is_in_sector(t.plane, v, c, d, a);
     if (side_b == Sign::Zero) return is_in_sector(t.plane, v, c, d, b);
     return signs_.pass(a, b, v, c) * side_a != Sign::Negative &&
@@ -215,8 +217,8 @@ class PairTest {
     return sides[0] != Sign::Zero && sides[0] == sides[1] && sides[1] == sides[2];
   }
 
-  /// Whether a side of s meets t. For a side in the plane of t its ends are enough: where only its
-  /// inside meets t, a side of t meets it.
+  /// Whether a side of s meets t. If the side lies in the plane of t, only its ends are tested. If
+  /// only its interior meets t, a side of t meets it.
   bool some_side_meets(const Triangle& s, const std::array<Sign, 3>& sides,
                        const Triangle& t) const {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -235,8 +237,8 @@ class PairTest {
     }
     return true;
   }
-  /// Whether the segment a b, whose ends are on different sides of t's plane, meets t: it passes no
-  /// side on the outside.
+  /// Whether the segment a b meets t. Requires that its ends are on different sides of the plane of
+  /// t. The segment meets t if it passes no side on the outside.
   bool is_pierced(const Triangle& t, const Corner& a, const Corner& b, Sign side_of_a) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Sign pass = signs_.pass(a, b, t.corner[i], t.corner[next(i)]);
@@ -264,8 +266,8 @@ struct Direction {
   double error = Box3::kInfinity;
 };
 
-/// Returns the direction from one point to another. The difference is scaled by its largest
-/// coordinate first, so that nothing overflows or is lost to subnormals.
+/// Returns the direction from one point to another. The difference is first scaled by its largest
+/// coordinate, so that nothing overflows, and no subnormal number is lost.
 Direction direction(const PointBox& from, const PointBox& to) {
   std::array<double, 3> d;
   double most = 0;
@@ -273,7 +275,7 @@ Direction direction(const PointBox& from, const PointBox& to) {
     d[i] = to.mid[i] - from.mid[i];
     most = std::max(most, std::fabs(d[i]));
   }
-  // Points too close together, or coordinates that overflow, give no direction.
+  // If the points are too close together, or coordinates overflow, there is no direction.
   if (!(most > 0x1p-1000 && most < Box3::kInfinity)) return {};
   double square = 0;
   for (double& x : d) x /= most, square += x * x;
@@ -289,8 +291,9 @@ Direction direction(const PointBox& from, const PointBox& to) {
 
 }  // namespace
 
-// A triangle of a large facet belongs to the facet's group. Of the others, each goes to its corner
-// with the most triangles; of equal ones, the greatest vertex, so that the choice is unique.
+// A triangle of a large facet belongs to the group of the facet. Each other triangle belongs to the
+// corner with the most triangles. If there are several, the greatest vertex is used, so that the
+// choice is unique.
 TriangleGroups group_triangles(std::span<const FacetTriangle> triangles, std::size_t vertex_count) {
   constexpr std::uint32_t kMany = TriangleGroups::kMany;
   std::vector<std::uint32_t> degree(vertex_count, 0), group_at(vertex_count, kNone);
@@ -318,7 +321,7 @@ TriangleGroups group_triangles(std::span<const FacetTriangle> triangles, std::si
       groups.of[t] = is_around ? group : facet_group;
     }
   }
-  // A triangle makes a pair with each one of its group that came before it.
+  // A triangle makes a pair with each earlier triangle of its group.
   std::vector<std::uint64_t> size(groups.hub.size(), 0);
   for (const std::uint32_t g : groups.of) {
     if (g != kNone) groups.pairs += size[g]++;

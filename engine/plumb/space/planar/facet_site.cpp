@@ -3,10 +3,11 @@
 // Directions in the plane n of a facet are sign (n x m) for another plane m of the line, so the
 // turn from one to another is the sign of a det3. A cycle runs counter-clockwise around the area of
 // all that it surrounds if it is outer, and clockwise around the area of its holes, or around none,
-// if it is not. So the sign of the area that it winds around tells, if boxes of the vertices give
-// this sign. Otherwise, it is decided at the lexicographically least vertex: all edges leave it
-// within half a turn, so its corner on the inside is less than half a turn if and only if the cycle
-// is outer. If the cycle passes that vertex several times, all corners there have to be such.
+// if it is not. So the sign of the area that it winds around decides, if the boxes of the vertices
+// determine this sign. Otherwise, it is decided at the lexicographically least vertex: all edges
+// leave it within half a turn, so its corner on the inside is less than half a turn if and only if
+// the cycle is outer. If the cycle passes that vertex several times, all corners there have to be
+// such.
 //
 // Nesting: the region of all facets of a plane lies to the left of their edges. Below the least
 // point of a hole is an edge of the outer cycle of its facet, or of another hole of the same facet,
@@ -83,10 +84,10 @@ Sign corner_sign(const SpaceComplex& complex, UseId u) {
 
 namespace {
 
-/// Returns the sign of the area that a cycle winds around, counter-clockwise. Unsure if the boxes
-/// of its vertices do not give it. The area is the sum of triangles from the first vertex. Their
-/// errors are those of turn_of_nearby(), and a sum of n terms is off by n roundings of all
-/// products.
+/// Returns the sign of the area that a cycle winds around counter-clockwise. Returns Unsure if the
+/// boxes of its vertices do not determine it. The area is the sum of triangles from the first
+/// vertex. Their errors are those of turn_of_nearby(), and the error of a sum of n terms is n
+/// roundings of all products.
 FilteredSign area_sign(const SpaceComplex& complex, UseId cycle) {
   const Point3Table& points = complex.points();
   const FlatView view =
@@ -107,13 +108,13 @@ FilteredSign area_sign(const SpaceComplex& complex, UseId cycle) {
     ax = bx;
     ay = by;
   }
-  const double off = 2 * radius + 0x1p-1000;  // Of a difference.
+  const double off = 2 * radius + 0x1p-1000;  // The bound applies to a difference.
   const double error = 2 * (2 * off * reach + terms * (2 * off * off + 0x1p-50 * products));
   if (area > error) return FilteredSign::Positive;
   return area < -error ? FilteredSign::Negative : FilteredSign::Unsure;
 }
 
-/// As is_outer(). Calls count_step() at each corner if the area does not tell.
+/// Returns the result of is_outer(). Calls count_step() at each corner if the area does not decide.
 template <class CountStep>
 bool is_outer_counted(const SpaceComplex& complex, UseId cycle, const CountStep& count_step) {
   const FilteredSign area = area_sign(complex, cycle);
@@ -145,7 +146,7 @@ bool is_outer(const SpaceComplex& complex, UseId cycle) {
 
 namespace {
 
-/// A point at which no edge ends, and the edge just below it.
+/// A point at which no edge ends, and the edge directly below it.
 struct PointAbove {
   std::uint32_t point;
   std::uint32_t edge;
@@ -157,7 +158,7 @@ struct LeftSide {
   Sign side;
 };
 
-/// The sweep. It asks for planes through edges, as points may be of the frame, which have no
+/// The sweep. It uses planes through edges, because points may be on the frame, where they have no
 /// coordinates.
 class BelowSweep final : RegionSweep {
  public:
@@ -173,7 +174,7 @@ class BelowSweep final : RegionSweep {
       count_step();
       const auto [begin, end] = edges_ending(v);
       const std::uint32_t below = edge_below(begin);
-      // The point is in the region if the edge just below it has the region above it.
+      // The point is in the region if the region is above the edge directly below the point.
       if (begin == end && below != kNone && edges_[below].is_lower) {
         found.push_back({order_[v], below});
       }
@@ -185,7 +186,8 @@ class BelowSweep final : RegionSweep {
 
  private:
   Sign turn(std::uint32_t edge, std::uint32_t rank) const override {
-    // Left of the use is left of the edge if the edge runs from its lesser end to its greater one.
+    // The left side of the use is the left side of the edge if the edge leads from its lesser end
+    // to its greater end.
     const auto& [plane, positive] = left_side_[edge];
     const Sign left = positive * flat_.side(order_[rank], plane);
     return edges_[edge].is_lower ? left : -left;
@@ -228,7 +230,7 @@ class Nesting {
   }
 
  private:
-  /// Checks the limits after every few thousand corners, however these are divided into cycles.
+  /// Checks the limits after each few thousand corners, however these are distributed over cycles.
   void count_step() {
     constexpr std::size_t kStepsPerCheck = 4096;
     if (++steps_ % kStepsPerCheck == 0) context_.check_limits("cycles of a plane");
@@ -242,7 +244,7 @@ class Nesting {
       u = complex_.use_next[u];
     } while (u != first);
   }
-  /// Returns the point of flat_ that shows a vertex.
+  /// Returns the point of flat_ that represents a vertex.
   std::uint32_t index(VertexId v) const {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(shown_, v) - shown_.begin());
   }
@@ -277,8 +279,8 @@ class Nesting {
     cycle_of_edge_.push_back(cycle);
   }
 
-  /// Notes the least point of each hole. A point is the least one of one hole at most: what is to
-  /// its left belongs to one facet.
+  /// Notes the least point of each hole. A point is the least point of at most one hole, because
+  /// the cells to its left belong to one facet.
   void find_least_points(std::span<const std::uint32_t> holes) {
     hole_at_.assign(shown_.size(), kNone);
     for (const std::uint32_t c : holes) {
@@ -293,10 +295,10 @@ class Nesting {
 
   /// Resolves holes and points in the order of the sweep.
   void find_facets(CycleNesting& found) {
-    std::vector<std::uint32_t> around(shown_.size(), kNone);  // An outer cycle for each point.
+    std::vector<std::uint32_t> around(shown_.size(), kNone);  // For each point, an outer cycle.
     for (const PointAbove& p : BelowSweep(flat_, edges_, left_side_, context_).run()) {
-      // The cycle below has its outer cycle already: it is outer, or a hole whose least point came
-      // before.
+      // The outer cycle of the cycle below is already known: the cycle is outer, or it is a hole
+      // whose least point was visited before.
       around[p.point] = found.of_cycle[cycle_of_edge_[p.edge]];
       const std::uint32_t hole = hole_at_[p.point];
       if (hole != kNone) found.of_cycle[hole] = around[p.point];
@@ -318,9 +320,9 @@ class Nesting {
   std::vector<VertexId> shown_;  // The vertex of each point of flat_, ascending.
   std::vector<IndexEdge> edges_;
   std::vector<LeftSide> left_side_;           // One entry for each edge.
-  std::vector<std::uint32_t> cycle_of_edge_;  // An index of cycles_ for each edge.
+  std::vector<std::uint32_t> cycle_of_edge_;  // For each edge, an index of cycles_.
   std::size_t steps_ = 0;
-  std::vector<std::uint32_t> hole_at_;  // The hole of which each point is the least one.
+  std::vector<std::uint32_t> hole_at_;  // For each point, the hole of which it is the least point.
 };
 
 }  // namespace

@@ -4,8 +4,9 @@
 // lexicographic direction twice, so that it goes around once. Any other polygon is tested by a
 // sweep that stops at the first place where segments meet other than in common ends.
 //
-// A facet is a triangle (nothing to do), or a polygon whose fan from one corner has left turns
-// only, or is cut by the sweep of triangulate(), which takes holes, slits and inner vertices.
+// A facet may be a triangle already, or a polygon whose fan from one corner has left turns only.
+// Any other facet is triangulated by the sweep of triangulate(), which also accepts holes, slits
+// and inner vertices.
 //
 // Tested by tests/space/triangulate_test.cpp and tests/space/from_mesh_test.cpp.
 
@@ -40,7 +41,7 @@ bool is_convex(const FlatPoints& points, std::span<const std::uint32_t> polygon)
   return changes == 2 && turn != Sign::Zero;
 }
 
-/// Finds out whether segments meet in other places than common ends.
+/// Finds out whether segments meet at places other than common ends.
 class TouchVisitor final : public SweepVisitor {
  public:
   bool on_event(const SweepEvent& event) override {
@@ -53,7 +54,7 @@ class TouchVisitor final : public SweepVisitor {
   bool is_crossing_ = false;
 };
 
-/// Whether edges meet in other places than common ends.
+/// Whether edges meet at places other than common ends.
 bool is_crossing(const FlatPoints& points, std::span<const IndexEdge> edges, Context& context) {
   std::vector<SweepSegment> segments;
   for (const IndexEdge& e : edges) segments.push_back({e[0], e[1]});
@@ -62,7 +63,7 @@ bool is_crossing(const FlatPoints& points, std::span<const IndexEdge> edges, Con
   return visitor.is_crossing();
 }
 
-/// Whether a corner comes twice.
+/// Whether a corner occurs twice.
 bool has_repeats(std::span<const std::uint32_t> polygon) {
   std::vector<std::uint32_t> sorted(polygon.begin(), polygon.end());
   std::sort(sorted.begin(), sorted.end());
@@ -78,8 +79,8 @@ void cancel_reverses(std::vector<IndexEdge>& edges) {
   std::sort(edges.begin(), edges.end(), [&](const IndexEdge& a, const IndexEdge& b) {
     return std::pair(key(a), a) < std::pair(key(b), b);
   });
-  // Of one undirected edge, all of one direction come first, then all reverses: each of these
-  // cancels one of the others.
+  // The entries of one undirected edge are consecutive: first one direction, and then the reverse.
+  // Each reverse cancels one entry of the first direction.
   std::size_t kept = 0;
   for (const IndexEdge& e : edges) {
     if (kept > 0 && edges[kept - 1] == IndexEdge{e[1], e[0]}) {
@@ -126,8 +127,8 @@ void FacetTriangles::cut(FacetId f) {
   PLUMB_CHECK(triangulate(flat_, edges_, triangles_));
 }
 
-/// Cuts the facet into a fan from its first corner. Returns false if a triangle there does not turn
-/// left; if all do, the simple polygon is star-shaped around that corner.
+/// Cuts the facet into a fan from its first corner. Returns false if a triangle of the fan does not
+/// turn left. If all turn left, the simple polygon is star-shaped around that corner.
 bool FacetTriangles::cut_as_fan(FacetId f) {
   UseId u = complex_.use_next[complex_.cycles_of(f)[0]];
   for (std::size_t i = 1; i + 1 < edges_.size(); ++i, u = complex_.use_next[u]) {
@@ -139,8 +140,8 @@ bool FacetTriangles::cut_as_fan(FacetId f) {
 }
 
 /// Returns the turn of a triangle whose second and third corner are the ends of a use. If it is
-/// unclear, and a corner is constructed, it is the side of a plane through the edge, which takes
-/// smaller numbers than three points.
+/// unclear and a corner is constructed, the side of a plane through the edge is computed, which
+/// needs smaller numbers than three points.
 Sign FacetTriangles::turn_at_edge(FacetId f, UseId u, const IndexTriangle& t) const {
   const auto point = [&](std::size_t i) { return complex_.vertex_point[shown_[t[i]]]; };
   const FilteredSign s = flat_.nearby_orient(t[0], t[1], t[2]);

@@ -1,4 +1,5 @@
-// Exact predicates of points in a view, the sweep over a region, its triangles, Delaunay flips.
+// Exact predicates of points in a view, the sweep over a region, its triangulation, and Delaunay
+// flips.
 //
 // Triangulation: the sweep keeps, for the part of the region above each lower edge on the sweep
 // line, the chain of points behind it that no triangle has closed off. Invariant: between the two
@@ -38,7 +39,7 @@ FlatView FlatView::of_plane(const PlaneTable& planes, PlaneId plane) {
   for (std::size_t i = 1; i < 3; ++i) {
     if (std::fabs(row.n[i]) > std::fabs(row.n[view.axis])) view.axis = i;
   }
-  view.is_mirrored = row.n[view.axis] < 0;  // |n| >= 1/2 there, so this is the exact sign.
+  view.is_mirrored = row.n[view.axis] < 0;  // Here |n| >= 1/2, so this is the exact sign.
   return view;
 }
 
@@ -141,7 +142,7 @@ Sign FlatPoints::compare(std::uint32_t i, std::uint32_t j) const {
   return x != Sign::Zero ? x : compare_along(i, j, 1);
 }
 
-// Unless all four are input points, the sign is computed with rationals at once.
+// Unless all four are input points, the sign is computed with rationals immediately.
 Sign FlatPoints::incircle(std::uint32_t i, std::uint32_t j, std::uint32_t k,
                           std::uint32_t l) const {
   const Entry &a = at_[i], &b = at_[j], &c = at_[k], &d = at_[l];
@@ -171,7 +172,8 @@ RegionSweep::RegionSweep(const PlanarPoints& points, std::span<const IndexEdge> 
   edges_.reserve(edges.size());
   for (const IndexEdge& e : edges) {
     const std::uint32_t from = rank_[e[0]], to = rank_[e[1]];
-    // The region lies to the left: above an edge that runs to the right, below one that runs back.
+    // The region lies to the left of an edge: above an edge that leads to the right, and below an
+    // edge that leads back.
     edges_.push_back({std::min(from, to), std::max(from, to), from < to});
   }
 }
@@ -187,7 +189,7 @@ void RegionSweep::rank_points() {
   for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
 }
 
-// Edges that leave one point enter the status together, so they are sorted there beforehand.
+// Edges that leave the same point enter the status together, so they are sorted in advance.
 void RegionSweep::start() {
   starts_.resize(edges_.size());
   std::iota(starts_.begin(), starts_.end(), 0U);
@@ -205,14 +207,16 @@ bool RegionSweep::is_below(std::uint32_t a, std::uint32_t b) const {
   const SweepEdge &p = edges_[a], &q = edges_[b];
   if (p.left == q.left) {
     const Sign side = turn(a, q.right);
-    // These are the two halves of a slit: what is below it ends before what is above begins.
+    // These edges are the two halves of a slit. The region below it ends before the region above
+    // begins.
     return side == Sign::Zero ? !p.is_lower && q.is_lower : side == Sign::Positive;
   }
   if (p.left < q.left) return turn(a, q.left) == Sign::Positive;
   return turn(b, p.left) == Sign::Negative;
 }
 
-// Edges that end in one point are neighbours in the status, so one of them leads to all.
+// Edges that end in the same point are neighbours in the status, so one of them leads to all of
+// them.
 std::pair<RegionSweep::Place, RegionSweep::Place> RegionSweep::edges_ending(std::uint32_t v) {
   if (incoming_[v] == kNone) {
     const Place at = status_.lower_bound(Probe{v});
@@ -279,21 +283,22 @@ class RegionCut final : RegionSweep {
     nodes_[above].below = below;
   }
 
-  /// Adds the triangle of the new point v and two neighbours of a chain, if v sees them both.
+  /// Adds the triangle of the new point v and two neighbours of a chain, if both are visible from
+  /// v.
   bool close_off(std::uint32_t v, std::uint32_t upper, std::uint32_t lower) {
     const std::uint32_t u = nodes_[upper].rank, l = nodes_[lower].rank;
     if (orient(v, u, l) != Sign::Positive) return false;
     triangles_->push_back({order_[v], order_[u], order_[l]});
     return true;
   }
-  /// Closes off triangles downward from a node, and returns the last one that v sees.
+  /// Closes off triangles downward from a node, and returns the last node that is visible from v.
   std::uint32_t walk_down(std::uint32_t v, std::uint32_t node) {
     while (nodes_[node].below != kNone && close_off(v, node, nodes_[node].below)) {
       node = nodes_[node].below;
     }
     return node;
   }
-  /// Closes off triangles upward from a node, and returns the last one that v sees.
+  /// Closes off triangles upward from a node, and returns the last node that is visible from v.
   std::uint32_t walk_up(std::uint32_t v, std::uint32_t node) {
     while (nodes_[node].above != kNone && close_off(v, nodes_[node].above, node)) {
       node = nodes_[node].above;
@@ -317,8 +322,8 @@ class RegionCut final : RegionSweep {
     const bool is_inside_below = below != kNone && edges_[below].is_lower;
     if (!alternates(begin, end, is_inside_below)) return false;
 
-    // Between ending edges the region is closed off completely; below the lowest and above the
-    // highest of them it goes on, with the chains that v sees.
+    // Between ending edges, the region is closed off completely. Below the lowest and above the
+    // highest of them it continues, with the chains that are visible from v.
     ChainPart low, high;
     if (begin == end) {
       if (is_inside_below) split(v, chain_[below], low, high);
@@ -346,7 +351,8 @@ class RegionCut final : RegionSweep {
   /// Divides the chain of the part above `below`, in which v lies, at its rightmost point, which
   /// both sides keep.
   void split(std::uint32_t v, const Chain& below, ChainPart& low, ChainPart& high) {
-    // The rightmost point is the last one swept in this part, so nothing lies between it and v.
+    // The rightmost point is the last one that was swept in this part, so no point lies between it
+    // and v.
     const std::uint32_t middle = below.rightmost, above = nodes_[middle].above;
     const std::uint32_t copy = add_node(nodes_[middle].rank);
     if (above != kNone) link(copy, above);
@@ -367,7 +373,7 @@ class RegionCut final : RegionSweep {
       return true;
     });
     if (!alternates || is_inside != high.is_there()) return false;
-    // Without edges that leave, the parts below and above become one.
+    // If no edges leave, the parts below and above become one part.
     if (top == kNone) {
       if (low.is_there()) close_parts(v, below, low, high);
       return true;
@@ -385,7 +391,7 @@ class RegionCut final : RegionSweep {
     return true;
   }
 
-  /// Links both sides at v, from which no edge leaves.
+  /// Links both sides at v, which no edge leaves.
   void close_parts(std::uint32_t v, std::uint32_t below, ChainPart low, ChainPart high) {
     const std::uint32_t node = add_node(v);
     link(low.inner, node);
@@ -409,7 +415,7 @@ bool triangulate(const PlanarPoints& points, std::span<const IndexEdge> edges,
 
 namespace {
 
-/// Flips sides of triangles. Side 3 t + i of triangle t runs from corner i to the next one.
+/// Flips sides of triangles. Side 3 t + i of triangle t leads from corner i to the next corner.
 class DelaunayFlips {
  public:
   DelaunayFlips(const PlanarPoints& points, std::span<const IndexEdge> edges,
@@ -438,9 +444,10 @@ class DelaunayFlips {
   static std::uint32_t before(std::uint32_t s) { return s % 3 == 0 ? s + 2 : s - 1; }
   std::uint32_t& origin(std::uint32_t s) { return triangles_[s / 3][s % 3]; }
 
-  /// Finds for each side that is no given edge the side across.
+  /// For each side that is not a given edge, finds the side on the other side of it.
   void pair_sides(std::span<const IndexEdge> edges) {
-    using Entry = std::pair<IndexEdge, std::uint32_t>;  // The ends, ascending, and the side.
+    // The two ends in ascending order, and the side.
+    using Entry = std::pair<IndexEdge, std::uint32_t>;
     std::vector<Entry> entries;
     const auto key = [](std::uint32_t a, std::uint32_t b) {
       return IndexEdge{std::min(a, b), std::max(a, b)};
@@ -464,8 +471,8 @@ class DelaunayFlips {
     }
   }
 
-  /// Whether the point across lies inside the circle of the triangle; or on it, if the flip joins
-  /// the lowest index.
+  /// Whether the opposite point lies inside of the circle of the triangle, or on it, if the flip
+  /// joins the lowest index.
   bool should_flip(std::uint32_t s) {
     const std::uint32_t a = origin(s), b = origin(after(s)), c = origin(before(s));
     const std::uint32_t d = origin(before(other_[s]));
@@ -478,7 +485,7 @@ class DelaunayFlips {
     const std::uint32_t t = other_[s];
     const std::uint32_t c = origin(before(s)), d = origin(before(t));
     const std::uint32_t bc = other_[after(s)], ad = other_[after(t)];
-    // (d, c, a) takes the place of (a, b, c), and (c, d, b) that of (b, a, d).
+    // The triangle (d, c, a) replaces (a, b, c), and (c, d, b) replaces (b, a, d).
     const std::uint32_t a = origin(s), b = origin(t);
     const std::uint32_t ca = other_[before(s)], db = other_[before(t)];
     set(s, d, c, a);
@@ -500,7 +507,8 @@ class DelaunayFlips {
 
   const PlanarPoints& points_;
   std::span<IndexTriangle> triangles_;
-  std::vector<std::uint32_t> other_;  // The side across each side; kNone at given edges.
+  // For each side, the side on the other side of it; kNone at given edges.
+  std::vector<std::uint32_t> other_;
 };
 
 }  // namespace

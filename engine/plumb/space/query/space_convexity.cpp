@@ -52,9 +52,10 @@ class ConvexityTest {
     return true;
   }
 
-  /// Whether two facets meet at an edge with at most half a turn inside V. The use s (n x d), s = 1
-  /// of half-edge 2e and -1 of 2e + 1, gives the direction from the edge, d along 2e, in which a
-  /// facet with normal n lies; and (n1 x d) x (n2 x d) = d det(n1, n2, d).
+  /// Whether two facets meet at an edge with at most a half turn inside of V. For the use s (n x
+  /// d), with s = 1 for half-edge 2e and -1 for 2e + 1, this is the direction from the edge, which
+  /// points in direction d along 2e, into a facet with normal n. The product of two of them is (n1
+  /// x d) x (n2 x d) = d det(n1, n2, d).
   bool is_convex_at(EdgeId e) const {
     const UseId any = c_.edge_use[e];
     if (!any.is_valid()) return false;
@@ -114,7 +115,7 @@ class ConvexityTest {
     return true;
   }
 
-  /// Tests one plane with all its facets. With a marked facet, all marked edges and vertices must
+  /// Tests one plane with all its facets. If a facet is marked, all marked edges and vertices must
   /// be on its boundary.
   bool is_plane_convex(std::span<const FacetId> facets) {
     const auto is_marked = [this](FacetId f) { return c_.facet_mark[f] == 1; };
@@ -128,7 +129,8 @@ class ConvexityTest {
     return edges_.size() == edges && vertices_.size() == vertices;
   }
 
-  /// Gathers the marked edges and vertices on the boundaries of facets and inside them, each once.
+  /// Collects the marked edges and vertices on the boundaries of facets and inside of them, each
+  /// once.
   void gather(std::span<const FacetId> facets) {
     edges_.clear();
     vertices_.clear();
@@ -158,7 +160,7 @@ class ConvexityTest {
   }
   EdgeId edge_of(UseId u) const { return SpaceComplex::edge_of(c_.use_halfedge[u]); }
 
-  /// Whether what was gathered is one edge with any of its ends, one vertex, or nothing.
+  /// Whether the collected cells are one edge with any of its ends, or one vertex, or no cells.
   bool is_one_edge_or_vertex() const {
     if (edges_.empty()) return vertices_.size() <= 1;
     if (edges_.size() > 1) return false;
@@ -170,7 +172,7 @@ class ConvexityTest {
 
   // ---- 3. sides
 
-  /// Whether the facet is convex together with what is marked of its boundary.
+  /// Whether the facet is convex together with the marked cells of its boundary.
   bool is_polygon_convex(FacetId f) const {
     if (c_.cycles_of(f).size() != 1 || !c_.inner_of(f).empty()) return false;
     const UseId cycle = c_.cycles_of(f)[0];
@@ -190,11 +192,12 @@ class ConvexityTest {
     return true;
   }
 
-  /// Whether a side ends at the corner: it is less than half a turn, or on the frame.
+  /// Whether a side ends at the corner, because its angle is less than a half turn, or because it
+  /// is on the frame.
   bool is_side_end(UseId u) const {
     return c_.vertex_mark[c_.use_origin(u)] == kBeyond || corner_sign(c_, u) == Sign::Positive;
   }
-  /// Whether the corner is half a turn, and not the end of a slit.
+  /// Whether the corner is a half turn, and not the end of a slit.
   bool is_straight(UseId u) const {
     const UseId before = c_.use_prev[u];
     return edge_of(before) != edge_of(u) && corner_sign(c_, u) == Sign::Zero;
@@ -220,9 +223,9 @@ class ConvexityTest {
 
   // ---- without a marked volume
 
-  /// Tests a set without a marked volume. There must be one facet at most, or one edge, or one
-  /// vertex; only sides and ends may be unmarked, as all other unmarked cells would lie within the
-  /// complement.
+  /// Tests a set without a marked volume. It must have at most one facet, or one edge, or one
+  /// vertex. Only sides and ends may be unmarked, because all other unmarked cells would lie within
+  /// the complement.
   bool is_convex_when_flat() const {
     const std::size_t facets = standard(c_.facet_mark);
     if (facets > 1) return false;
@@ -255,7 +258,7 @@ class ConvexityTest {
 
   const SpaceComplex& c_;
   VolumeId body_;
-  std::vector<EdgeId> edges_;  // Marked edges of the plane at hand.
+  std::vector<EdgeId> edges_;  // The marked edges of the current plane.
   std::vector<VertexId> vertices_;
 };
 

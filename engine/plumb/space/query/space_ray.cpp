@@ -98,7 +98,7 @@ FramedNumber SpaceRay::shadow<FramedNumber>(VertexId v, std::size_t c) const {
   return offset<FramedNumber>(v, i) - exact_slope(i) * offset<FramedNumber>(v, k_);
 }
 
-/// Returns how fast the line leaves a plane: n . slope.
+/// Returns the slope at which the line leaves a plane: n . slope.
 Ball SpaceRay::rough_climb(PlaneId plane) const {
   const PlaneRow& row = complex_.planes().row(plane);
   Ball climb = Ball::about(row.n[k_], row.normal_error);
@@ -109,14 +109,14 @@ Ball SpaceRay::rough_climb(PlaneId plane) const {
   return climb;
 }
 
-/// Returns the same exactly.
+/// Returns the same value exactly.
 Rational SpaceRay::climb(PlaneId plane) const {
   const IntegerRow row = complex_.planes().coefficients(plane);
   const std::size_t i = side_axis(0), j = side_axis(1);
   return row[k_] + row[i] * exact_slope(i) + row[j] * exact_slope(j);
 }
 
-/// Returns where the line meets a plane, along axis k: -s(O) / climb.
+/// Returns the place where the line meets a plane, along axis k: -s(O) / climb.
 template <>
 Ball SpaceRay::plane_distance<Ball>(PlaneId plane) const {
   const PlaneRow& row = complex_.planes().row(plane);
@@ -154,8 +154,8 @@ SpaceRayHit SpaceRay::hit_of(SpaceItem item, PlaneId plane) const {
   return hit;
 }
 
-/// Returns the one of the edge's planes that the line surely crosses more steeply, which gives the
-/// smaller error. One of them is crossed, as the line does not run along the edge.
+/// Returns the plane of the edge that the line certainly crosses more steeply, because it gives the
+/// smaller error. The line crosses one of the planes, because it is not parallel to the edge.
 PlaneId SpaceRay::crossing_plane(EdgeId e) const {
   const auto& [p, q] = complex_.edge_planes[e];
   const Ball at_p = rough_climb(p), at_q = rough_climb(q);
@@ -230,12 +230,13 @@ RationalPoint3 SpaceRay::point(const SpaceRayHit& hit) const {
 
 // --- what the line meets
 
-/// Returns how the shadow of an edge passes the origin, where neither end is. On the right means
-/// that it crosses the axis j = 0 at i > 0, where points with j = 0 count as below; then each cycle
-/// crosses consistently.
+/// Returns how the shadow of an edge passes the origin. Requires that neither end is at the origin.
+/// An edge passes on the right if it crosses the axis j = 0 at i > 0. Points with j = 0 count as
+/// below, so that crossings are counted consistently along a cycle.
 SpaceRay::Passing SpaceRay::passing(const End& a, const End& b) const {
   const auto &p = a.place.at, &q = b.place.at;
-  for (std::size_t c = 0; c < 2; ++c) {  // Both ends on one side of an axis, and not on the right.
+  // Both ends are on one side of an axis, and not on the right.
+  for (std::size_t c = 0; c < 2; ++c) {
     if (p[c] == q[c] && p[c] != Sign::Zero && (c == 1 || p[c] == Sign::Negative)) {
       return Passing::Aside;
     }
@@ -275,8 +276,8 @@ void SpaceRay::add_hits(EdgeId e, std::vector<SpaceRayHit>& hits) const {
   add_hit_inside_edge(e, end(a), end(b), hits);
 }
 
-/// Adds what the line meets of a cycle and returns whether there is anything. Each edge on the
-/// right inverts is_inside.
+/// Adds the cells of a cycle that the line meets, and returns whether there are any. Each edge that
+/// passes on the right inverts is_inside.
 bool SpaceRay::add_hits_of_cycle(UseId first, bool& is_inside,
                                  std::vector<SpaceRayHit>& hits) const {
   const std::size_t before = hits.size();
@@ -295,11 +296,11 @@ bool SpaceRay::add_hits_of_cycle(UseId first, bool& is_inside,
   return hits.size() > before;
 }
 
-// Seen against the axis, corners turn as the normal says; the facet is passed if the origin lies
-// beyond one of the sides.
+// Seen against the axis, the direction of the corners follows from the normal. The facet is not met
+// if the origin lies beyond one of the sides.
 bool SpaceRay::passes_by(FacetId f) const {
   const PlaneRow& row = complex_.planes().row(complex_.facet_plane[f]);
-  // The facet is not seen edge-on.
+  // The facet is not parallel to the ray.
   const bool is_seen = std::fabs(row.n[k_]) > static_cast<double>(row.normal_error);
   if (!is_seen || !is_axis_parallel_ || !origin_.is_double()) return false;
   if (complex_.cycles_of(f).size() != 1) return false;
@@ -334,11 +335,11 @@ bool SpaceRay::runs_along(PlaneId plane, IntegerRow& row) const {
 }
 
 // The shadow (s, t) of a vertex satisfies m s + n t = 0, where m and n are the coefficients of the
-// plane along the two side axes. So the sign of one coordinate tells that of the other one, and
-// edges meet the line if these signs differ at their ends.
+// plane along the two side axes. Therefore the sign of one coordinate determines the sign of the
+// other one. An edge meets the line if these signs differ at its ends.
 void SpaceRay::add_hits_in_plane(FacetId f, const IntegerRow& row,
                                  std::vector<SpaceRayHit>& hits) const {
-  // The coordinate along c is 0 only if that along the other axis is, too.
+  // The coordinate along c is 0 only if the coordinate along the other axis is 0, too.
   const std::size_t c = abs(row[side_axis(0)]) <= abs(row[side_axis(1)]) ? 0 : 1;
   const auto sign = [&](VertexId v) { return shadow_sign(v, c); };
   const std::size_t before = hits.size();
@@ -373,7 +374,7 @@ void SpaceRay::add_hits(FacetId f, std::vector<SpaceRayHit>& hits) const {
   for (const UseId first : complex_.cycles_of(f)) {
     if (add_hits_of_cycle(first, is_inside, hits)) meets_boundary = true;
   }
-  // Inner vertices come before the facet itself: one of them may be what the line meets.
+  // Inner vertices are tested before the facet itself, because the line may meet one of them.
   if (!is_inside && !meets_boundary) return;
   const std::size_t before = hits.size();
   for (const VertexId v : complex_.inner_of(f)) add_hits(v, hits);

@@ -4,10 +4,10 @@
 // the segment between them meets no item. For a point of it would have one of the two cells as its
 // place, since places are monotone in each coordinate, and the box of the item that holds the point
 // marks that cell. Boxes are marked with a margin of 2^-48, so that this is true in every rounding
-// mode. So one exact question decides a whole connected part of unmarked cells.
+// mode. Therefore one exact query decides a whole connected part of unmarked cells.
 //
-// The sizes are bounded: about four cells for each item, 64 cells marked for each on average, one
-// question for 16 items. If a bound is exceeded, the grid knows fewer volumes, but no wrong
+// The sizes are bounded: about four cells for each item, 64 marked cells for each item on average,
+// and one query for 16 items. If a bound is exceeded, the grid knows fewer volumes, but no wrong
 // volumes.
 //
 // Tested by tests/space/space_locator_test.cpp.
@@ -41,10 +41,11 @@ VolumeGrid::VolumeGrid(std::span<const Box3> boxes,
 // ---------------------------------------------------------------- cells
 
 /// Lays out cells of one size along the axes that are longer than a cell, and one cell along the
-/// others. Returns false if there is to be no grid.
+/// other axes. Returns false if no grid should be made.
 bool VolumeGrid::lay_out(std::span<const Box3> boxes) {
   constexpr double kLeastPart = 0x1p-40;
-  // So many cells may be made for one that was wanted: there are three along a short axis.
+  // The factor by which the number of cells may exceed the wanted number. There are three cells
+  // along a short axis.
   constexpr std::size_t kMostForOne = 32;
   for (const Box3& box : boxes) all_.add(box);
   std::array<double, 3> extent{};
@@ -77,8 +78,8 @@ bool VolumeGrid::lay_out(std::span<const Box3> boxes) {
   return true;
 }
 
-/// Returns the cell of a coordinate: 0 before all boxes, the last one behind them. It is monotone,
-/// as each step of the arithmetic is.
+/// Returns the cell of a coordinate: 0 before all boxes, and the last one after them. It is
+/// monotone, because each step of the arithmetic is.
 std::uint32_t VolumeGrid::place(double x, std::size_t axis, double stretch) const {
   if (x < all_.low[axis]) return 0;
   const std::uint32_t last = count_[axis] - 1;
@@ -96,7 +97,7 @@ std::size_t VolumeGrid::index(const Cell& cell) const {
   return (std::size_t{cell[2]} * count_[1] + cell[1]) * count_[0] + cell[0];
 }
 
-/// Returns a coordinate whose place is this one, or NaN if none was found.
+/// Returns a coordinate whose place is the given one, or NaN if none was found.
 double VolumeGrid::middle(std::uint32_t at, std::size_t axis) const {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const double low = all_.low[axis], high = all_.high[axis];
@@ -110,8 +111,8 @@ double VolumeGrid::middle(std::uint32_t at, std::size_t axis) const {
 // ---------------------------------------------------------------- what is known of them
 
 /// Marks the cells that boxes reach, with a small margin on all sides, so that a point of an item
-/// is in a marked cell in whichever rounding mode it is asked for. Returns false if the boxes are
-/// so large beside the cells that marking them all would take too long.
+/// is in a marked cell in every rounding mode of the query. Returns false if the boxes are so large
+/// relative to the cells that marking them all would take too long.
 bool VolumeGrid::mark(std::span<const Box3> boxes) {
   constexpr std::size_t kMostCellsPerItem = 64;
   std::size_t left = kMostCellsPerItem * (boxes.size() + kLeastCells);
@@ -135,8 +136,8 @@ bool VolumeGrid::mark(std::span<const Box3> boxes) {
   return true;
 }
 
-/// Numbers the connected parts of unmarked cells by their first cells, and returns how many there
-/// are.
+/// Numbers the connected parts of unmarked cells by their first cells, and returns the number of
+/// parts.
 std::uint32_t VolumeGrid::flood_cells() {
   std::uint32_t parts = 0;
   std::vector<std::uint32_t> open;
@@ -165,7 +166,7 @@ std::uint32_t VolumeGrid::flood_cells() {
   return parts;
 }
 
-/// Asks for the volume of each part. Parts that are left over when the questions are used up stay
+/// Locates the volume of each part. When the limit of queries is reached, the remaining parts are
 /// unknown.
 void VolumeGrid::ask(std::uint32_t parts, std::size_t questions,
                      const std::function<VolumeId(const Point3&)>& volume_of) {
@@ -188,7 +189,8 @@ void VolumeGrid::ask(std::uint32_t parts, std::size_t questions,
       }
     }
   }
-  part_ = std::vector<std::uint32_t>();  // Frees the memory, which {} would not.
+  // This releases the memory, which an assignment of {} would not.
+  part_ = std::vector<std::uint32_t>();
 }
 
 // ---------------------------------------------------------------- questions

@@ -48,7 +48,7 @@ ShellNodes::ShellNodes(const SpaceComplex& complex, std::span<const std::uint8_t
   unite_at_irregular_vertices(connected, context);
 }
 
-/// Unites the side after each use with the side before the next one.
+/// Unites the side after each use with the side before the next use.
 void ShellNodes::unite_around_edges(const Context* context) {
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
     check_at(u, context);
@@ -58,17 +58,18 @@ void ShellNodes::unite_around_edges(const Context* context) {
 
 namespace {
 
-/// Returns how many corners follow each other around the vertex from `first` on, each across an
-/// edge of two facets; or more than `most` if there are more, or an edge has another number of
-/// facets.
+/// Returns the number of consecutive corners around the vertex from `first` on, across edges with
+/// two facets. Returns a number greater than `most` if there are more corners, or if an edge has
+/// another number of facets.
 std::size_t count_corners(const SpaceComplex& complex, UseId first, std::size_t most) {
   std::size_t count = 0;
   UseId corner = first;
-  // The edge across which the walk leaves the corner: that of its use, or else the one before.
+  // The edge across which the walk leaves the corner: the edge of its use, or otherwise the edge
+  // before.
   HalfedgeId over = complex.use_halfedge[corner];
   do {
     const UseId own = complex.use_halfedge[corner] == over ? corner : complex.use_prev[corner];
-    // The edge must have exactly two uses; the walk crosses it into the other facet.
+    // The edge must have exactly two uses. The walk crosses it to the other facet.
     const UseId other = complex.use_radial[own];
     if (complex.use_radial[other] != own || other == own || ++count > most) return most + 1;
     const bool leaves = complex.use_halfedge[other] == over;
@@ -90,8 +91,8 @@ bool has_one_ring(const SpaceComplex& complex, VertexId v) {
   return count_corners(complex, corner, star.size()) == star.size();
 }
 
-/// Returns the vertices whose sphere map is not connected, has a loop or points without arcs. For
-/// vertices that have no single ring, one union over all corners decides.
+/// Returns the vertices whose sphere map is not connected, has a loop or has points without arcs.
+/// For vertices without a single ring, one union-find over all corners decides.
 std::vector<VertexId> ShellNodes::irregular_vertices(std::span<const std::uint8_t> connected,
                                                      const Context* context) const {
   std::vector<VertexId> doubtful, irregular;
@@ -101,7 +102,7 @@ std::vector<VertexId> ShellNodes::irregular_vertices(std::span<const std::uint8_
     if (!has_one_ring(complex_, VertexId(v))) doubtful.push_back(VertexId(v));
   }
   if (doubtful.empty()) return irregular;
-  UnionFind link(complex_.origin.size());  // Half-edges of one vertex, joined by corners.
+  UnionFind link(complex_.origin.size());  // The half-edges of a vertex, joined by corners.
   for (std::uint32_t u = 0; u < complex_.use_count(); ++u) {
     check_at(u, context);
     const HalfedgeId back = SpaceComplex::twin(complex_.use_halfedge[complex_.use_prev[u]]);
@@ -130,7 +131,7 @@ void ShellNodes::face_nodes(const LocalMap& local, SpaceItem item,
   }
 }
 
-/// Unites the nodes in every face of the map of an irregular vertex, free edges included.
+/// Unites the nodes in every face of the map of an irregular vertex, including free edges.
 void ShellNodes::unite_at_irregular_vertices(std::span<const std::uint8_t> connected,
                                              const Context* context) {
   LocalMap local;
@@ -143,7 +144,7 @@ void ShellNodes::unite_at_irregular_vertices(std::span<const std::uint8_t> conne
     for (std::uint32_t h = 0; h < local.map.face.size(); ++h) {
       classes_.unite(node[local.map.face[h]], facet_node(local.facet[h / 2], (h & 1U) != 0));
     }
-    // A free edge has the node of the face in which its point lies, at both its ends.
+    // At both ends, a free edge has the node of the face that contains its point.
     for (std::size_t i = 0; i < local.halfedge.size(); ++i) {
       if (local.map.first_out[i] != kNone) continue;
       std::uint32_t& known = free_node_[local.halfedge[i].value() / 2];
@@ -208,9 +209,10 @@ std::uint32_t nest_pieces(const SpaceComplex& complex, std::span<const VertexId>
                           ShellNodes& shells, Context& context) {
   LocalMap local;
   std::optional<SpaceLocator> locator;
-  std::vector<std::uint32_t> outermost;  // Nodes of volume 0.
+  std::vector<std::uint32_t> outermost;  // The nodes of volume 0.
   for (const VertexId v : least) {
-    // Nothing of the piece is to the left of its least vertex, so it sees the outer shell there.
+    // No part of the piece is to the left of its least vertex, so this vertex is on the outer
+    // shell.
     const std::uint32_t outer = node_towards(complex, shells, v, kLeft, local);
     SpaceItem hit;
     if (least.size() > 1) {
@@ -262,7 +264,7 @@ VolumeLabels numbered(const SpaceComplex& complex, ShellNodes& shells, std::uint
 
 }  // namespace
 
-// Without vertices there is all of space, one volume.
+// If there are no vertices, the whole space is one volume.
 VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
                           std::span<const std::uint8_t> connected) {
   if (complex.vertex_count() == 0) return {{}, {}, {}, 1};
@@ -310,7 +312,7 @@ IdVector<VolumeId, std::int32_t> winding_numbers(const SpaceComplex& complex,
                                                  std::span<const std::int32_t> jump) {
   if (complex.volume_count() == 2 && complex.facet_count() > 0 &&
       complex.facet_volume[0][0] != complex.facet_volume[0][1]) {
-    // One facet tells how the only other volume differs from volume 0.
+    // One facet determines the difference between the only other volume and volume 0.
     const bool is_outside_above = complex.facet_volume[0][0] == VolumeId(0);
     IdVector<VolumeId, std::int32_t> both(2, 0);
     both[VolumeId(1)] = is_outside_above ? -jump[0] : jump[0];
@@ -342,7 +344,7 @@ IdVector<VolumeId, std::int32_t> winding_numbers(const SpaceComplex& complex,
       const std::uint32_t other = sides[is_positive_side ? 1 : 0].value();
       if (is_reached[other] != 0) continue;
       is_reached[other] = 1;
-      // The number rises by the jump from the negative to the positive side.
+      // The number increases by the jump from the negative to the positive side.
       winding[other] = winding[v] + (is_positive_side ? -jump[facet[i]] : jump[facet[i]]);
       open.push_back(other);
     }

@@ -36,8 +36,8 @@ Row3 cross(const Row3& a, const Row3& b) {
   return result;
 }
 
-/// The leading 192 bits of the absolute value of a number, or some less, times 2^scale. top_bits()
-/// takes 106 of them.
+/// The leading 192 bits of the absolute value of a number, or slightly fewer, times 2^scale. The
+/// function top_bits() uses 106 of them.
 struct Leading {
   Fixed<4> limbs;
   int scale;
@@ -56,8 +56,8 @@ Leading leading_of(const Integer& number) {
   return {Fixed<4>::from_limbs(limbs.data()), static_cast<int>(first * GMP_NUMB_BITS)};
 }
 
-/// Returns the double that is nearest to a quotient. The numbers are lent to a Rational without
-/// removing common factors, which does not matter to the division.
+/// Returns the double that is nearest to a quotient. The numbers are passed to a Rational without
+/// removing common factors, which does not matter for the division.
 double nearest_by_division(Integer numerator, Integer denominator) {
   Rational lent;
   mpz_swap(mpq_numref(lent.mpq()), numerator.mpz());
@@ -85,7 +85,7 @@ std::array<double, 3> BarycentricWeights::rounded() const {
   const TwofoldScaled divisor = top_bits(below.limbs);
   for (std::size_t i = 0; i < 3; ++i) {
     if (numerator[i].is_zero()) continue;
-    // The quotient of the leading bits decides nearly all cases.
+    // The quotient of the leading bits is sufficient in nearly all cases.
     if (has_filter) {
       const Leading above = leading_of(numerator[i]);
       result[i] = nearest_quotient(above.limbs, divisor, above.scale - below.scale);

@@ -56,14 +56,15 @@ class Comparison {
         to_(merge(*tables_, *b.tables)),
         overlay_(tables_->planes) {}
 
-  /// Whether the sets are equal. Vertices with one fingerprint are compared pairwise; nearly always
-  /// there is one on each side.
+  /// Whether the sets are equal. Vertices with the same fingerprint are compared pairwise. Nearly
+  /// always, there is one on each side.
   bool operator()() {
     std::vector<SpacePoint> points_of_b;
     for (const SpacePoint p : b_.vertex_point) points_of_b.push_back(to_(p));
     const auto first = by_fingerprint(tables_->points, a_.vertex_point);
     const auto second = by_fingerprint(tables_->points, points_of_b);
-    // Fingerprints of equal points are equal, so sorted lists that differ prove different sets.
+    // Fingerprints of equal points are equal. Therefore, if the sorted lists differ, the sets are
+    // different.
     for (std::size_t i = 0; i < first.size(); ++i) {
       if (!(first[i].first == second[i].first)) return false;
     }
@@ -96,7 +97,7 @@ class Comparison {
         m.arc_count() != n.arc_count() || m.face_count() != n.face_count()) {
       return false;
     }
-    // The overlay marks where exactly one map has a mark: it must be one unmarked face.
+    // The overlay marks the places where exactly one map has a mark. It must be one unmarked face.
     translate(to_, local_[1].map);
     overlay_.boolean_op(m, n, MarkTable::unequal(), difference_, origins_);
     return difference_.point_count() == 0 && difference_.arc_count() == 0 &&
@@ -172,8 +173,8 @@ bool has_same_tables(const SpaceTables& a, const SpaceTables& b) {
 
 bool is_identical(const SpaceComplex& a, const SpaceComplex& b) {
   if (&a == &b) return true;
-  // Sets that were made in the same way of other points differ in their tables, so these come
-  // first.
+  // If sets were made by the same operations from different points, their tables differ. Therefore
+  // tables are compared first.
   return has_same_tables(*a.tables, *b.tables) && a.vertex_point == b.vertex_point &&
          a.vertex_mark == b.vertex_mark && a.vertex_volume == b.vertex_volume &&
          a.vertex_facet == b.vertex_facet && a.star_begin == b.star_begin && a.star == b.star &&
@@ -189,7 +190,7 @@ bool is_identical(const SpaceComplex& a, const SpaceComplex& b) {
 
 namespace {
 
-/// The canonical order in the making.
+/// Computes the canonical order.
 class Ordering {
  public:
   Ordering(const SpaceComplex& complex, Context& context) : c_(complex), context_(context) {}
@@ -249,7 +250,7 @@ class Ordering {
   CanonicalOrder order_;
 };
 
-// The only order that needs signs: all others follow from the numbers of vertices.
+// Only this order needs signs, because all others follow from the numbers of vertices.
 void Ordering::order_vertices() {
   const std::size_t n = c_.vertex_count();
   std::vector<std::uint32_t> vertices(n);
@@ -299,7 +300,7 @@ void Ordering::order_uses() {
   for (const FacetId f : order_.facets.ids()) {
     starts.clear();
     for (const UseId first : c_.cycles_of(f)) starts.push_back(start_of_cycle(first));
-    std::sort(starts.begin() + 1, starts.end());  // The outer cycle stays the first.
+    std::sort(starts.begin() + 1, starts.end());  // The outer cycle remains the first.
     for (const auto& [h, start] : starts) {
       order_.cycles.push_back(start);
       UseId u = start;
@@ -311,7 +312,8 @@ void Ordering::order_uses() {
   }
 }
 
-// Every volume but volume 0 has a facet, free edge or isolated vertex beside it, so all are named.
+// Every volume except volume 0 has a facet, a free edge or an isolated vertex beside it, so all
+// volumes get numbers.
 void Ordering::order_volumes() {
   context_.checkpoint("order of volumes", 4, 5);
   order_.volumes = NewOrder<VolumeId>(c_.volume_count());

@@ -66,7 +66,7 @@ NormalMap normal_map(const AffineMap3& map) {
   return result;
 }
 
-/// Transforms a normal; its length stays.
+/// Transforms a normal. Its length does not change.
 void transform_normal(const NormalMap& map, std::span<double> normal) {
   const std::array<double, 3> n{normal[0], normal[1], normal[2]};
   std::array<double, 3> image{};
@@ -84,16 +84,16 @@ void transform_normal(const NormalMap& map, std::span<double> normal) {
 /// The weights of the corners of a source triangle at a point.
 struct CornerWeights {
   std::array<double, 3> rounded;
-  std::optional<std::array<Rational, 3>> exact;  // Given if the sum must be exact.
+  std::optional<std::array<Rational, 3>> exact;  // Set if the sum must be exact.
 };
 
-/// The source triangle of a piece, prepared for the corners of its faces. What is computed of a
-/// triangle is kept until the next one, because faces of one triangle follow each other.
+/// The source triangle of a piece, prepared for the corners of its faces. Results for a triangle
+/// are kept until the next one, because faces of one triangle are consecutive.
 class TriangleReader {
  public:
   explicit TriangleReader(const CornerInput& input) : input_(input) {}
 
-  /// Goes to a piece that has a source triangle.
+  /// Moves to a piece that has a source triangle.
   void set(const BoundaryPiece& piece) {
     if (known_ == piece.triangle && cover_ == piece.cover) return;
     weights_.clear();
@@ -106,10 +106,11 @@ class TriangleReader {
   }
   const SourceTriangle& triangle() const { return *triangle_; }
 
-  /// Returns the corner of the source, an index of mesh.corners, whose point is rounded to p; kNone
-  /// if there is none.
+  /// Returns the corner of the source whose rounded point is p, as an index of mesh.corners.
+  /// Returns kNone if there is none.
   std::uint32_t corner_at(const Point3& p) {
-    // Most faces run along their triangle, so the corner after the last one is compared first.
+    // Most faces follow the order of their triangle, so the corner after the last one is compared
+    // first.
     constexpr std::array<std::uint8_t, 6> kCyclic{0, 1, 2, 0, 1, 2};
     for (std::size_t k = last_ + 1; k < last_ + 4; ++k) {
       const std::size_t i = kCyclic[k];
@@ -182,7 +183,8 @@ class TriangleReader {
         rows[i] = row_of(*doubles);
         continue;
       }
-      const SpacePoint place = input_.sources.place(triangle(), i);  // May change the tables.
+      // The call may change the tables.
+      const SpacePoint place = input_.sources.place(triangle(), i);
       rows[i] = homogeneous(input_.points(), place);
     }
     form_.emplace(FlatView::of_plane(input_.points().planes(), triangle().plane), rows);
@@ -191,12 +193,13 @@ class TriangleReader {
 
   const CornerInput& input_;
   std::uint32_t known_ = kNone;
-  const SourceTriangle* triangle_ = nullptr;  // The triangle known_.
+  const SourceTriangle* triangle_ = nullptr;  // The triangle with the index known_.
   PieceCover cover_ = PieceCover::Triangle;
-  std::array<Point3, 3> at_{};  // The corners, rounded.
+  std::array<Point3, 3> at_{};  // The rounded corners.
   std::size_t last_ = 2;        // The corner that was found last.
   std::optional<BarycentricForm> form_;
-  std::vector<std::pair<Point3, CornerWeights>> weights_;  // At some points of the triangle.
+  // The weights at some points of the triangle.
+  std::vector<std::pair<Point3, CornerWeights>> weights_;
 };
 
 /// Returns number k of a channel. Equal numbers at all corners give this number.
@@ -250,9 +253,9 @@ class ChannelWriter {
   }
 
  private:
-  static constexpr std::size_t kAhead = 12;  // Faces.
+  static constexpr std::size_t kAhead = 12;  // The number of faces.
 
-  /// The way of the numbers of a channel.
+  /// The path of the numbers of a channel.
   struct Way {
     const MeshChannel* from;  ///< The channel of a source.
     std::uint32_t to;         ///< The index of the channel of the result.
@@ -261,7 +264,7 @@ class ChannelWriter {
     bool is_normal;           ///< Whether the numbers are normals.
   };
 
-  /// Makes the channels of the result, and tells where each channel of a source goes.
+  /// Makes the channels of the result, and finds the target of each channel of a source.
   void add_channels() {
     auto& channels = result_.attributes.channels;
     for (const PlacedSource& placed : input_.sources.sources()) {
@@ -293,7 +296,8 @@ class ChannelWriter {
     }
   }
 
-  /// Prefetches the numbers at the corners of a triangle, which are far from those of the last one.
+  /// Prefetches the numbers at the corners of a triangle, which are far in memory from those of the
+  /// last triangle.
   void prefetch(std::uint32_t t) const {
     if (t == kNone) return;
     const SourceTriangle& triangle = input_.sources[t];
@@ -332,7 +336,7 @@ class ChannelWriter {
   const CornerInput& input_;
   MeshWithAttributes& result_;
   TriangleReader reader_;
-  std::vector<std::vector<Way>> ways_;  // For each source, those of its channels.
+  std::vector<std::vector<Way>> ways_;  // For each source, the data of its channels.
   std::vector<NormalMap> normal_map_;
   std::vector<std::uint8_t> is_moved_;
 };

@@ -1,12 +1,12 @@
 // Lays facets over the source triangles of their planes, and cuts them where the source changes.
 //
 // A facet is whole if its plane has no source triangle, or one that contains all of its vertices. A
-// facet that is exactly a face of a source, alone in its plane, needs no overlay, either. All other
-// facets of a plane are cut together: one sweep (plane/arrangement.h) makes the
-// subdivision by the edges of these facets and of the source triangles of the plane. Each face of
-// the subdivision knows which facets and triangles contain it: from one side of an edge to the
-// other, those facets and triangles change that have the edge in their boundary. Faces of one facet
-// are joined to regions across edges at which the attributes do not change.
+// facet that is exactly one face of a source, and is alone in its plane, needs no overlay, either.
+// All other facets of a plane are cut together: one sweep (plane/arrangement.h) makes the
+// subdivision by the edges of these facets and of the source triangles of the plane. For each face
+// of the subdivision, the facets and triangles that contain it are found. Across an edge, only
+// those facets and triangles change whose boundaries contain the edge. Faces of one facet are
+// joined to regions across edges at which the attributes do not change.
 //
 // A cut that ends inside an edge of a facet makes a vertex there. All facets at this edge get the
 // vertex, so that triangles meet in common edges. Vertices are therefore collected for each edge
@@ -42,21 +42,22 @@ namespace {
 struct RegionEdge {
   VertexId from;
   VertexId to;
-  EdgeId edge;  // The edge of the complex that contains it; invalid for a cut.
+  EdgeId edge;  // The edge of the complex that contains it, or an invalid id for a cut.
 };
 
 /// The outline of a region.
 struct Outline {
   std::vector<RegionEdge> edges;
-  std::vector<VertexId> inner;  // Vertices inside.
+  std::vector<VertexId> inner;  // The vertices inside.
 };
 
-/// A part of a facet that is triangulated by itself.
+/// A part of a facet that is triangulated separately.
 struct Region {
   std::uint32_t piece;
-  bool is_reversed;  // Whether the outside is the negative side of the plane.
+  bool is_reversed;  // Whether the outside is on the negative side of the plane.
   PlaneId plane;
-  std::uint32_t outline;  // Its index in CutState::outlines; kNone for a whole facet.
+  // The index of the outline in CutState::outlines, or kNone for a whole facet.
+  std::uint32_t outline;
 };
 
 /// Calls visit(u) for each use of the boundary of a facet.
@@ -71,7 +72,7 @@ void for_each_use(const SpaceComplex& c, FacetId f, const Visit& visit) {
   }
 }
 
-/// Vertices that cuts have made inside edges of the complex.
+/// The vertices that cuts have made inside of edges of the complex.
 class EdgeCuts {
  public:
   explicit EdgeCuts(const GrowingComplex& complex) : complex_(complex) {}
@@ -98,7 +99,7 @@ class EdgeCuts {
     cuts_.resize(kept);
     std::sort(merged_.begin(), merged_.end());
   }
-  /// Returns the vertex with which a vertex was merged.
+  /// Returns the vertex into which a vertex was merged.
   VertexId merged(VertexId v) const {
     const auto found = std::lower_bound(merged_.begin(), merged_.end(), std::pair(v, VertexId(0)));
     return found != merged_.end() && found->first == v ? found->second : v;
@@ -182,7 +183,7 @@ class IndexSet {
   std::vector<std::vector<std::uint64_t>> levels_;
 };
 
-/// What cutting the facets of a plane reads and changes.
+/// The data that cutting the facets of a plane reads and changes.
 struct CutState {
   GrowingComplex& growing;
   SourceTriangles& sources;
@@ -190,7 +191,7 @@ struct CutState {
   Context& context;
   std::vector<BoundaryPiece> pieces;
   std::vector<Region> regions;
-  std::vector<Outline> outlines;  // Of the regions that are not whole facets.
+  std::vector<Outline> outlines;  // The outlines of the regions that are not whole facets.
   EdgeCuts edge_cuts;
 
   const SpaceComplex& complex() const { return growing.get(); }
@@ -242,13 +243,15 @@ class PlaneCutter {
     for (const VertexId v : vertices_) places_.push_back(c.vertex_point[v]);
   }
 
-  /// Lists the different points: the vertices, then corners of triangles at other places.
+  /// Lists the different points: first the vertices, and then the corners of triangles at other
+  /// places.
   void collect_points() {
     collect_vertices();
     std::vector<SpacePoint> all = places_;
     for (std::uint32_t t = triangles_.first; t != triangles_.end; ++t) {
       if (state_.sources.is_plane(state_.sources[t])) {
-        all.insert(all.end(), 3, all.front());  // A plane has no corners.
+        // If the triangle stands for the whole plane, it has no corners.
+        all.insert(all.end(), 3, all.front());
         continue;
       }
       for (std::size_t i = 0; i < 3; ++i) all.push_back(state_.sources.place(state_.sources[t], i));
@@ -266,7 +269,7 @@ class PlaneCutter {
       const bool is_known = k > 0 && shown.compare(order[k - 1], order[k]) == Sign::Zero;
       first_of[order[k]] = is_known ? first_of[order[k - 1]] : order[k];
     }
-    // The first of equal points comes before the others, so its index is known by then.
+    // The first of several equal points precedes the others, so its index is known.
     index_of_point_.resize(all.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       const bool is_first = first_of[i] == i;
@@ -286,7 +289,7 @@ class PlaneCutter {
                                       vertices_.begin());
   }
 
-  /// Whether triangle t of the plane stands for all of the plane.
+  /// Whether triangle t of the plane represents the whole plane.
   bool is_plane(std::uint32_t t) const {
     return state_.sources.is_plane(state_.sources[triangles_[t]]);
   }
@@ -297,8 +300,8 @@ class PlaneCutter {
     edge_.push_back(edge);
   }
 
-  /// Lists the edges of facets and triangles, and the vertices inside facets as segments without
-  /// length. Owners are sides first, then triangles.
+  /// Lists the edges of facets and triangles, and the vertices inside of facets as segments of
+  /// length zero. Owners are first the sides, and then the triangles.
   void collect_segments() {
     const SpaceComplex& c = state_.complex();
     for (std::uint32_t s = 0; s < side_count(); ++s) {
@@ -320,8 +323,8 @@ class PlaneCutter {
     }
   }
 
-  /// Goes to the other side of an edge: changes which owners contain the face. An owner whose
-  /// boundary runs along the edge twice is on both sides.
+  /// Crosses an edge, and updates the owners that contain the face. If an owner's boundary uses the
+  /// edge twice, the owner is on both sides.
   void cross(EdgeId e) {
     for (const SegmentId s : arrangement_->origins_of(e)) toggle(owner_[s.value()]);
   }
@@ -332,8 +335,8 @@ class PlaneCutter {
   }
 
   /// Finds the side and the triangle of each face. A walk goes from face 0, which only whole planes
-  /// contain, to all faces and back, and maintains which sides and triangles contain the face where
-  /// it is. So the memory does not depend on how many triangles lie over each other.
+  /// contain, to all faces and back. It maintains the sides and triangles that contain the current
+  /// face. So the memory does not depend on how many triangles lie over each other.
   void label_faces() {
     const std::size_t faces = flat().face_count();
     MemoryCharge charge(state_.context);
@@ -355,7 +358,7 @@ class PlaneCutter {
       if (step.is_return) continue;
       state_.context.checkpoint("lay facets over sources", 0, 0);
       choose_triangle(step.face);
-      // The way back from this face comes after the faces that are reached from it.
+      // The step back from this face is taken after the faces that are reached from it.
       steps.push_back({step.face, step.edge, true});
       add_steps(step.face, is_known, steps);
     }
@@ -368,7 +371,7 @@ class PlaneCutter {
     bool is_return;
   };
 
-  /// Adds the steps from a face to its unknown neighbours.
+  /// Adds the steps from a face to the neighbours that have not been visited.
   void add_steps(FaceId f, std::vector<std::uint8_t>& is_known, std::vector<Step>& steps) const {
     if (!dcel().first_loop(f).is_valid()) return;
     for (const LoopId l : dcel().loops_of(f)) {
@@ -386,8 +389,8 @@ class PlaneCutter {
     return state_.sources[triangle].is_opposite == sides_[side].is_reversed;
   }
 
-  /// Sets the side of a face and the first of its triangles, those of the same side before the
-  /// others.
+  /// Stores the side of a face and the first of its triangles. The triangles with the orientation
+  /// of the side have precedence.
   void choose_triangle(FaceId f) {
     const std::uint32_t side = sides_here_.first();
     side_[f.value()] = side;
@@ -415,7 +418,7 @@ class PlaneCutter {
     return state_.sources.has_same_attributes(s, t);
   }
 
-  /// Joins faces of a facet at whose common edge the attributes do not change.
+  /// Joins faces of a facet across edges at which the attributes do not change.
   void join_faces() {
     regions_.emplace(flat().face_count());
     for (std::size_t e = 0; e < flat().edge_count(); ++e) {
@@ -427,7 +430,7 @@ class PlaneCutter {
     }
   }
 
-  /// Finds the edges between different regions and along facets, and the vertices that stay.
+  /// Finds the edges between different regions and along facets, and the vertices that are kept.
   void find_kept() {
     is_kept_.assign(flat().edge_count(), 0);
     ends_.assign(flat().vertex_count(), {});
@@ -478,7 +481,7 @@ class PlaneCutter {
     return add_point(state_.growing.changed_tables(), {p[0], p[1], p[2]});
   }
 
-  /// Returns the vertex at a vertex of the subdivision; makes one if there is none.
+  /// Returns the vertex at a vertex of the subdivision. If there is none, makes one.
   VertexId vertex_at(VertexId v) {
     VertexId& known = vertex_of_[v.value()];
     if (known.is_valid()) return known;
@@ -515,7 +518,7 @@ class PlaneCutter {
     for (std::size_t v = 0; v < flat().vertex_count(); ++v) add_inner(VertexId(v));
   }
 
-  /// Adds the edge that begins with a half-edge and ends at the next vertex that stays.
+  /// Adds the edge that begins with a half-edge and ends at the next vertex that is kept.
   void add_region_edge(HalfedgeId h) {
     const std::uint32_t face = dcel().face(h).value();
     const VertexId from = dcel().origin(h);
@@ -552,7 +555,7 @@ class PlaneCutter {
   FlatView view_;
 
   std::vector<VertexId> vertices_;  // The vertices of the facets, ascending.
-  std::vector<SpacePoint> places_;  // The different points, those of the vertices first.
+  std::vector<SpacePoint> places_;  // The different points. Those of the vertices come first.
   // For each vertex and each corner of a triangle, its index in places_.
   std::vector<std::uint32_t> index_of_point_;
   PointTable2 points2_;
@@ -560,8 +563,9 @@ class PlaneCutter {
   std::vector<std::uint32_t> owner_;  // For each segment, its side or triangle.
   std::vector<EdgeId> edge_;          // For each segment, its edge of the complex.
   std::optional<Arrangement> arrangement_;
-  IndexSet sides_here_;                     // The sides that contain the face of the walk.
-  std::array<IndexSet, 2> triangles_here_;  // Its triangles, by SourceTriangle::is_opposite.
+  IndexSet sides_here_;  // The sides that contain the face of the walk.
+  // The triangles that contain it, by SourceTriangle::is_opposite.
+  std::array<IndexSet, 2> triangles_here_;
   // For each face of the arrangement: its side and its triangle.
   std::vector<std::uint32_t> side_;
   std::vector<std::uint32_t> triangle_;
@@ -610,7 +614,8 @@ bool is_in_triangle(CutState& state, FacetId f, const SourceTriangle& triangle) 
   state.sources.place_if_moved(triangle);
   const SpaceComplex& c = state.complex();
   const CornerPoints corners = state.sources.corner_points(triangle);
-  std::vector<std::pair<SpacePoint, std::size_t>> others;  // Points, and the edges they are on.
+  // The points, and the edges that contain them.
+  std::vector<std::pair<SpacePoint, std::size_t>> others;
   for_each_use(c, f, [&](UseId u) {
     const SpacePoint p = c.vertex_point[c.use_origin(u)];
     if (is_known_corner(state, triangle, corners, p)) return;
@@ -633,7 +638,7 @@ bool is_in_triangle(CutState& state, FacetId f, const SourceTriangle& triangle) 
   return true;
 }
 
-/// Returns the uses of the only cycle of a facet that has at most `most` uses and no vertices
+/// Returns the uses of a facet if it has only one cycle, with at most `most` uses, and no vertices
 /// inside; otherwise nothing.
 std::vector<UseId> short_cycle(const SpaceComplex& c, FacetId f, std::size_t most) {
   if (c.cycles_of(f).size() != 1 || !c.inner_of(f).empty()) return {};
@@ -648,8 +653,8 @@ std::vector<UseId> short_cycle(const SpaceComplex& c, FacetId f, std::size_t mos
   return uses;
 }
 
-/// Returns the use of a facet at each corner of a face of a source, if the facet is exactly this
-/// face and its corners are doubles; otherwise nothing.
+/// If the facet is exactly a face of a source and its corners are doubles, returns the use of the
+/// facet at each corner of the face; otherwise nothing.
 std::vector<UseId> uses_at_corners(CutState& state, FacetId f, const SourceTriangle& t) {
   const SpaceComplex& c = state.complex();
   const auto corners = state.sources.mesh_of(t).face(t.face);
@@ -709,7 +714,7 @@ void add_triangles_of_face(CutState& state, const FacetSide& side, std::span<con
     const std::uint32_t begin = state.sources.mesh_of(triangle).face_begin[triangle.face];
     std::array<UseId, 3> at{};
     for (std::size_t i = 0; i < 3; ++i) at[i] = uses[triangle.corner[i] - begin];
-    // The corners run counter-clockwise around the set that the source bounds.
+    // The corners are counter-clockwise seen from outside of the set that the source bounds.
     const bool runs_along = c.use_next[uses[0]] == uses[1];
     if (!runs_along) std::swap(at[1], at[2]);
     std::vector<RegionEdge> edges;
@@ -827,7 +832,7 @@ class RegionFaces {
     auto& corners = result_.corners;
     corners.insert(corners.end(), cycle.begin(), cycle.end());
     if (region.is_reversed) {
-      // The first corner stays first.
+      // The first corner remains the first.
       std::reverse(corners.end() - static_cast<std::ptrdiff_t>(cycle.size()) + 1, corners.end());
     }
     result_.face_begin.push_back(static_cast<std::uint32_t>(corners.size()));
@@ -847,8 +852,8 @@ class RegionFaces {
     return std::adjacent_find(vertices_.begin(), vertices_.end()) != vertices_.end();
   }
 
-  /// Sets cycle_ to the vertices along chains_. Returns false if these are not one cycle that
-  /// visits no vertex twice.
+  /// Sets cycle_ to the vertices along chains_. Returns false if they do not form a single cycle
+  /// that visits no vertex twice.
   bool is_cycle() {
     std::sort(chains_.begin(), chains_.end());
     const auto next = [&](VertexId v) {
@@ -928,8 +933,8 @@ bool has_cut_edge(const CutState& state, FacetId f) {
   return has_cut;
 }
 
-/// Divides a face of a source that gets vertices inside its edges into its triangles if it has
-/// channels, because a polygon with further corners may be cut in another way.
+/// If a face of a source gets vertices inside of its edges and has channels, divides it into its
+/// triangles, because a polygon with additional corners may be triangulated in another way.
 bool add_triangles_of_cut_face(CutState& state, const Region& region) {
   const BoundaryPiece piece = state.pieces[region.piece];
   if (piece.cover != PieceCover::Face) return false;
@@ -948,7 +953,7 @@ CutBoundary faces_of_regions(CutState& state) {
   result.face_begin.reserve(state.regions.size() + 1);
   result.piece.reserve(state.regions.size());
   RegionFaces faces(state, result);
-  for (std::size_t r = 0; r < state.regions.size(); ++r) {  // Regions may be added.
+  for (std::size_t r = 0; r < state.regions.size(); ++r) {  // Regions may be added during the loop.
     const Region region = state.regions[r];
     const FacetId facet = state.pieces[region.piece].facet;
     if (region.outline != kNone) {

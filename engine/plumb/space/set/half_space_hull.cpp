@@ -3,10 +3,10 @@
 //
 // Invariant: after each insertion the polytope is the intersection of the cube and the half-spaces
 // inserted, each vertex with at least three edges, each facet a convex polygon; and for every later
-// half-space that cuts anything off, one vertex is stored that it cuts off. The part that a
-// half-space cuts off a convex polytope is connected, so a search from this vertex finds the whole
-// part. If another half-space removes this whole part, the part that the first half-space cuts off
-// the rest reaches the new facet.
+// half-space that cuts off a part, one vertex of this part is stored. The part that a half-space
+// cuts off a convex polytope is connected, so a search from this vertex finds the whole part. If
+// another half-space removes this whole part, the part that the first half-space cuts off the rest
+// reaches the new facet.
 //
 // The order is a pseudorandom permutation with a fixed seed: results are reproducible, and the
 // expected cost holds for all inputs that were not made to defeat this order. No plane is added;
@@ -61,7 +61,7 @@ class ComplexMaker {
  private:
   const HullBound& bound_of(std::uint32_t h) const { return bounds_[polytope_.halfedge[h].facet]; }
 
-  /// Numbers what was not removed.
+  /// Numbers the elements that were not removed.
   void number_items() {
     std::uint32_t count = 0;
     vertex_number_.assign(polytope_.vertex.size(), kNone);
@@ -105,11 +105,12 @@ class ComplexMaker {
   HalfedgeId halfedge_of(std::uint32_t h) const {
     return HalfedgeId(2 * edge_number_[h / 2] + h % 2);
   }
-  /// Returns the use of a half-edge: they have the same numbers.
+  /// Returns the use of a half-edge, which has the same number.
   UseId use_of(std::uint32_t h) const { return UseId(2 * edge_number_[h / 2] + h % 2); }
 
-  /// Fills edges and uses. The edge is convex, so a half-edge with its facet to the left runs along
-  /// the product of the outward normals of that facet and of the one to its right.
+  /// Fills edges and uses. The edge is convex. Therefore a half-edge with its facet on the left has
+  /// the direction of the cross product of the outward normals of this facet and of the facet on
+  /// the right.
   void fill_edges(SpaceComplex& c) const {
     for (std::uint32_t e = 0; e < edge_number_.size(); ++e) {
       if (edge_number_[e] == kNone) continue;
@@ -128,8 +129,8 @@ class ComplexMaker {
     c.edge_volume.resize(c.edge_count());
   }
 
-  /// Fills a use. Uses run as seen from the positive side of the canonical plane; where that is the
-  /// inside, they run back.
+  /// Fills a use. Uses have their direction as seen from the positive side of the canonical plane.
+  /// If the inside is on this side, the direction is reversed.
   void fill_use(std::uint32_t h, SpaceComplex& c) const {
     const auto& half = polytope_.halfedge[h];
     const bool is_back = bound_of(h).plane.is_opposite();
@@ -139,7 +140,7 @@ class ComplexMaker {
     c.use_facet.emplace_back(facet_number_[half.facet]);
   }
 
-  /// Fills facets. Volume 1 is the inside; each facet has one cycle, which starts at its least use.
+  /// Fills facets. Volume 1 is the inside. Each facet has one cycle, which starts at its least use.
   void fill_facets(SpaceComplex& c) const {
     for (std::size_t b = 0; b < bounds_.size(); ++b) {
       if (facet_number_[b] == kNone) continue;
@@ -187,7 +188,7 @@ namespace {
 
 constexpr std::uint32_t kPlanesPerCheckpoint = 1024;
 
-/// The insertion of all half-spaces.
+/// Inserts all half-spaces.
 class HullBuilder {
  public:
   template <class HalfSpaces>
@@ -208,12 +209,13 @@ class HullBuilder {
   }
 
  private:
-  /// The side of a vertex on the bound being inserted; valid if `stamp` is that of the insertion.
+  /// The side of a vertex relative to the bound that is being inserted. It is valid if `stamp` is
+  /// the stamp of this insertion.
   struct Seen {
     std::uint32_t stamp;
     Sign sign;
   };
-  /// Half-edges of one facet, of which `first` leads outside and `last` back.
+  /// The half-edges of one facet. The half-edge `first` leads outside, and `last` leads back.
   struct Chain {
     std::uint32_t first;
     std::uint32_t last;
@@ -292,7 +294,7 @@ class HullBuilder {
     return side(tables_->points, polytope_.vertex[v].point, b.plane.plane()) *
            b.plane.orientation();
   }
-  /// Whether a vertex on this side is cut off or, by an open bound, touched.
+  /// Whether a vertex on this side is cut off or, if the bound is open, touched.
   static bool is_conflict(Sign s, const HullBound& b) {
     return s == Sign::Positive || (b.is_open && s == Sign::Zero);
   }
@@ -327,8 +329,8 @@ class HullBuilder {
     }
   }
 
-  /// Gives a bound the first of these vertices that it cuts off as its conflict, if there is one.
-  /// Bounds with one conflict are linked in a list.
+  /// Finds the first of these vertices that a bound cuts off, and stores it as the conflict of the
+  /// bound. Bounds with the same conflict are linked in a list.
   void give_conflict(std::uint32_t b, std::span<const std::uint32_t> vertices) {
     conflict_of_[b] = kNone;
     for (const std::uint32_t v : vertices) {
@@ -340,7 +342,7 @@ class HullBuilder {
     }
   }
 
-  /// Inserts a bound. Returns false if it leaves nothing inside.
+  /// Inserts a bound. Returns false if no part is left inside.
   bool insert(std::uint32_t b) {
     const std::uint32_t start = conflict_of_[b];
     ++stamp_;
@@ -359,9 +361,9 @@ class HullBuilder {
     return true;
   }
 
-  /// Finds all vertices outside, and the signs of their neighbours. The search goes on from
-  /// vertices on the plane, so that an open bound that only touches its conflict finds what is
-  /// outside from there.
+  /// Finds all vertices outside, and the signs of their neighbours. The search continues from
+  /// vertices on the plane. Therefore, if an open bound only touches its conflict, the vertices
+  /// outside are found from there.
   void find_outside(std::uint32_t start, const HullBound& bound) {
     outside_.clear();
     on_count_ = 0;
@@ -378,7 +380,7 @@ class HullBuilder {
       });
     }
   }
-  /// Computes and notes the side of a vertex.
+  /// Computes and stores the side of a vertex.
   Sign classify(std::uint32_t v, const HullBound& bound) {
     seen_[v] = {stamp_, side_of(v, bound)};
     on_count_ += seen_[v].sign == Sign::Zero ? 1 : 0;
@@ -406,7 +408,8 @@ class HullBuilder {
     }
   }
 
-  /// Lets edges that pass the bound end there. Others with an end outside are removed.
+  /// Shortens the edges that cross the bound, so that they end there. Removes the other edges with
+  /// an end outside.
   void move_ends(std::uint32_t b) {
     auto& half = polytope_.halfedge;
     for (const std::uint32_t h : loose_) {
@@ -422,8 +425,8 @@ class HullBuilder {
     }
   }
 
-  /// Replaces a chain by one edge along the bound. Of a facet that keeps only one vertex nothing is
-  /// left; of one that keeps an edge, that edge is left to the new facet.
+  /// Replaces a chain by one edge along the bound. If a facet keeps only one vertex, the whole
+  /// facet is removed. If it keeps one edge, this edge becomes an edge of the new facet.
   void close_chain(const Chain& chain) {
     auto& half = polytope_.halfedge;
     const std::uint32_t from = half[chain.first].origin, to = polytope_.target(chain.last);
@@ -443,14 +446,14 @@ class HullBuilder {
     rim_.push_back(HullPolytope::twin(g));
   }
 
-  /// Remembers an open bound that has lost its facet: it still takes away the vertex or edge that
+  /// Stores an open bound that has lost its facet, because it still removes the vertex or edge that
   /// it had there.
   void keep_touching(std::uint32_t b) {
     if (bounds_[b].is_open) touching_.push_back(b);
   }
 
-  /// Links the half-edges of the rim to the boundary of the new facet: after each follows the one
-  /// that leaves its target.
+  /// Links the half-edges of the rim to the boundary of the new facet. Each is followed by the
+  /// half-edge that leaves its target.
   void close_facet(std::uint32_t b) {
     for (const std::uint32_t h : gone_) {
       polytope_.halfedge[h].facet = polytope_.halfedge[HullPolytope::twin(h)].facet = kNone;
@@ -465,8 +468,8 @@ class HullBuilder {
     }
   }
 
-  /// Removes the vertices outside. Bounds to come that had one of them as their conflict look for
-  /// another one along the rim.
+  /// Removes the vertices outside. If one of them was the conflict of a later bound, another
+  /// conflict is searched along the rim.
   void drop_outside() {
     rim_vertices_.clear();
     for (const std::uint32_t h : rim_) rim_vertices_.push_back(polytope_.halfedge[h].origin);
@@ -484,7 +487,7 @@ class HullBuilder {
     }
   }
 
-  /// Returns the half-spaces with a facet, and open ones that touch.
+  /// Returns the half-spaces with a facet, and the open half-spaces that touch.
   std::vector<std::uint32_t> needed() const {
     const std::vector<std::uint8_t> is_left = polytope_.facets_left(bounds_.size());
     std::vector<std::uint32_t> result;
@@ -503,16 +506,19 @@ class HullBuilder {
 
   Context& context_;
   std::shared_ptr<SpaceTables> tables_;
-  std::vector<HullBound> bounds_;  // Those of the cube come first.
+  std::vector<HullBound> bounds_;  // The bounds of the cube come first.
   bool has_opposite_ = false;
   HullPolytope polytope_;
-  std::size_t alive_ = 0;                     // The number of vertices not removed.
-  std::vector<std::uint32_t> touching_;       // Open bounds that cut nothing off.
-  std::vector<std::uint8_t> is_to_come_;      // Whether each bound is to come.
-  std::vector<std::uint32_t> conflict_of_;    // A vertex for each bound to come, or kNone.
-  std::vector<std::uint32_t> conflict_;       // The first bound that knows each vertex.
-  std::vector<std::uint32_t> next_conflict_;  // The next bound with the conflict of each one.
-  // These belong to the bound being inserted.
+  std::size_t alive_ = 0;                 // The number of vertices that were not removed.
+  std::vector<std::uint32_t> touching_;   // The open bounds that cut off no part.
+  std::vector<std::uint8_t> is_to_come_;  // Whether each bound is still to be inserted.
+  // For each bound that is still to be inserted, a vertex or kNone.
+  std::vector<std::uint32_t> conflict_of_;
+  // For each vertex, the first bound whose conflict it is.
+  std::vector<std::uint32_t> conflict_;
+  // For each bound, the next bound with the same conflict.
+  std::vector<std::uint32_t> next_conflict_;
+  // The following members belong to the bound that is being inserted.
   std::uint32_t stamp_ = 0;
   std::size_t on_count_ = 0;
   std::vector<Seen> seen_;  // One entry for each vertex.

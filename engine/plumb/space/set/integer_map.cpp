@@ -38,7 +38,7 @@ OrientedPlane intern_row(PlaneTable& planes, IntegerRow row) {
                        Rational(std::move(d)));
 }
 
-/// Nearly all denominators are powers of two: then no fraction needs to be reduced.
+/// Nearly all denominators are powers of two, so no fraction needs to be reduced.
 SpacePoint add_point(SpaceTables& tables, const IntegerRow& x) {
   constexpr int kMostExponent = 900;
   const Integer& w = x[3];
@@ -74,8 +74,9 @@ void IntegerMap::take_denominators(const RationalRow& row) {
 }
 
 void IntegerMap::set_planes(const std::array<IntegerVector, 3>& a) {
+  // The columns of adj A.
   const std::array<IntegerVector, 3> columns{cross(a[1], a[2]), cross(a[2], a[0]),
-                                             cross(a[0], a[1])};  // Of adj A.
+                                             cross(a[0], a[1])};
   const Integer det = dot(a[0], columns[0]);
   determinant_ = sign_of(det.sign());
   const Integer sign = det.sign();

@@ -29,7 +29,7 @@ ResidueRow image_of_residues(const MovedPlanes::Map& map, const PlaneResidues& p
 /// between their coefficients.
 Sign factor_between(const IntegerRow& p, const IntegerRow& q) {
   std::size_t k = 0;
-  while (p[k].is_zero()) ++k;  // The normal is not zero.
+  while (p[k].is_zero()) ++k;  // This ends, because the normal is not zero.
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p[i] * q[k] != q[i] * p[k]) return Sign::Zero;
   }
@@ -52,7 +52,7 @@ MovedPlanes::MovedPlanes(const PlaneTable& planes, std::span<const PlaneId> want
   for (const PlaneId p : wanted) {
     if (is_known[p.value()] != 0 || planes.is_frame(p)) continue;
     is_known[p.value()] = 1;
-    // Several planes may have one fingerprint, but each plane is added once.
+    // Several planes may have the same fingerprint, but each plane is added once.
     index_.find_or_add(hash_of_fingerprint(planes.fingerprint(p)), p.value(),
                        [](std::uint32_t) { return false; });
   }

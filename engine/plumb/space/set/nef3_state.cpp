@@ -1,4 +1,5 @@
-// Members of Nef3 that make sets and ask for points and rays; declared in plumb/space/nef3.h.
+// The members of Nef3 that make sets, locate points and shoot rays. They are declared in
+// plumb/space/nef3.h.
 //
 // A mesh becomes a set in three steps: its arrangement, winding numbers of volumes, the closure of
 // the volumes that the rule accepts (docs/design/meshes.md, "From numbers to a set"). Half-spaces
@@ -73,7 +74,7 @@ bool has_facets_everywhere(const SpaceComplex& c) {
 /// Marks facets, edges and vertices that have a marked volume beside them.
 void close_volumes(SpaceComplex& c) {
   c.facet_mark.assign(c.facet_count(), 0);
-  Mark all = 1;  // Whether all facets are marked, as those of a solid are.
+  Mark all = 1;  // Whether all facets are marked, as the facets of a solid are.
   for (std::size_t f = 0; f < c.facet_count(); ++f) {
     const auto& [above, below] = c.facet_volume[f];
     c.facet_mark[f] = c.volume_mark[above] | c.volume_mark[below];
@@ -150,7 +151,7 @@ SphereMap lone_map(const SphereDirection* direction) {
 
 }  // namespace
 
-// A Boolean of the empty set and a plane: one cut of an empty cube.
+// The set is a Boolean of the empty set and a plane, which takes a single cut of an empty cube.
 Nef3 Nef3::half_space(const Plane3& plane, Boundary boundary) {
   Context& context = unlimited_context();
   const Section section =
@@ -194,7 +195,7 @@ Nef3 Nef3::from_mesh(const PolygonMesh& mesh, const FromMeshOptions& options, Co
   return from_mesh(MeshView(mesh), options, context);
 }
 
-// The report of an open mesh is handed over before OpenMesh is thrown.
+// The report of an open mesh is stored before OpenMesh is thrown.
 Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Context& context) {
   const WorkPhase phase("set from mesh");
   MeshOptions reading;
@@ -210,7 +211,7 @@ Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Conte
     throw OpenMesh(std::move(made.report));
   }
   if (!options.surface && !options.rule) {
-    // Without a rule, components that face inwards are turned first.
+    // If there is no rule, components that face inwards are flipped first.
     made.report.turned = turn_inside_out(made, context);
   }
   report_to(made.report);
@@ -218,7 +219,8 @@ Nef3 Nef3::from_mesh(const MeshView& mesh, const FromMeshOptions& options, Conte
   return from_mesh_complex(std::move(made), options.rule.value_or(WindingRule::Positive), context);
 }
 
-// Arrange, number the volumes, mark those that the rule accepts, and close the set.
+// The mesh is arranged, volumes get winding numbers, the volumes that the rule accepts are marked,
+// and the set is closed.
 Nef3 Nef3::from_mesh_complex(MeshComplex mesh, WindingRule rule, Context& context) {
   if (!mesh.report.is_closed()) throw OpenMesh(std::move(mesh.report));
   WorkPhase phase("volumes of the mesh");
@@ -245,7 +247,7 @@ std::vector<Nef3> Nef3::from_meshes(std::span<const PolygonMesh> meshes,
   return sets;
 }
 
-// All facets with their boundaries, in volumes without marks.
+// Makes all facets with their boundaries, in volumes without marks.
 Nef3 Nef3::from_facets(MeshComplex mesh, Context& context) {
   if (!mesh.complex.tables) {
     throw Error(ErrorCode::BadShape, "the mesh is open and was not read as a surface");
@@ -266,7 +268,7 @@ Nef3 Nef3::facet(std::span<const Point3> corners, Context& context) {
 
 Nef3 Nef3::facet(std::span<const RationalPoint3> corners, Context& context) {
   PolygonMesh mesh;
-  mesh.points.resize(corners.size());  // Not read: all points are exact.
+  mesh.points.resize(corners.size());  // These are not read, because all points are exact.
   for (std::uint32_t i = 0; i < corners.size(); ++i) mesh.exact.emplace_back(i, corners[i]);
   return only_facet(std::move(mesh), context);
 }
@@ -358,7 +360,7 @@ RationalPoint3 middle(const RationalPoint3& p, const RationalPoint3& q) {
 
 }  // namespace
 
-// The first of several threads makes the locator, the others wait for it.
+// The first of several threads makes the locator, and the others wait for it.
 const SpaceLocator& Nef3::locator() const {
   std::call_once(state_->locator_made,
                  [this] { state_->locator = std::make_unique<SpaceLocator>(state_->complex); });
@@ -418,7 +420,8 @@ std::optional<SpaceHit> Nef3::shoot_if(const RationalPoint3& origin,
   for (;;) {
     context.checkpoint("shoot", 0, 0);
     if (accepts(at.item)) return hit(at.item, at.point);
-    // The cell entered after this point is that of the middle of the way to the next hit.
+    // The cell that the ray enters after this point is the cell of the middle between this point
+    // and the next hit.
     const std::optional<SpaceItemHit> next = locator().shoot(at.point, direction);
     const RationalPoint3 beyond = next ? middle(at.point, next->point) : along(at.point, direction);
     const SpaceItem entered = locator().locate(beyond);

@@ -1,4 +1,5 @@
-// Tested by tests/space/mesh_with_attributes_test.cpp.
+// The mesh of the pieces of a boundary (piece_mesh.h). Tested by
+// tests/space/mesh_with_attributes_test.cpp.
 #include "plumb/space/set/piece_mesh.h"
 
 #include <cstddef>
@@ -10,7 +11,7 @@
 namespace plumb {
 namespace {
 
-/// Whether attributes do not change between two pieces, which may lie in different planes.
+/// Whether attributes do not change between two pieces. The pieces may lie in different planes.
 bool have_same_constants(const CutBoundary& cut, const SourceTriangles& triangles, std::uint32_t p,
                          std::uint32_t q) {
   const std::uint32_t s = cut.pieces[p].triangle, t = cut.pieces[q].triangle;

@@ -22,7 +22,7 @@ std::uint32_t PlanesByCorners::hash_of_all(const std::array<std::uint32_t, 3>& c
 PlanesByCorners::PlanesByCorners(const PlaneTable& planes,
                                  std::span<const std::uint8_t> is_left_out)
     : planes_(planes) {
-  std::vector<std::uint32_t> hash(planes.points().size(), 0);  // 0 until it is needed.
+  std::vector<std::uint32_t> hash(planes.points().size(), 0);  // The value is 0 until it is needed.
   const auto hash_at = [&](std::uint32_t point) {
     if (hash[point] == 0) hash[point] = hash_of(planes.points()[point]);
     return hash[point];
@@ -33,7 +33,7 @@ PlanesByCorners::PlanesByCorners(const PlaneTable& planes,
     if (is_left_out[id] != 0 || source.is_explicit()) continue;
     const auto& code = source.code;
     const std::array corners{hash_at(code[0]), hash_at(code[1]), hash_at(code[2])};
-    // Each plane is in the table once, so no two entries are the same.
+    // Each plane is in the table only once, so all entries differ.
     index_.find_or_add(hash_of_all(corners), id, [](std::uint32_t) { return false; });
   }
 }

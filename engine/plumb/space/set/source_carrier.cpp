@@ -158,7 +158,7 @@ SourceLists::List SourceLists::joined(const List& first, const List& second) {
 
 SourceLists::List SourceLists::joined(std::span<const Nef3> sets) {
   List list;
-  std::shared_ptr<std::vector<PlacedSource>> all;  // If several sets have sources.
+  std::shared_ptr<std::vector<PlacedSource>> all;  // Set only if several sets have sources.
   std::unordered_multimap<const MeshSource*, std::size_t> known;
   const auto add = [&](const PlacedSource& placed) {
     const auto [first, last] = known.equal_range(placed.source.get());

@@ -31,7 +31,7 @@ VertexTriangle triangle_of(const MeshFacets& facets, std::size_t f) {
   return {c[0], c[1], c[2]};
 }
 
-/// Cuts faces, one after the other.
+/// Triangulates faces, one after the other.
 class FaceTriangles {
  public:
   FaceTriangles(const PolygonMesh& mesh, Context& context)
@@ -68,8 +68,10 @@ class FaceTriangles {
 
  private:
   const PolygonMesh& mesh_;
-  PolygonMesh cut_;                      // The mesh in triangles; faces of two corners stay.
-  std::vector<std::uint32_t> vertices_;  // For each point, the vertex that equal points share.
+  // The mesh with triangulated faces. Faces with two corners are kept.
+  PolygonMesh cut_;
+  // For each point, the common vertex of all points that are equal to it.
+  std::vector<std::uint32_t> vertices_;
   MeshFacets facets_;
   std::vector<std::uint8_t> is_irregular_;
   std::size_t next_cut_ = 0;

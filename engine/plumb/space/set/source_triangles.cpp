@@ -33,7 +33,7 @@
 namespace plumb {
 namespace {
 
-// A moved point takes some microseconds, and the plane of three of them as well.
+// Moving a point takes some microseconds, and computing the plane of three moved points does, too.
 constexpr std::size_t kStepsOfCheckpoint = 1024;
 constexpr std::size_t kFacetsOfCheckpoint = 4096;
 
@@ -57,7 +57,7 @@ std::vector<SpacePoint> places_of(const Plane3& plane, const AffineMap3& map, Sp
   const RationalPoint3 n{plane.a, plane.b, plane.c};
   const Rational scale = -plane.d / (n.x * n.x + n.y * n.y + n.z * n.z);
   const RationalPoint3 at{n.x * scale, n.y * scale, n.z * scale};
-  // u is orthogonal to n, and v is n x u.
+  // The vector u is orthogonal to n, and v is n x u.
   const RationalPoint3 u =
       n.x != 0 || n.y != 0 ? RationalPoint3{-n.y, n.x, 0} : RationalPoint3{1, 0, 0};
   const RationalPoint3 v{n.y * u.z - n.z * u.y, n.z * u.x - n.x * u.z, n.x * u.y - n.y * u.x};
@@ -166,8 +166,8 @@ SpacePoint SourceTriangles::image_of(const MovedPlanes::Map& map, const Point3& 
                                              to_integer(point.z, low), shifted(Integer(1), -low)}));
 }
 
-/// Interns the planes of triangles whose corners are doubles in a table of their own, before they
-/// are moved. This is much faster than to intern moved planes, and the exact image of a plane is
+/// In a separate table, interns the planes of triangles whose corners are doubles, before they are
+/// moved. This is much faster than interning moved planes, and the exact image of a plane is
 /// computed only if a facet may lie in it.
 void SourceTriangles::find_moved_planes(std::uint32_t source, std::size_t first, std::size_t end,
                                         const MovedPlanes& wanted, Context& context) {
@@ -203,10 +203,10 @@ void SourceTriangles::find_moved_planes(std::uint32_t source, std::size_t first,
   intern_planes(others, context);
 }
 
-/// Finds the planes of triangles that are facets, or parts of them. Most facets of a set have the
-/// index of their face in facet_origin, and their plane is defined by the corners of this face. The
-/// source is not known, so some are tried. Whatever facet_origin is, the corners decide. Returns 1
-/// for each plane of the table whose triangle was found.
+/// Finds the planes of triangles that are facets, or that contain facets. For most facets of a set,
+/// facet_origin is the index of their face, and the corners of this face define their plane. The
+/// source is not known, so some sources are tried. The corners decide, whatever facet_origin is.
+/// Returns 1 for each plane of the table whose triangle was found.
 std::vector<std::uint8_t> SourceTriangles::find_planes_of_facets(
     std::span<const std::size_t> first_of_source, Context& context) {
   constexpr std::size_t kMostTries = 4;
@@ -218,7 +218,7 @@ std::vector<std::uint8_t> SourceTriangles::find_planes_of_facets(
     const MeshSource& source = *sources_[s].source;
     if (!moves_[s] && !source.plane && source.mesh.exact.empty()) plain.push_back(s);
   }
-  std::size_t likely = 0;  // Facets of one source follow each other.
+  std::size_t likely = 0;  // Facets of one source are consecutive.
   for (std::size_t f = 0; f < complex.facet_count() && !plain.empty(); ++f) {
     if (f % kFacetsOfCheckpoint == 0) {
       context.checkpoint("planes of sources", f, complex.facet_count());
@@ -240,7 +240,8 @@ std::vector<std::uint8_t> SourceTriangles::find_planes_of_facets(
   return is_found;
 }
 
-/// Gives a triangle whose corners are doubles at their places a plane, if these corners define it.
+/// If the corners of a triangle are doubles at their places and define a plane, assigns this plane
+/// to the triangle.
 bool SourceTriangles::take_plane_of_corners(SourceTriangle& t, PlaneId plane) const {
   const PolygonMesh& mesh = mesh_of(t);
   PlanesByCorners::Found found;
@@ -257,7 +258,7 @@ bool SourceTriangles::take_plane_of_corners(SourceTriangle& t, PlaneId plane) co
 /// found in this way needs no arithmetic. The others are interned.
 void SourceTriangles::find_planes(std::uint32_t source, std::span<const std::uint32_t> triangles,
                                   const PlanesByCorners& known, Context& context) {
-  std::vector<std::uint32_t> hash(places_[source].size(), 0);  // 0 until it is needed.
+  std::vector<std::uint32_t> hash(places_[source].size(), 0);  // The value is 0 until it is needed.
   // The index is larger than the caches, so a block of triangles is prepared before it is looked
   // up.
   constexpr std::size_t kBlock = 32;
@@ -308,7 +309,8 @@ void SourceTriangles::find_planes(std::uint32_t source, std::span<const std::uin
 void SourceTriangles::set_plane(SourceTriangle& t, OrientedPlane plane) const {
   if (!plane.is_valid()) return;
   t.plane = plane.plane();
-  // A map that mirrors turns the corners of a triangle around, but not the side of the set.
+  // A map that mirrors reverses the order of the corners of a triangle, but does not change the
+  // side of the set.
   t.is_opposite = plane.is_opposite() != (is_mirrored_[t.source] != 0);
 }
 
@@ -429,7 +431,7 @@ bool SourceTriangles::has_same_face_attributes(const SourceTriangle& s,
 bool SourceTriangles::has_same_channels(const SourceTriangle& s, const SourceTriangle& t) {
   std::array<IntegerRow, 3> corners;
   const auto corner_of = [this](const SourceTriangle& of, std::size_t i) {
-    const SpacePoint at = place(of, i);  // May change the tables.
+    const SpacePoint at = place(of, i);  // The call may change the tables.
     return homogeneous(complex_.tables().points, at);
   };
   for (std::size_t i = 0; i < 3; ++i) corners[i] = corner_of(s, i);

@@ -43,8 +43,9 @@ RationalRow image_of_normal(const RationalRow& n, const RationalMatrix& cofactor
   return image;
 }
 
-/// A map each of whose coordinates depends on one coordinate, in doubles: of most maps that move,
-/// mirror and scale along the axes. It takes many points to doubles.
+/// A map, with doubles as numbers, in which each coordinate of the image depends on one coordinate.
+/// Most maps that translate, mirror and scale along the axes are of this kind. It maps many points
+/// to doubles.
 class AxisMap {
  public:
   /// Returns the map, if it is of this kind and its numbers are doubles.
@@ -95,9 +96,9 @@ class AxisMap {
 
 /// Maps planes and points into a new table, each once. Points go to M x + t, and a plane n.x + d =
 /// 0 to (n M^-1).x + d - (n M^-1).t = 0. The columns of M^-1 are the cross products of rows of M,
-/// divided by the determinant. R goes to `far_scale` R, and far planes are not shifted (frame.h).
-/// A plane through three input points goes to the plane through their images, if the map is an
-/// AxisMap that takes the three points to doubles: this needs no long numbers.
+/// divided by the determinant. R is mapped to `far_scale` R, and far planes are not shifted
+/// (frame.h). A plane through three input points goes to the plane through their images, if the map
+/// is an AxisMap that takes the three points to doubles: this needs no long numbers.
 class Images {
  public:
   Images(const SpaceComplex& complex, const AffineMap3& map, Rational far_scale)
@@ -146,15 +147,15 @@ class Images {
     return intern_row(tables_->planes,
                       reduced(whole_map_.image_of_plane(complex_.planes().coefficients(p))));
   }
-  /// Returns a row without a common factor, unless the first rows had none. Rows that have passed
-  /// through a map and its inverse have one, and become longer with each map if it stays. Nearly
-  /// all other rows have none, and the search for it takes longer than the map.
+  /// Returns a row without a common factor, unless the first rows had none. Rows that were mapped
+  /// by a map and by its inverse have one, and become longer with each map if it is not removed.
+  /// Nearly all other rows have none, and the search for it takes longer than the map.
   IntegerRow reduced(IntegerRow row) {
     if (rows_seen_ >= kSample && !has_factors_) return row;
     ++rows_seen_;
     IntegerRow shorter = primitive(row);
     for (std::size_t i = 0; i < 4; ++i) {
-      // Powers of two cost nothing, as tables of planes take them out.
+      // Powers of two need no search, because tables of planes remove them.
       if (row[i].is_zero()) continue;
       const int lost = bit_length(row[i]) - trailing_zeros(row[i]) - bit_length(shorter[i]) +
                        trailing_zeros(shorter[i]);
@@ -162,7 +163,8 @@ class Images {
     }
     return shorter;
   }
-  static constexpr int kLongFactor = 20;  // Bits. Many rows have a small factor by chance.
+  // The unit is a bit. Many rows have a small factor by chance.
+  static constexpr int kLongFactor = 20;
 
   /// A plane of the frame becomes a far plane: its offset scales with R and is not shifted.
   OrientedPlane image_of_far(PlaneId p) {
@@ -260,9 +262,10 @@ class Images {
   Rational far_scale_;
   std::shared_ptr<SpaceTables> tables_;
   std::vector<OrientedPlane> planes_;
-  std::vector<SpacePoint> corners_;  // Images of input points; not valid if not known.
-  std::size_t rows_seen_ = 0;        // How many rows were searched for a common factor.
-  bool has_factors_ = false;         // Whether one of them had a long one.
+  // The images of input points. An id is invalid if the image is not known.
+  std::vector<SpacePoint> corners_;
+  std::size_t rows_seen_ = 0;  // The number of rows in which a common factor was searched.
+  bool has_factors_ = false;   // Whether one of these rows had a long factor.
 };
 
 /// Reverses the uses of facets whose plane is now seen from its other side.
@@ -333,8 +336,8 @@ bool is_linear(const AffineMap3& map) {
   return std::count(map.offset.begin(), map.offset.end(), 0) == 3;
 }
 
-/// Returns the image of a framed complex: cut to a box in general position, mapped, cut to the
-/// cube.
+/// Returns the image of a framed complex. The complex is cut to a box in general position, mapped,
+/// and cut to the cube.
 SpaceComplex framed_image(const SpaceComplex& complex, const AffineMap3& map, Context& context) {
   const FarBox box = is_linear(map) ? frame_box() : general_box(complex);
   const SpaceComplex cut = inside(complex, box, copy(*complex.tables), context);
