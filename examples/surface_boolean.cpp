@@ -1,5 +1,5 @@
-// Two triangles drawn on a cube: the cells they make, how often each polygon winds
-// around them, and the union, which is bounded by polygons again.
+// Two triangles drawn on a cube: the cells they make, how often each polygon winds around them, and
+// the union, which is bounded by polygons again.
 #include <array>
 #include <iostream>
 #include <memory>

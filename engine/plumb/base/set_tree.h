@@ -39,9 +39,8 @@ namespace plumb {
 /// A rewritten expression. Each node comes after its children in `nodes`.
 struct SetTree {
   /// A node. The children of a union, an intersection or a Minkowski sum have no order, and a sum
-  /// can have the same child several times. A difference subtracts all
-  /// other children from its first child. A complement has one child, and a symmetric difference
-  /// has two children.
+  /// can have the same child several times. A difference subtracts all other children from its
+  /// first child. A complement has one child, and a symmetric difference has two children.
   struct Node {
     SetOperator op = SetOperator::Operand;  ///< The kind of the node.
     std::uint32_t operand = 0;              ///< The number of the operand, if `op` is Operand.

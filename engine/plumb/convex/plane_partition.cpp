@@ -7,10 +7,9 @@
 // The method Best takes the result with the fewest parts among the methods that are not too
 // expensive. An optimal partition by diagonals is not always the best, because a cut that prolongs
 // a side may end inside an edge and resolve two reflex corners at once; so cuts are tried as well,
-// unless there are two parts already or
-// r n is too large. Bounds and proofs: docs/convex.md and plane_partition.h; S. Hertel and
-// K. Mehlhorn, Fast triangulation of simple polygons, FCT 1983; M. Keil and J. Snoeyink,
-// International Journal of Computational Geometry and Applications 12 (2002).
+// unless there are two parts already or r n is too large. Bounds and proofs: docs/convex.md and
+// plane_partition.h; S. Hertel and K. Mehlhorn, Fast triangulation of simple polygons, FCT 1983; M.
+// Keil and J. Snoeyink, International Journal of Computational Geometry and Applications 12 (2002).
 // Tested by tests/convex/plane_partition_test.cpp.
 #include "plumb/convex/plane_partition.h"
 

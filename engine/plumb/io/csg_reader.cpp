@@ -4,8 +4,7 @@
 // A node with the modifier `*` or `%` is read like any other, so that its errors are found, and
 // removed at its end. Files are imported last, so that the files of removed nodes are never opened.
 //
-// Tested by tests/io/csg_reader_test.cpp and
-// fuzz/csg_reader.cpp.
+// Tested by tests/io/csg_reader_test.cpp and fuzz/csg_reader.cpp.
 #include "plumb/io/csg_reader.h"
 
 #include <algorithm>

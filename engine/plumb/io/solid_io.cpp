@@ -78,8 +78,8 @@ Nef3 set_of(const PolygonMesh& mesh, const FromMeshOptions& reading, const std::
   }
 }
 
-/// Refuses a file without faces, unless the set may be empty: then the set is
-/// empty, with a warning.
+/// Refuses a file without faces, unless the set may be empty: then the set is empty, with a
+/// warning.
 void refuse_without_faces(const MeshFile& file, bool may_be_empty, const std::string& name,
                           std::vector<std::string>& warnings) {
   const std::string lack = lack_of_faces(file);

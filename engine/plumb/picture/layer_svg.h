@@ -30,8 +30,8 @@ void write_layer_svg(std::ostream& out, const Layer& layer, const LayerReport& r
 
 /// Writes an HTML page with the picture that write_layer_svg() writes, and a list of the regions.
 /// If the user clicks on one of them in the picture or in the list, the page shows its close-up.
-/// Defects are listed before holes. Cost: O(n) for n corners, and O(n) for
-/// each close-up. Exceptions of `out` reach the caller.
+/// Defects are listed before holes. Cost: O(n) for n corners, and O(n) for each close-up.
+/// Exceptions of `out` reach the caller.
 void write_layer_html(std::ostream& out, const Layer& layer, const LayerReport& report,
                       const LayerSvgOptions& options = {});
 

@@ -38,9 +38,9 @@ bool begins_like_zip(std::string_view bytes);
 MeshFile read_threemf(std::string_view bytes, const ReadOptions& options, Context& context);
 
 /// Writes one object in millimetres, with the materials, colours and groups of its faces. Equal
-/// meshes give equal bytes. Throws Error{NumberOutOfRange}
-/// if a vertex lies beyond the largest double, Error{BadArgument} if a face is no triangle, the
-/// errors of write_zip(), and the exceptions of `out`.
+/// meshes give equal bytes. Throws Error{NumberOutOfRange} if a vertex lies beyond the largest
+/// double, Error{BadArgument} if a face is no triangle, the errors of write_zip(), and the
+/// exceptions of `out`.
 void write_threemf(std::ostream& out, const PolygonMesh& mesh,
                    const MeshAttributes& attributes = {});
 

@@ -48,10 +48,9 @@ struct DxfContent {
 
 /// Returns the curves of the drawing and of its inserts on a layer, each with its final transform
 /// and layer, in the order in which the text states them. An empty name stands for all layers.
-/// Inserts of blocks that are missing are left out.
-/// `charge` pays for the result. Errors at the line of an insert in file `name`: BadShape for a
-/// block that contains itself; ResourceLimit beyond 64 nested blocks or 2^20 placed entities, and
-/// as the context says; Cancelled.
+/// Inserts of blocks that are missing are left out. `charge` pays for the result. Errors at the
+/// line of an insert in file `name`: BadShape for a block that contains itself; ResourceLimit
+/// beyond 64 nested blocks or 2^20 placed entities, and as the context says; Cancelled.
 std::vector<DxfCurve> placed_curves(const DxfContent& content, std::string_view only_layer,
                                     const std::string& name, MemoryCharge& charge,
                                     Context& context);

@@ -111,8 +111,8 @@ class OutputFile {
 void commit_all(std::span<const std::unique_ptr<OutputFile>> files);
 
 /// Removes the temporary files of all OutputFile objects that exist, and the empty folders of all
-/// OutputDirectory objects that were not kept. For signal handlers that end
-/// the process: async-signal-safe.
+/// OutputDirectory objects that were not kept. For signal handlers that end the process:
+/// async-signal-safe.
 void remove_temporary_files() noexcept;
 
 /// A folder for output, created with those above it that are missing. Folders that were created and

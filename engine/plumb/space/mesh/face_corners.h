@@ -62,9 +62,9 @@ FaceOrigins origins_of(const PolygonMesh& before, const PolygonMesh& after,
                        std::span<const std::uint32_t> face);
 
 /// Returns the attributes of the faces of `after` from those of the faces of which they were made.
-/// `attributes` must be complete. Faces that were
-/// reversed have the negative of the channel "normal" of width 3. New faces have no material, no
-/// group and no id; their numbers are 1 in the channel "color" and 0 in other channels. O(n).
+/// `attributes` must be complete. Faces that were reversed have the negative of the channel
+/// "normal" of width 3. New faces have no material, no group and no id; their numbers are 1 in the
+/// channel "color" and 0 in other channels. O(n).
 MeshAttributes carried(const MeshAttributes& attributes, const PolygonMesh& after,
                        const FaceOrigins& origins);
 

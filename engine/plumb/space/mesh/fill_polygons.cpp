@@ -2,10 +2,10 @@
 //
 // A hole need not be planar. Any choice of triangles closes it, because their boundary is always
 // the chain. Triangles of least total area follow the surroundings; they are found by dynamic
-// programming over parts of the chain
-// (G. Barequet, M. Sharir, Filling gaps in the boundary of a polyhedron, Computer Aided Geometric
-// Design 12, 1995). Areas are compared in doubles, because any choice is valid. Whether a chain is
-// planar is decided exactly, so a hole in a plane becomes one face of that plane.
+// programming over parts of the chain (G. Barequet, M. Sharir, Filling gaps in the boundary of a
+// polyhedron, Computer Aided Geometric Design 12, 1995). Areas are compared in doubles, because any
+// choice is valid. Whether a chain is planar is decided exactly, so a hole in a plane becomes one
+// face of that plane.
 //
 // A face is triangulated in the first view along an axis in which it is simple, because in such a
 // view the triangles cover it once. Views are tried in the order of the projected area.

@@ -22,8 +22,7 @@ namespace plumb {
 /// Each directed edge still occurs as often as its reverse. Triangles that are left without area
 /// are removed. Whether things are near each other is decided in doubles. This is allowed, because
 /// each decision keeps the mesh closed, and largest_move includes its effect. `pairs` lists pairs
-/// of faces that cross. Takes O(corners +
-/// k log k) time for k near parts.
+/// of faces that cross. Takes O(corners + k log k) time for k near parts.
 ChangedMesh snap_near(const PolygonMesh& mesh, std::span<const std::uint8_t> is_damaged,
                       std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, double width);
 

@@ -50,8 +50,8 @@ std::size_t corner_index(const CornerPoints& corners, const Point3& p);
 
 /// The triangles of all sources that have an area, sorted by their planes, then by their sources
 /// and faces. Planes have ids in the order in which sets were made, so what belongs to neighbouring
-/// facets is close in memory. Points of a source get a place in the tables
-/// when they are asked for, because most of them never are.
+/// facets is close in memory. Points of a source get a place in the tables when they are asked for,
+/// because most of them never are.
 class SourceTriangles {
  public:
   /// Finds the planes of the triangles of all sources. Planes that the tables of `complex` do not

@@ -141,9 +141,8 @@ void take_part(const Operand& operand, Part part, Plane& plane) {
 }
 
 /// Returns the sign of c0 + c1 R, where R stands for the half-width of the frame, which is larger
-/// than every number. The caller passes the function `question`: question(part) returns
-/// the sign of one part as a FilteredSign. If `has_frame` is false, c1 is 0 and its sign is not
-/// computed.
+/// than every number. The caller passes the function `question`: question(part) returns the sign of
+/// one part as a FilteredSign. If `has_frame` is false, c1 is 0 and its sign is not computed.
 template <class Question>
 FilteredSign by_parts(bool has_frame, const Question& question) {
   if (has_frame) {

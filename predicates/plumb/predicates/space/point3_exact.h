@@ -131,8 +131,7 @@ std::optional<RoundedPoint3> with_coordinates_across(std::array<double, 3> clear
 
 /// Returns the rounded point of a line and a plane through input points or across an axis, or of
 /// three planes that define such a point (as_line()), as some 100 bits show it; nothing for other
-/// sources, and under
-/// the conditions of rung::rounded_filter(). Cost: about 120 ns.
+/// sources, and under the conditions of rung::rounded_filter(). Cost: about 120 ns.
 std::optional<RoundedPoint3> rounded_on_line(const PlaneTable& planes, const PointSource& source);
 
 /// Returns the rounded point of exact coordinates, as rung::rounded_fixed(). Requires that the
