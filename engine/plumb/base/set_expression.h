@@ -30,7 +30,7 @@ enum class SetOperator : std::uint8_t {
 /// The operators that an expression may have.
 enum class SetOperators : std::uint8_t {
   Boolean,   ///< The operators of the Boolean algebra.
-  WithSums,  ///< These operators, and MinkowskiSum.
+  WithSums,  ///< The operators of the Boolean algebra, and MinkowskiSum.
 };
 
 /// An expression in postfix order. An operand pushes its value. The operator Complement pops one

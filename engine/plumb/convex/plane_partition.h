@@ -97,7 +97,7 @@ struct RoundedPieces {
   /// The number of pieces that are not convex, because rounding bent a side to a corner of a
   /// neighbour.
   std::size_t not_convex = 0;
-  PlaneRoundingReport rounding;  ///< What rounding has changed.
+  PlaneRoundingReport rounding;  ///< The changes that rounding has caused.
 };
 
 /// Returns the closures of the pieces, rounded to doubles. All pieces are rounded together, as one

@@ -58,7 +58,7 @@ enum class CsgDimension : std::uint8_t {
   Space,    ///< A set of space.
 };
 
-/// How evaluate() found the value of a node.
+/// The way in which evaluate() found the value of a node.
 enum class CsgWork : std::uint8_t {
   LeftOut,   ///< The value has no influence on the result.
   Computed,  ///< The node was evaluated.
@@ -71,7 +71,7 @@ enum class CsgWork : std::uint8_t {
 /// A report about one node of an evaluated tree.
 struct CsgNodeReport {
   CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of the node's value.
-  CsgWork work = CsgWork::LeftOut;                 ///< How the node's value was found.
+  CsgWork work = CsgWork::LeftOut;                 ///< The way in which the node's value was found.
   /// If `work` is Shared, the index of the node whose value was taken. Otherwise the index of this
   /// node.
   std::uint32_t same_as = 0;
@@ -84,7 +84,7 @@ struct CsgNodeReport {
 
 /// The value of a tree.
 struct CsgResult {
-  CsgDimension dimension = CsgDimension::Nothing;  ///< Which of the sets below is the value.
+  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of the value.
   Nef2 shape;                        ///< The value, if it is a set of the plane; otherwise empty.
   Nef3 solid;                        ///< The value, if it is a set of space; otherwise empty.
   std::vector<CsgNodeReport> nodes;  ///< A report for each node.

@@ -112,8 +112,8 @@ class Ring {
   /// Iterator that stops when it reaches the first id again.
   class Iterator {
    public:
-    using value_type = Id;                   ///< Required of every iterator.
-    using difference_type = std::ptrdiff_t;  ///< Required of every iterator.
+    using value_type = Id;                   ///< A member that every iterator must have.
+    using difference_type = std::ptrdiff_t;  ///< A member that every iterator must have.
     Iterator() = default;
     Iterator(Id first, Step step)
         : at_(first), first_(first), step_(step) {}  ///< Starts at `first`.

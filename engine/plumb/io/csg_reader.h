@@ -54,11 +54,11 @@ enum class CsgImports : std::uint8_t {
 
 /// Options of reading a model.
 struct CsgReadOptions {
-  CsgImports imports = CsgImports::BelowModel;  ///< Which files may be imported.
+  CsgImports imports = CsgImports::BelowModel;  ///< The files that may be imported.
   /// Whether numbers with a decimal point or an exponent in imported files are read exactly.
   /// Otherwise such a number is rounded to the nearest double.
   bool exact_decimals = false;
-  /// Which attributes of imported meshes are kept (solid_io.h).
+  /// The attributes of imported meshes that are kept (solid_io.h).
   KeptAttributes attributes = KeptAttributes::None;
 };
 

@@ -141,7 +141,7 @@ void write_layer_fgb(std::ostream& out, const Layer& layer, const std::string& c
 /// The files of a shapefile, whose names differ in the extension only.
 struct Shapefile {
   std::string shp;  ///< The polygons.
-  std::string shx;  ///< Where the features begin in `shp`.
+  std::string shx;  ///< The places in `shp` where the features begin.
   std::string dbf;  ///< The properties.
   std::string prj;  ///< The coordinate reference system, or an empty text.
   std::string cpg;  ///< The encoding of the texts, which is UTF-8.

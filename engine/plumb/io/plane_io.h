@@ -163,7 +163,7 @@ PlaneRead read_plane_set_file(const std::string& path, std::optional<PlaneFormat
 
 /// Options of the writers of WKT, GeoJSON, WKB and DXF. The options have no effect on .nef2.
 struct PlaneWriteOptions {
-  OutputRounding rounding = OutputRounding::Valid;  ///< How coordinates become doubles.
+  OutputRounding rounding = OutputRounding::Valid;  ///< The rounding of coordinates to doubles.
   /// The step of a grid. If it has a value, coordinates are rounded to multiples of the step, so
   /// that the shapes are valid. The doubles nearest to these multiples are written, and `rounding`
   /// is ignored. Requires a positive step.
@@ -191,7 +191,7 @@ struct PlaneLosses {
   /// shapes. In this case, the report lists the changes that a repair would make. If the report
   /// lists no change, the shapes with the nearest doubles are valid.
   PlaneRoundingReport rounding;
-  PlaneWriteOptions options;  ///< How coordinates are rounded.
+  PlaneWriteOptions options;  ///< The rounding of coordinates, and other options.
 
   /// Whether rounding changes the shape of the set.
   bool is_reshaped() const { return plumb::is_reshaped(rounding, options); }

@@ -37,7 +37,7 @@ struct ReadOptions {
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
   /// is rounded to the nearest double.
   bool exact_decimals = false;
-  NamedFiles named_files = NamedFiles::Below;  ///< Which other files the file may name.
+  NamedFiles named_files = NamedFiles::Below;  ///< The other files that the file may refer to.
   /// The rule for polygons of the plane. For all other contents of files, the rule has no effect.
   RingRule rings = RingRule::Odd;
   /// The largest allowed distance of a curve from the chords that replace it, in the unit of the
@@ -53,7 +53,7 @@ struct ReadOptions {
   bool attributes = false;
 };
 
-/// How a writer rounds coordinates that its format cannot represent exactly.
+/// The rounding of coordinates that a format cannot represent exactly.
 enum class OutputRounding : std::uint8_t {
   Valid,    ///< Rounds such that the written mesh or polygons are valid.
   Nearest,  ///< Rounds to the nearest numbers, even if faces or edges of the result cross.

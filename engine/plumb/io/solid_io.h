@@ -25,7 +25,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Which attributes of a mesh (mesh_attributes.h) are kept with its set.
+/// The attributes of a mesh (mesh_attributes.h) that are kept with its set.
 enum class KeptAttributes : std::uint8_t {
   None,     ///< No attributes. Then attributes cost no time and no memory.
   Colours,  ///< Materials, and the channel "color".

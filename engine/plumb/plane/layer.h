@@ -118,7 +118,7 @@ struct OwnerPreference {
 
 /// Options of repair_layer().
 struct LayerRepairOptions {
-  OwnerRule rule = OwnerRule::LongestBorder;  ///< How owners of regions are selected.
+  OwnerRule rule = OwnerRule::LongestBorder;  ///< The rule by which owners of regions are selected.
   /// An enclosed region that no feature covers is a gap if its width is less than this value.
   /// Otherwise it is a hole, such as a lake, and stays as it is. Let D be the diagonal of the
   /// bounding box of the layer. If there is no value, the bound for the width of a gap is D
@@ -200,7 +200,7 @@ struct LayerReport {
   Layer shapes;
   double gaps_below = 0;               ///< The bound that was used for the widths of gaps.
   std::vector<std::uint32_t> emptied;  ///< The features that lost their whole area by the repair.
-  PlaneRoundingReport rounding;        ///< What rounding has changed.
+  PlaneRoundingReport rounding;        ///< The changes that rounding has caused.
   /// Whether the repair ended although open gaps were left. This happens in two cases: after
   /// LayerRepairOptions::most_rounds rounds, or if everything that a round filled vanished when it
   /// was rounded to doubles.

@@ -32,7 +32,7 @@ struct DissolvedLayer {
   /// The number of regions that several features of different groups cover. Such a region is
   /// assigned to the group of the first of these features.
   std::size_t overlaps = 0;
-  PlaneRoundingReport rounding;  ///< What rounding has changed.
+  PlaneRoundingReport rounding;  ///< The changes that rounding has caused.
 };
 
 /// Returns a layer with one feature for each group. group[f] is the group of feature f, which is

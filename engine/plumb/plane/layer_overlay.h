@@ -71,7 +71,7 @@ struct LayerOverlay {
   /// The number of regions that several features of the first layer cover, and the corresponding
   /// number for the second layer. Such a region is assigned to the first of these features.
   std::size_t first_overlaps = 0, second_overlaps = 0;
-  PlaneRoundingReport rounding;  ///< What rounding has changed.
+  PlaneRoundingReport rounding;  ///< The changes that rounding has caused.
 };
 
 /// Returns the overlay of two layers. Throws Error{NumberOutOfRange} if coordinates are too large

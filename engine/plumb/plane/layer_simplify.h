@@ -70,7 +70,7 @@ struct SimplifiedLayer {
   /// The number of regions that several features cover. Such a region is assigned to the first of
   /// these features.
   std::size_t overlaps = 0;
-  PlaneRoundingReport rounding;  ///< What rounding has changed before corners were removed.
+  PlaneRoundingReport rounding;  ///< The changes by rounding before corners are removed.
 };
 
 /// Returns the layer with simplified borders. Throws Error{BadArgument} if an option is out of its

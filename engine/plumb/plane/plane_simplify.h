@@ -40,7 +40,7 @@ struct SimplifiedSet {
   /// An upper bound for the distance between the original borders and the simplified borders
   /// (Hausdorff distance). Movements by rounding are not included.
   double borders_moved = 0;
-  PlaneRoundingReport rounding;  ///< What rounding has changed before corners were removed.
+  PlaneRoundingReport rounding;  ///< The changes by rounding before corners are removed.
 };
 
 /// Returns the closure of a set with fewer corners. Throws Error{BadArgument} if the set is

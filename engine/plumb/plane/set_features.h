@@ -48,7 +48,7 @@ struct SetFeatures {
   std::vector<std::uint32_t> vanished;
   bool is_unbounded = false;     ///< Whether unbounded faces were left out.
   bool has_thin_parts = false;   ///< Whether lines and points were left out.
-  PlaneRoundingReport rounding;  ///< What rounding has changed.
+  PlaneRoundingReport rounding;  ///< The changes that rounding has caused.
 };
 
 /// Divides a set into the parts that the features of `sources` cover. A part that several features

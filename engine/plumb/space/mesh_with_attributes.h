@@ -74,7 +74,7 @@ enum class PieceJoin : std::uint8_t {
 
 /// Options of mesh_with_attributes().
 struct AttributeOptions {
-  PieceJoin join = PieceJoin::SameAttributes;  ///< Which pieces of a facet are joined.
+  PieceJoin join = PieceJoin::SameAttributes;  ///< The pieces of a facet that are joined.
   /// The type of number to which points are rounded.
   CoordinateType type = CoordinateType::Double;
   /// The faces that are made from pieces. A piece becomes one polygon under the conditions that

@@ -30,7 +30,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// Which facets are triangulated.
+/// The facets that are triangulated.
 enum class MeshFaces : std::uint8_t {
   /// A facet becomes one polygon if it is simple and the coordinates of its corners are doubles.
   /// Other facets are triangulated.
@@ -43,7 +43,7 @@ enum class MeshFaces : std::uint8_t {
 
 /// Options of the conversion to a mesh.
 struct ToMeshOptions {
-  MeshFaces faces = MeshFaces::PlanarPolygons;  ///< Which facets are triangulated.
+  MeshFaces faces = MeshFaces::PlanarPolygons;  ///< The facets that are triangulated.
   /// Whether the mesh has a separate vertex for each cone (see above) of the solid at a vertex of
   /// the set. The separate vertices have equal coordinates. If this option is set, edges with more
   /// than two faces are split, too.

@@ -24,7 +24,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// What one phase, one job or a whole operation has done.
+/// The work of one phase, of one job or of a whole operation.
 struct WorkNode {
   std::string_view phase;  ///< The name of the phase; empty for a job and for the whole.
   double seconds = 0;      ///< CPU time outside of the steps.

@@ -13,7 +13,7 @@
 
 namespace plumb::cli {
 
-/// What was done, with its time.
+/// A step that was done, with its time.
 struct DemoStep {
   std::string what;
   double seconds = 0;
@@ -32,7 +32,7 @@ struct DemoPicture {
 /// One capability: the steps with their times, and pictures of the results.
 struct DemoChapter {
   std::string title;
-  std::string claim;  ///< What its figures show, in a sentence.
+  std::string claim;  ///< A sentence that states what its figures show.
   std::vector<DemoStep> steps = {};
   std::vector<DemoPicture> pictures = {};
 

@@ -152,7 +152,7 @@ class SolidInput {
 
 // How commands on surfaces read scenes and expressions.
 
-/// What made a shape separate that did not.
+/// The loops that were added to a shape so that it separates the surface.
 struct SurfaceRepair {
   std::uint32_t shape;
   std::vector<std::int64_t> homology;   ///< Its class before.

@@ -55,7 +55,7 @@ class ProgressEstimate {
   /// Takes the arguments of a ProgressCallback.
   void tell(std::string_view phase, std::uint64_t done, std::uint64_t total, double now);
 
-  /// What the bar shows.
+  /// The content of the bar.
   struct View {
     double part = 0;             ///< From 0 to 1.
     std::optional<double> left;  ///< Seconds; no value as long as too little is done.
@@ -64,7 +64,7 @@ class ProgressEstimate {
   View at(double now);
 
  private:
-  /// What one phase has reported.
+  /// The reports of one phase.
   struct Report {
     double since = 0;
     std::optional<double> done = std::nullopt;  ///< From 0 to 1.

@@ -104,7 +104,7 @@ struct CommonOptions {
   std::uint64_t limit_memory_mb = 0;  ///< 0 means none.
   double limit_seconds = 0;           ///< 0 means none.
   bool exact_decimals = false;
-  std::uint32_t digits = Limits().max_number_digits;  ///< Of one number that is read.
+  std::uint32_t digits = Limits().max_number_digits;  ///< The limit for one number that is read.
 
   void declare(CLI::App& app);
 };
@@ -135,7 +135,7 @@ class Outputs {
 /// that begin or continue no character of UTF-8. Allocates no memory.
 void hide_controls(std::span<char> text);
 
-/// What a command works with.
+/// The objects with which a command works.
 class Session {
  public:
   Session(const CommonOptions& options, std::stop_token stop);

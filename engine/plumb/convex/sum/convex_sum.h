@@ -117,7 +117,7 @@ struct FacetDirection {
 void for_each_direction(const ConvexBody& a, const ConvexBody& b,
                         const std::function<void(const FacetDirection&)>& visit, Context& context);
 
-/// Which part of the closed sum belongs to the result.
+/// The part of the closed sum that belongs to the result.
 enum class SumMarks : std::uint8_t {
   Closed,  ///< All of it.
   Open,    ///< Its relative interior.

@@ -120,7 +120,7 @@ struct Obstacle {
   PlaneId plane;
   SpaceItem owner;               ///< Facet or edge.
   Station from, to;              ///< Ends; `to` is ahead of `from`.
-  SpaceItem from_item, to_item;  ///< What the ends are: a vertex, or an edge that crosses W.
+  SpaceItem from_item, to_item;  ///< The kind of each end: a vertex, or an edge that crosses W.
 };
 
 /// The section of a complex with a vertical plane, as obstacles.

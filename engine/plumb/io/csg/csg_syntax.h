@@ -29,7 +29,7 @@ struct CsgValue {
   double number = 0;         ///< The number, which is NaN if it is not finite; a Boolean is 0 or 1.
   std::uint32_t first = 0;   ///< The first value within a vector: the value after it.
   std::uint32_t end = 0;     ///< The value after the last value within this one.
-  const char* at = nullptr;  ///< Where it begins in the text.
+  const char* at = nullptr;  ///< The place in the text where it begins.
 };
 
 /// A parameter: its name, which may be empty, and the index of its value.
@@ -56,7 +56,7 @@ class CsgScanner {
   // The node that was reported last.
 
   std::string_view name() const { return name_; }   ///< Its name.
-  const char* place() const { return place_; }      ///< Where its name begins.
+  const char* place() const { return place_; }      ///< The place where its name begins.
   bool has(char modifier) const;                    ///< Whether it has the modifier.
   std::uint32_t line() const { return line_; }      ///< The line of its name.
   std::uint32_t column() const { return column_; }  ///< The column of its name.

@@ -28,7 +28,7 @@ struct TextRequest {
   double spacing = 1;               ///< Multiplies the advance of each character.
   std::string halign = "left";      ///< left, center or right; other values count as left.
   std::string valign = "baseline";  ///< baseline, top, center, bottom; others count as baseline.
-  std::uint32_t chords = 4;         ///< Of each curve of an outline.
+  std::uint32_t chords = 4;         ///< The number of chords of each curve of an outline.
 };
 
 /// The outline of a character: closed paths. A point belongs to the character if it lies inside an

@@ -24,7 +24,7 @@ bool has_meshopt();
 /// (EXT_meshopt_compression).
 struct MeshoptStream {
   std::string_view bytes;
-  std::size_t count = 0;   ///< How many elements are compressed.
+  std::size_t count = 0;   ///< The number of compressed elements.
   std::size_t stride = 0;  ///< Bytes of an element.
   std::string mode;        ///< ATTRIBUTES, TRIANGLES or INDICES.
   std::string filter;      ///< NONE or empty, OCTAHEDRAL, QUATERNION or EXPONENTIAL.

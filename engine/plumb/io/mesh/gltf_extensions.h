@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// What an extension changes.
+/// The parts of a file that an extension changes.
 enum class GltfEffect : std::uint8_t {
   None,   ///< Only how things look, sound, move or are called.
   Read,   ///< The shape, and the reader follows it.

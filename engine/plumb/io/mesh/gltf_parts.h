@@ -221,7 +221,7 @@ struct GltfInstances {
 
 /// Numbers of the vertices of a primitive: colours, normals or texture coordinates.
 struct GltfChannel {
-  std::string name;         ///< As in MeshChannel.
+  std::string name;         ///< The name, as in MeshChannel.
   std::uint32_t width = 0;  ///< 2, 3 or 4 numbers.
   GltfElements values;      ///< One element for each vertex.
 

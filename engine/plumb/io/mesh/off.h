@@ -37,7 +37,7 @@ MeshFile read_off(std::string_view text, const ReadOptions& options, Context& co
 
 // Writes meshes as OFF (docs/formats.md, "OFF").
 
-/// What a writer does with coordinates that are not doubles.
+/// The treatment of coordinates that are not doubles by a writer.
 enum class MeshNumbers : std::uint8_t {
   Nearest,  ///< Writes the nearest double, in the shortest decimal that reads back as it.
   Exact,    ///< Writes p/q.

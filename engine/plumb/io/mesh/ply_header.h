@@ -43,7 +43,7 @@ std::size_t size_of(PlyType type);
 
 /// A property of the elements of one kind.
 struct PlyProperty {
-  /// What the property means for a mesh.
+  /// The meaning of the property for a mesh.
   enum class Role : std::uint8_t { None, X, Y, Z, Corners };
 
   PlyType type;
@@ -70,7 +70,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Text;
   std::vector<PlyElement> elements;
-  std::string passed_over;  ///< What no mesh holds, by its names; empty if there is nothing.
+  std::string passed_over;  ///< The names of parts that a mesh cannot represent; may be empty.
   std::string left_out;     ///< Geometry that is not read, by its names.
 
   /// Returns the number of vertices.

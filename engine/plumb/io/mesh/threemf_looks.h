@@ -33,7 +33,7 @@ struct ThreeMfGroup {
   std::uint32_t first = 0, end = 0;
 };
 
-/// What a face looks like.
+/// The look of a face.
 struct ThreeMfLook {
   static constexpr std::uint32_t kNone = MeshAttributes::kNone;
   std::array<std::uint32_t, 3> entry{kNone, kNone, kNone};  ///< Of each corner, or kNone.

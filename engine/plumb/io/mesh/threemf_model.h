@@ -44,7 +44,7 @@ struct ThreeMfPlacement {
   std::uint32_t column = 0;
 };
 
-/// What an object is for.
+/// The purpose of an object.
 enum class ThreeMfType : std::uint8_t { Model, Support, Surface, Other };
 
 /// An object of a part. Ranges are half open.

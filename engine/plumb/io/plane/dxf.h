@@ -43,7 +43,7 @@ namespace plumb {
 /// polygon, under another rule each ring is a polygon. The memory of the shapes stays charged to
 /// `context`.
 PlaneFile read_dxf(std::string_view text, const ReadOptions& options, Context& context);
-/// What is taken of a drawing, and how.
+/// The parts of a drawing that are read, and the way of reading them.
 struct DxfSelection {
   std::string_view layer;  ///< The only layer that is read; all layers if it has no characters.
   /// Whether the drawing is read as OpenSCAD reads it: an open chain is closed by a straight line,

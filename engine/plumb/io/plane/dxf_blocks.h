@@ -24,12 +24,12 @@ struct DxfBlock {
 /// A block that is placed in a rectangular array.
 struct DxfInsert {
   std::string_view block;  ///< The name of the block.
-  std::string_view layer;  ///< What layer 0 of the block stands for.
+  std::string_view layer;  ///< The layer that replaces layer 0 of the block.
   SvgTransform placing;    ///< Applied after the scales and the step of the array.
   Point2 scale{1, 1};
-  Point2 spacing;  ///< Of the columns and the rows.
+  Point2 spacing;  ///< The distances of columns and of rows.
   std::uint32_t columns = 1, rows = 1;
-  std::size_t line = 0;  ///< Where the text states it.
+  std::size_t line = 0;  ///< The place where the text states it.
 };
 
 /// Orders names of blocks. As in all programs that draw, large and small letters are equal.

@@ -11,7 +11,7 @@
 
 namespace plumb {
 
-/// How a curve through points begins and ends.
+/// The conditions at the ends of a curve through points.
 struct FitEnds {
   bool is_closed = false;  ///< Whether the curve returns to its first point, smoothly.
   /// The directions at the ends of an open curve. Without one, the curvature is 0 there.

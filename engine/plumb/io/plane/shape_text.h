@@ -18,7 +18,7 @@
 
 namespace plumb {
 
-/// How deep geometries of WKT and WKB may be nested.
+/// The greatest depth of nested geometries of WKT and WKB.
 inline constexpr int kMostNested = 64;
 
 // Words of notes and errors.

@@ -19,7 +19,7 @@
 
 namespace plumb {
 
-/// How `.nef` names the planes of the frame, in the order of the tables.
+/// The names of the planes of the frame in `.nef`, in the order of the tables.
 inline constexpr std::array<std::string_view, 6> kFrameSides{"-x", "+x", "-y", "+y", "-z", "+z"};
 
 /// A format of files of sets. `.nef` holds every set exactly; meshes hold the closure of the
@@ -36,7 +36,7 @@ std::span<const SolidFormat> solid_formats();
 /// a device or a pipe, which have no file beside them, or if the file itself is called .mtl.
 std::string material_library_of(const std::string& path);
 
-/// How the boundary of a set becomes the faces of a mesh.
+/// The options by which the boundary of a set becomes the faces of a mesh.
 struct SolidFaces {
   /// Which pieces of facets become one face. If this is not SameAttributes, the mesh is divided as
   /// the sources are, even if they have no attributes.

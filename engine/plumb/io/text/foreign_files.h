@@ -16,7 +16,7 @@
 
 namespace plumb {
 
-/// Which commands read the file that was refused.
+/// The commands that would read the file that was refused.
 enum class FileReaders : std::uint8_t { Solids, PlaneSets };
 
 /// Returns what the file is and what to do, such as "this is a file packed by gzip; unpack it

@@ -62,7 +62,7 @@ class JsonScanner {
   [[noreturn]] void fail(ErrorCode code, const std::string& message, const char* where) const;
 
  private:
-  /// What stands before the position.
+  /// The kind of token before the position.
   enum class Before : std::uint8_t { Bracket, Name, Value };
 
   bool at(char c) const { return p_ != end_ && *p_ == c; }

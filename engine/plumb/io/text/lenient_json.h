@@ -22,7 +22,7 @@
 
 namespace plumb {
 
-/// How much of a text, or of several, was replaced.
+/// The counts of replacements in a text, or in several texts.
 struct JsonReplaced {
   std::size_t words = 0;   ///< Words outside of texts.
   std::size_t pieces = 0;  ///< Characters and escapes in texts.

@@ -10,7 +10,7 @@
 
 namespace plumb {
 
-/// How much a view may hold.
+/// The limits of the content of a view.
 struct PaintLimits {
   std::size_t points = 400000;
   std::size_t polygons = 60000;
@@ -18,7 +18,7 @@ struct PaintLimits {
   bool is_overview = true;
 };
 
-/// What became of the cycles.
+/// The counts of drawn and omitted cycles.
 struct PaintCounts {
   /// Cycles that were drawn.
   std::size_t drawn = 0;
@@ -42,7 +42,7 @@ class Painter {
   const Plane& plane_;
   std::vector<std::uint8_t> colour_;  ///< The tint of each cycle; kTints for clockwise cycles.
   std::vector<std::uint32_t> order_;
-  double perimeter_ = 0;  ///< Of all cycles, in plane units.
+  double perimeter_ = 0;  ///< The perimeter of all cycles, in units of the plane.
 };
 
 // The places of a defective map that deserve a closer look.

@@ -42,7 +42,7 @@ class LabelPlacer {
 inline constexpr std::size_t kMaxMarks = 5000;  // Largest number of defects drawn.
 inline constexpr std::size_t kMaxLabels = 48;   // Largest number of labels in a view.
 
-/// How much is drawn.
+/// The amount of detail that is drawn.
 enum class Detail {
   Overview,
   Closeup,  ///< Also draws vertex numbers and the directions of directed edges.

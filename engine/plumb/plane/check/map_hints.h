@@ -38,7 +38,7 @@ class MapHints {
  private:
   using Vertices = std::vector<std::uint32_t>;
 
-  /// What claims are at the missing sides of a border chain.
+  /// The kinds of claims at the missing sides of a border chain.
   struct Border {
     /// A part of the chain of which the twins are listed by one face, and claimed by one region.
     struct Part {

@@ -83,7 +83,7 @@ concept PlaneRule = std::semiregular<typename Rule::Label> &&
   rule.keep_edge(value);
 };
 
-/// What a rule may ask about the place of a vertex.
+/// The queries of a rule about the place of a vertex.
 template <class Rule>
 struct PlaneSurroundings {
   typename Rule::Label below;  ///< The label of the face just below (right of) the place.

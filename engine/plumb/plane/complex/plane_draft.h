@@ -107,7 +107,7 @@ PlaneComplex simplify(PlaneComplex complex);
 
 /// A complex of which edges were left out.
 struct ReducedComplex {
-  PlaneComplex complex;        ///< What is left.
+  PlaneComplex complex;        ///< The part that remains.
   std::vector<FaceId> merged;  ///< For each face of it, one of the faces that it consists of.
 };
 

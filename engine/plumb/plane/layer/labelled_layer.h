@@ -51,7 +51,7 @@ LabelledComplex without_inner_edges(const PlaneComplex& complex,
 /// A subdivision whose vertices are doubles, and whose neighbouring faces have different labels.
 struct RoundedLabels {
   LabelledComplex labelled;      ///< The subdivision.
-  PlaneRoundingReport rounding;  ///< What rounding has changed.
+  PlaneRoundingReport rounding;  ///< The changes that rounding has caused.
 };
 
 /// Returns the subdivision of the labels of faces, rounded to doubles. `is_corner` has the same

@@ -45,7 +45,7 @@ struct LabelledEdges {
   double drift = 0;  ///< The greatest drift of an edge that was ever appended.
 };
 
-/// What happened to edges of the exact subdivision on the way.
+/// The counts of changes to edges of the exact subdivision.
 struct EdgeTrace {
   std::vector<std::uint8_t> is_bent;  ///< For each exact edge, whether it has new corners.
   std::size_t folded = 0;             ///< Pieces that are left out between equal faces.

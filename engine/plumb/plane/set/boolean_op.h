@@ -22,7 +22,7 @@ JoinedPoints join_points(std::span<const PlaneComplex* const> complexes);
 /// One or two complexes as a scene for BooleanRule.
 struct JoinedInput {
   SweepInput scene;                      ///< The edges as curves.
-  std::vector<OverlayCurve> sides;       ///< Where each curve comes from.
+  std::vector<OverlayCurve> sides;       ///< The origin of each curve.
   std::vector<std::uint32_t> vertex_at;  ///< The vertex at each point, as BooleanRule takes it.
 };
 

@@ -76,7 +76,7 @@ class SweepCurves {
   };
   /// The answer of next_meeting().
   struct NextMeeting {
-    Meeting kind = Meeting::None;  ///< Where they meet.
+    Meeting kind = Meeting::None;  ///< The kind of their meeting.
     std::uint32_t end = 0;         ///< The end point, for AtEnd.
   };
   /// Returns where two neighbours of the status meet next. Costs one sign.

@@ -19,7 +19,7 @@ class SweepQueue {
  public:
   /// A crossing that has been found and not yet been reached.
   struct PendingCrossing {
-    Crossing2 point;  ///< Where.
+    Crossing2 point;  ///< The place of the crossing.
     SegmentId lower;  ///< The bundle that is the lower one before it.
     SegmentId upper;  ///< The bundle that is the upper one before it.
   };
@@ -101,7 +101,7 @@ class SweepStatus {
   /// Removes a node, which may be used again later.
   void erase(StatusNode n);
 
-  /// Where a point lies among the bundles.
+  /// The position of a point among the bundles.
   struct Location {
     StatusNode below;  ///< The highest node below the point, if any.
     StatusNode on;     ///< A node through the point, if any; `below` is then not set.

@@ -31,7 +31,7 @@ namespace plumb {
 
 /// Vertices with their sphere maps. Indices of points, arcs and faces run through all maps.
 struct SpaceDraft {
-  /// Where the parts of an added map begin.
+  /// The indices at which the parts of an added map begin.
   struct Offsets {
     std::uint32_t point;  ///< Index of its first point.
     std::uint32_t arc;    ///< Index of its first arc.
@@ -75,7 +75,7 @@ struct SpaceDraft {
   IdVector<VertexId, SpacePoint> vertex_point;  ///< Its place.
   IdVector<VertexId, Mark> vertex_mark;         ///< Its mark.
   IdVector<VertexId, std::uint8_t> is_passed;   ///< 1 if it is a place inside an edge.
-  IdVector<VertexId, Offsets> begin;            ///< Where its map begins.
+  IdVector<VertexId, Offsets> begin;            ///< The indices at which its map begins.
 
   std::vector<VertexId> vertex_of_point;  ///< The vertex of each point.
   std::vector<std::uint32_t> twin;        ///< The point at the other end of each point's edge.

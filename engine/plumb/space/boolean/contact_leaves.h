@@ -178,7 +178,7 @@ struct ContactLeaf {
   FacetId facet;        ///< The facet whose surface belongs to it, or invalid.
   SpaceItem bare;       ///< A free edge or a vertex without edges, or invalid.
   UseId first;          ///< The use of the first corner that it covers.
-  std::uint32_t count;  ///< How many corners it covers along the cycle.
+  std::uint32_t count;  ///< The number of corners that it covers along the cycle.
 };
 
 /// The vertices and edges that belong to a leaf.

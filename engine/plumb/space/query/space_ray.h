@@ -83,7 +83,7 @@ struct Ball {
 struct SpaceRayHit {
   SpaceItem item;  ///< The cell.
   PlaneId plane;   ///< A plane that holds the facet or edge and that the line crosses.
-  Ball distance;   ///< How far along the ray it is; negative behind the origin.
+  Ball distance;   ///< The distance along the ray; negative behind the origin.
 };
 
 /// The number finite + infinite R: what grows with the frame (plane_table.h).

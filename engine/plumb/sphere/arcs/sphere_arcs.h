@@ -149,7 +149,7 @@ struct SphereSlot {
 /// A point or arc that a walk meets. Entry and exit are on the boundaries of the faces that the
 /// walk comes from and goes on into; they are not valid where it comes or goes along an arc.
 struct PathHit {
-  CirclePlace place;  ///< Where, on the circle of the leg.
+  CirclePlace place;  ///< The place on the circle of the leg.
   SphereCell cell;    ///< The point or arc.
   SphereSlot entry;   ///< A slot of the face before.
   SphereSlot exit;    ///< A slot of the face after.

@@ -62,7 +62,7 @@ struct SphereBound {
   /// What is bounded: a point, an arc shorter than a half-circle, or a longer one by its circle.
   enum class Kind : std::uint8_t { Point, ShortArc, Circle };
 
-  Kind kind;        ///< Which of the balls are set.
+  Kind kind;        ///< The kind, which determines the balls that are set.
   UnitBall from;    ///< The point, or the start of a short arc.
   UnitBall to;      ///< The end of a short arc, counter-clockwise about `normal`.
   UnitBall normal;  ///< The normal of an arc's circle.

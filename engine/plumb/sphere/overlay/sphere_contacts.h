@@ -63,7 +63,7 @@ class SphereContacts {
   struct Stop {
     std::uint32_t arc;    ///< The arc.
     std::uint32_t point;  ///< The point of the overlay.
-    CirclePlace place;    ///< Where it is on the arc's circle.
+    CirclePlace place;    ///< The place on the arc's circle.
   };
 
   /// The number of pairs of items up to which tables are faster than boxes: about 64 arcs with

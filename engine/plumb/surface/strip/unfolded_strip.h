@@ -56,7 +56,7 @@ struct StripTurn {
   VertexId vertex;
   std::uint32_t first, last;
   bool is_left;
-  double gain;  ///< How much of half a turn is missing, in radians.
+  double gain;  ///< The part of a half turn that is missing, in radians.
 };
 
 /// A strip laid out in the plane, with the shortest path in it.

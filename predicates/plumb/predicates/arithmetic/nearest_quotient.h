@@ -154,7 +154,7 @@ inline double nearest_to(const Number& q) {
 
 /// The number mantissa * 2^exponent.
 struct TwofoldScaled {
-  Twofold mantissa;  ///< Of at least 1/2 and at most 1 in size.
+  Twofold mantissa;  ///< The mantissa; its size is from 1/2 to 1.
   int exponent;      ///< The power of two.
 };
 

@@ -12,9 +12,9 @@
 //   w = n.(m x k)             15 + 45 + 9 + 12 = 81
 //   x = sum of d (n x m)      36 + 45 + 9 + 12 = 102
 //
-// Where two planes go through two common points a and b, the point is a + s(a) (b - a) / (s(a) -
-// s(b)), which takes a sixth of the products and loses no bits to planes that are nearly parallel
-// to each other:
+// Where two planes go through two common points a and b, the point is
+// a + s(a) (b - a) / (s(a) - s(b)), which takes a sixth of the products and loses no bits to planes
+// that are nearly parallel to each other:
 //
 //   s = n.(x - p)             15 + 9, two sums 12 more: 36
 //   w = s(a) - s(b)           36 + 6 = 42
