@@ -172,7 +172,7 @@ class Convolution {
   ConvexRing ring_;
   Context& context_;
   MemoryCharge charge_;
-  std::vector<RationalPoint2> vertices_;  ///< Of the set.
+  std::vector<RationalPoint2> vertices_;  ///< The vertices of the set.
   PointTable2 table_;  ///< The vertices of the set, then the corners of the ring.
   PointTable2 points_;
   std::vector<std::uint32_t> corners_;

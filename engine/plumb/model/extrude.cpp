@@ -48,7 +48,7 @@ class TablePoints final : public PlanarPoints {
 
 struct OutlineMesh {
   PointTable2 corners;
-  std::vector<IndexEdge> edges;  ///< With the outline on their left.
+  std::vector<IndexEdge> edges;  ///< The edges, with the outline on their left.
   std::vector<IndexTriangle> triangles;
 };
 

@@ -155,7 +155,7 @@ class HullPoints {
   HullSteps& steps_;
   std::vector<Point3> near_;
   std::vector<RationalPoint3> exact_;  ///< Empty if all points are doubles.
-  double largest_ = 0;                 ///< Of the magnitudes of near_.
+  double largest_ = 0;                 ///< The greatest magnitude in near_.
 };
 
 /// At most four points that are affinely independent, and as many as possible.
@@ -241,8 +241,8 @@ class HullBuilder {
     std::array<std::uint32_t, 3> corner;
     std::array<std::uint32_t, 3> neighbour;
     std::uint32_t first = kNoIndex;     ///< First of the points that see the face.
-    std::uint32_t farthest = kNoIndex;  ///< Of these points, by doubles.
-    double distance = 0;                ///< Of the farthest point, times the area of the face.
+    std::uint32_t farthest = kNoIndex;  ///< The farthest of these points, by doubles.
+    double distance = 0;                ///< Of this point, times the area of the face.
     bool is_alive = true;
     bool is_seen = false;
   };
@@ -345,7 +345,7 @@ class HullBuilder {
   HullSteps faces_made_;
   MemoryCharge memory_;
   std::vector<Face> faces_;
-  std::vector<std::uint32_t> next_;       ///< In the list of a face.
+  std::vector<std::uint32_t> next_;       ///< The next point in the list of a face.
   std::vector<std::uint32_t> face_from_;  ///< The new face whose edge on the horizon begins here.
   std::vector<std::uint32_t> seen_;
   std::vector<HorizonEdge> horizon_;

@@ -122,7 +122,7 @@ class Components {
   const SpaceComplex& c_;
   CellNumbers numbers_;
   UnionFind classes_;
-  std::vector<std::uint32_t> number_;  ///< Of the component, for each root.
+  std::vector<std::uint32_t> number_;  ///< The component of each root.
 };
 
 std::size_t count_of_surfaces(const SpaceComplex& c) {

@@ -44,7 +44,7 @@ class ShellLister {
   std::vector<OnShell<FacetSide>> sides_;
   std::vector<OnShell<EdgeId>> edges_;
   std::vector<OnShell<VertexId>> vertices_;
-  std::vector<OnShell<VolumeId>> shells_;  ///< All that bound something not of the frame.
+  std::vector<OnShell<VolumeId>> shells_;  ///< Shells that bound a part off the frame.
 
  private:
   void list_sides(FacetId f) {

@@ -186,7 +186,7 @@ struct LinearNumbers {
   double slices;
   std::array<double, 2> scale;
   CircleDivision division;
-  std::array<double, 2> shift = {0, 0};  ///< Of the top, along x and y.
+  std::array<double, 2> shift = {0, 0};  ///< The shift of the top, along x and y.
 };
 
 /// Returns the length of an Archimedean spiral r = a theta from 0 to theta.

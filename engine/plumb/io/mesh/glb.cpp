@@ -172,7 +172,7 @@ void put_materials(TextOutput& out, const MeshAttributes& attributes, bool has_t
 
 /// A channel of vertices.
 struct GlbChannel {
-  std::string member;  ///< What a primitive calls it.
+  std::string member;  ///< Its name in a primitive.
   const MeshChannel* channel;
 };
 

@@ -13,9 +13,9 @@ namespace plumb {
 namespace {
 
 struct Family {
-  std::string_view prefix;  ///< Of the names of its extensions.
+  std::string_view prefix;  ///< The prefix of the names of its extensions.
   GltfEffect effect;
-  std::string_view what = {};  ///< What is missing from the shape.
+  std::string_view what = {};  ///< The part that is missing from the shape.
 };
 
 constexpr std::array kFamilies{

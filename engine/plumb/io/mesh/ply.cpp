@@ -712,7 +712,7 @@ CornerTypes types_for(const PolygonMesh& mesh) {
 /// A property of vertices: one number of a channel.
 struct WrittenProperty {
   const MeshChannel* channel;
-  std::size_t part;  ///< Which number of the channel.
+  std::size_t part;  ///< The index of the number in the channel.
   bool is_byte;
   std::string name;
 };

@@ -173,7 +173,7 @@ struct OpenChain {
   std::uint32_t ring;
   const char* where;
   bool is_computed;  ///< Whether its ends are computed, not stated.
-  double reach;      ///< How far away an end joins another one.
+  double reach;      ///< The distance within which it joins another end.
   std::array<std::uint32_t, 2> nodes{};
   bool is_used = false;
 };

@@ -104,7 +104,7 @@ struct Object {
   const Type* type = nullptr;
   Member member = Member::Other;  ///< The member whose value is being read.
   bool is_in_list = false;        ///< Whether the reader is among the objects of that member.
-  unsigned seen = 0;              ///< A bit per member.
+  unsigned seen = 0;              ///< One bit for each member.
 
   static constexpr unsigned bit(Member member) { return 1U << static_cast<unsigned>(member); }
   bool has(Member m) const { return (seen & bit(m)) != 0; }
