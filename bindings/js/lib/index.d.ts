@@ -338,9 +338,10 @@ export function lostAttributes(mesh: Mesh, format: MeshFormat): string;
 export function checkMesh(mesh: Mesh, options?: Options&{maxListed?: number}): MeshReport;
 /**
  * Repairs a mesh. With 'automatic', the function searches for repairs after which the mesh bounds a
- * solid, and chooses the repair that changes least. It returns null if there is no such repair. The
- * repaired mesh has no attributes. To keep the attributes, pass `repair` of the result to
- * Solid.fromMesh() with the original mesh.
+ * solid, and chooses the repair that changes least. It returns null if there is no such repair. If
+ * the mesh has attributes, so has the repaired mesh: faces keep their material, group, id and the
+ * numbers at their corners, and faces that were added in holes have none. Channels of vertices
+ * become channels of corners.
  */
 export function repairMesh(mesh: Mesh, repair?: Repair|'automatic', options?: Options):
     {mesh: Mesh; report: RepairReport; notes: Note[]; repair: Repair}|null;

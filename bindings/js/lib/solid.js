@@ -275,10 +275,13 @@ export function checkMesh(mesh, options = {}) {
       }));
 }
 
-/** Mends a mesh; 'automatic' finds out how, and gives null if nothing helps. */
+/**
+ * Mends a mesh; 'automatic' finds out how, and gives null if nothing helps. The mended mesh has
+ * attributes if the mesh has some.
+ */
 export function repairMesh(mesh, repair = 'automatic', options = {}) {
   return inFrame(
-      options, (frame) => withMesh(frame, mesh, (made) => {
+      options, (frame) => withAttributes(frame, mesh, (made) => {
                  let how;
                  if (repair === 'automatic') {
                    how = frame.struct(repairLayout);
@@ -291,8 +294,11 @@ export function repairMesh(mesh, repair = 'automatic', options = {}) {
                  const out = frame.block(4), report = frame.struct(repairReportLayout),
                        notes = frame.block(4);
                  frame.check('plumb_mesh_repair', made, how, out, report, notes, frame.context());
+                 const others = isWanted(mesh.attributes) ?
+                     (mended) => ({attributes: attributesOf(mended)}) :
+                     undefined;
                  return {
-                   mesh: takeMesh(frame.u32(out)),
+                   mesh: takeMesh(frame.u32(out), others),
                    report: camel(repairReportLayout.read(report)),
                    notes: frame.notes(notes),
                    repair: repairOf(how)

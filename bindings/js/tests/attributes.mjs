@@ -310,6 +310,29 @@ export const cases = {
     check(faceMaterial.every((i) => `${materials[i].color}` === '1,0,0,1'));
   },
 
+  'a repaired mesh keeps its attributes'(plumb) {
+    const {repairMesh} = plumb, mesh = boxMesh(plumb, 0, 1), {vertices} = mesh;
+    const triangles = mesh.triangles.slice(3);  // Without the first face, and face 2 is flipped.
+    triangles.subarray(6, 9).reverse();
+    const torn = {vertices, triangles};
+    const {mesh: mended} =
+        repairMesh({...torn, attributes: paintOf(torn, 'red', 50)}, {fillHoles: 3});
+    const {materials, faceMaterial, faceId, faceGroup, channels} = mended.attributes;
+    checkEqual(materials.map(({name}) => name), ['red']);
+    const old = faceCount(torn);
+    check(faceCount(mended) === old + 1);
+    checkEqual([...faceMaterial], [...Array(old).fill(0), none]);
+    checkEqual([...faceId], [...Array(old).keys()].map((f) => f + 50).concat(none));
+    checkEqual([...faceGroup], [...Array(old).keys()].map((f) => f % 2).concat(none));
+    checkEqual(
+        [...channels.place.values],
+        [...cornerPlaces(vertices, mended.triangles.slice(0, 3 * old)), ...Array(9).fill(0)]);
+    checkEqual(
+        [...channels.height.values].slice(0, 3 * old),
+        [...channels.place.values].filter((_, i) => i % 3 === 2).slice(0, 3 * old));
+    check(!('attributes' in repairMesh(torn, {fillHoles: 3}).mesh));
+  },
+
   'half-spaces give their cuts attributes'(plumb) {
     const {Solid} = plumb, body = painted(plumb, boxMesh(plumb, 0, 2), 'wood');
     const source = {name: 'saw', material: {name: 'end grain'}, group: 'cuts', id: 77};

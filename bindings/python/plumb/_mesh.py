@@ -127,7 +127,10 @@ class Mesh:
         fill_holes_below: float = 0.0,
         **limits: Any,
     ) -> tuple[Mesh, list[str]]:
-        """Return the repaired mesh without attributes, and sentences that describe the repairs.
+        """Return the repaired mesh, and sentences that describe the repairs.
+
+        Faces keep their material, group, id and the numbers at their corners. Faces that were
+        added in holes have none. Channels of vertices become channels of corners.
 
         weld: points whose distance is at most this value are merged. doubled: whether faces with
         the same corners as an earlier face are kept or dropped. reorient: whether faces that are
@@ -135,10 +138,11 @@ class Mesh:
         of edges are filled. fill_holes_below: holes whose bounding box has a diagonal of at most
         this length are filled, too.
         """
-        arrays, done = _core.repair_mesh_arrays(
+        arrays, kept, done = _core.repair_mesh_arrays(
             self.vertices,
             self.face_begin,
             self.corners,
+            self.attributes,
             weld,
             doubled,
             reorient,
@@ -146,7 +150,7 @@ class Mesh:
             fill_holes_below,
             **limits,
         )
-        return Mesh(*arrays), done
+        return Mesh(*arrays, dataclasses.replace(kept, name=self.attributes.name)), done
 
     def solid(
         self, rule: str | None = None, surface: bool = False, **limits: Any

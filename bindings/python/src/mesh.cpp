@@ -81,16 +81,18 @@ DoubledFaces doubled_of(const std::string& name) {
               "doubled must be 'keep', 'drop-if-better' or 'drop', not '" + name + "'");
 }
 
-std::pair<MeshArrays, std::vector<std::string>> mend(Context& context, const Coordinates3& vertices,
-                                                     const Indices& face_begin,
-                                                     const Indices& corners, double weld,
-                                                     const std::string& doubled, bool reorient,
-                                                     std::uint32_t fill_holes,
-                                                     double fill_holes_below) {
-  PolygonMesh mesh = copied_mesh(view_of(vertices, face_begin, corners));
+using Mended = std::tuple<MeshArrays, MeshAttributes, std::vector<std::string>>;
+
+Mended mend(Context& context, const Coordinates3& vertices, const Indices& face_begin,
+            const Indices& corners, const AttributesIn& given, double weld,
+            const std::string& doubled, bool reorient, std::uint32_t fill_holes,
+            double fill_holes_below) {
+  const MeshView view = view_of(vertices, face_begin, corners);
+  PolygonMesh mesh = copied_mesh(view);
+  MeshAttributes attributes = fitted_attributes(given, view);
   const RepairOptions options{weld, doubled_of(doubled), reorient, fill_holes, fill_holes_below};
-  const RepairReport done = repair_mesh(mesh, options, context);
-  return {arrays_of(std::move(mesh)), sentences(done)};
+  const RepairReport done = repair_mesh(mesh, attributes, options, context);
+  return {arrays_of(std::move(mesh)), std::move(attributes), sentences(done)};
 }
 
 void def_files(nb::module_& m) {
@@ -126,12 +128,24 @@ void bind_meshes(nb::module_& m) {
         "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
         "Return a report on the defects "
         "of a mesh.");
-  m.def("repair_mesh_arrays", with_context(&mend), "vertices"_a, "face_begin"_a, "corners"_a,
-        "weld"_a, "doubled"_a, "reorient"_a, "fill_holes"_a, "fill_holes_below"_a, nb::kw_only(),
-        "threads"_a = 1U, "timeout"_a = nb::none(), "memory_limit"_a = nb::none(),
-        "progress"_a = nb::none(),
-        "Return a repaired mesh, and sentences that describe the "
-        "repairs.");
+  m.def(
+      "repair_mesh_arrays",
+      [](const Coordinates3& vertices, const Indices& face_begin, const Indices& corners,
+         const AttributesIn& attributes, double weld, const std::string& doubled, bool reorient,
+         std::uint32_t fill_holes, double fill_holes_below, unsigned threads,
+         std::optional<double> timeout, std::optional<std::uint64_t> memory_limit,
+         nb::object progress) {
+        auto [mesh, kept, done] =
+            run(CallLimits{threads, timeout, memory_limit, std::move(progress)}, [&](Context& k) {
+              return mend(k, vertices, face_begin, corners, attributes, weld, doubled, reorient,
+                          fill_holes, fill_holes_below);
+            });
+        return std::tuple(std::move(mesh), AttributesOut{std::move(kept)}, std::move(done));
+      },
+      "vertices"_a, "face_begin"_a, "corners"_a, "attributes"_a, "weld"_a, "doubled"_a,
+      "reorient"_a, "fill_holes"_a, "fill_holes_below"_a, nb::kw_only(), "threads"_a = 1U,
+      "timeout"_a = nb::none(), "memory_limit"_a = nb::none(), "progress"_a = nb::none(),
+      "Return a repaired mesh, its attributes, and sentences that describe the repairs.");
 }
 
 }  // namespace plumb::python

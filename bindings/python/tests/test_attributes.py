@@ -253,3 +253,47 @@ def test_half_spaces_give_their_cuts_attributes() -> None:
         plumb.Solid.half_space(
             (0, 0, 1, 0), attributes=plumb.MeshAttributes(channels={"texcoord_0": [[0.0, 0.0]]})
         )
+
+
+def test_a_repaired_mesh_keeps_its_attributes():
+    """Each face has the values of the face of the input with the same corners."""
+    vertices, triangles = plumb.Solid.box((0, 0, 0), (1, 2, 3)).to_mesh()
+    torn = np.delete(triangles, 4, axis=0)
+    torn[2] = torn[2][::-1]
+    twice = np.vstack([torn, torn[:1]])
+    normals = np.cross(vertices[twice[:, 1]] - vertices[twice[:, 0]],
+                       vertices[twice[:, 2]] - vertices[twice[:, 0]])
+    mesh = plumb.Mesh.of_triangles(
+        vertices,
+        twice,
+        plumb.MeshAttributes(
+            name="box",
+            materials=[plumb.Material("wood")],
+            face_material=np.zeros(len(twice), dtype=int),
+            groups=["even", "odd"],
+            face_group=np.arange(len(twice)) % 2,
+            face_id=np.arange(len(twice)) + 100,
+            channels={"normal": np.repeat(normals, 3, axis=0), "color": np.full((36, 3), 0.5)},
+            vertex_channels={"place": vertices},
+        ),
+    )
+    mended, done = mesh.repaired(doubled="drop", fill_holes=3)
+    assert mended.check().is_closed and len(done) == 3
+    kept = mended.attributes
+    assert kept.name == "box" and [m.name for m in kept.materials] == ["wood"]
+    before = {frozenset(face): i for i, face in enumerate(twice[:-1])}
+    sources = [before.get(frozenset(face), -1) for face in mended.triangles]
+    assert sources == [*range(11), -1]
+    assert (kept.face_id == np.array([*range(100, 111), -1])).all()
+    assert (kept.face_group == np.array([i % 2 for i in range(11)] + [-1])).all()
+    assert (kept.face_material == np.array([0] * 11 + [-1])).all()
+    old = mended.corners[:33]
+    assert (kept.channels["place"][:33] == vertices[old]).all()
+    assert (kept.channels["place"][33:] == 0).all() and (kept.channels["color"][33:] == 1).all()
+    p, q, r = (vertices[mended.triangles[:11, i]] for i in range(3))
+    assert (kept.channels["normal"][:33] == np.repeat(np.cross(q - p, r - p), 3, axis=0)).all()
+    plain, _ = plumb.Mesh.of_triangles(vertices, torn).repaired(fill_holes=3)
+    assert plain.attributes.face_id is None and not plain.attributes.channels
+    bad = plumb.Mesh.of_triangles(vertices, torn, plumb.MeshAttributes(face_id=[1, 2]))
+    with pytest.raises(plumb.Error):
+        bad.repaired(fill_holes=3)
