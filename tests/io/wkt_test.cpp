@@ -103,7 +103,7 @@ TEST(WktReader, accepts_what_the_format_allows) {
   }
 }
 
-// The closing position may be missing. A ring whose ends differ by 1e-300 gets an edge of that length.
+// The closing position may be missing. If the ends differ by 1e-300, the edge has this length.
 TEST(WktReader, closes_rings_with_a_note) {
   const auto note = [](int rings) {
     return std::vector<std::string>{

@@ -32,7 +32,7 @@ enum class ErrorCode {
   UnknownFormat = 108,
   Usage = 109,
   ClosedPipe = 110,  ///< The reader of the output closed the pipe; no message is needed.
-  BadShape = 111,    ///< A ring is not closed, or records contradict each other.
+  BadShape = 111,    ///< A ring has too few corners, or records contradict each other.
   ResourceLimit = 200,
   Cancelled = 201,
   NotFinite = 300,
