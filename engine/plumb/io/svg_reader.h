@@ -15,6 +15,7 @@
 //
 // Shapes: each element that has an outline becomes one shape, in the order of the file. The
 // subpaths of the element are the rings of the shape. The fill rule of each shape is reported.
+// Style sheets within the file are applied to the properties display, visibility and fill-rule.
 // Colours, strokes and other styles are ignored. Clips, masks, markers and patterns are ignored,
 // too, and notes name those that shapes refer to.
 //
