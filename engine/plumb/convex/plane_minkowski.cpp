@@ -141,7 +141,7 @@ class Convolution {
     }
     return end;
   }
-  /// Adds the sum of an edge and the ring: one half of the ring at each end.
+  /// Adds the sum of an edge and the ring. Each end of the edge gets one half of the ring.
   void add_edge(HalfedgeId h) {
     const std::size_t right = support(direction(h));
     const std::size_t left = support(direction(twin(h)));

@@ -185,9 +185,9 @@ PlaneShapes with_turned_holes(PlaneShapes shapes) {
   return shapes;
 }
 
-/// Whether a reader of the file should know that another rule than the even-odd rule gives another
-/// set than `odd`: the holes of a polygon overlap or lie outside of it, or nothing is left of it.
-/// One ring that crosses itself, such as a star, is drawn so on purpose.
+/// Whether a note should state that a rule other than the even-odd rule gives a set that differs
+/// from `odd`. This is the case if the holes of a polygon overlap or lie outside of it, or if the
+/// polygon is empty. One ring that crosses itself, such as a star, is drawn so on purpose.
 bool is_ambiguous(const PlaneShapes& polygon, const Nef2& odd, Context& context) {
   PlaneShapes turned = with_turned_holes(polygon);
   if (turned.ring_count() == 1) {
@@ -427,7 +427,8 @@ PlaneShapes shape_of(const SvgDrawing& drawing, std::size_t s) {
   return shape;
 }
 
-/// Returns the winding rule for one shape: its own, unless the caller has another one.
+/// Returns the winding rule for one shape. It is the rule of the shape, unless the caller has a
+/// different rule.
 WindingRule rule_of_shape(bool is_even_odd) {
   return is_even_odd ? WindingRule::EvenOdd : WindingRule::NonZero;
 }

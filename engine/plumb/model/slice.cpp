@@ -113,8 +113,8 @@ class Flattening {
     curves_.push_back(curve);
     edges_.push_back({e, compare_xy(points_, curve.a, curve.b) == Sign::Negative});
   }
-  /// Adds a point of a line: a given one, moved in the direction of a vertex on the frame, or away
-  /// from it if `factor` is -1.
+  /// Adds a point of a line: a given point of the line, moved in the direction of a vertex on the
+  /// frame, or in the opposite direction if `factor` is -1.
   std::uint32_t add_beside(std::uint32_t point, VertexId far, int factor) {
     const RationalPoint3 i = exact_parts(c_.points(), c_.vertex_point[far]).infinite;
     const RationalPoint2 at = points_.exact(point);

@@ -418,8 +418,8 @@ Nef3 boolean_op(const Nef3& a, const SpaceSelector& select_a, const Nef3& b,
                                             selected(b.complex(), select_b, context), f, context)));
 }
 
-// A frame is needed only if the plane divides volume 0 into parts of different marks: only then a
-// facet of the result reaches infinity there.
+// A frame is needed only if the plane divides volume 0 into parts with different marks. Only in
+// this case does a facet of the result reach infinity there.
 Nef3 boolean_op(const Nef3& a, const Plane3& plane, Section section, MarkFunction f,
                 Context& context) {
   const SpaceComplex& c = a.complex();

@@ -38,7 +38,8 @@ using layout::operator-;  // NOLINT(misc-unused-using-decls): it is used
 constexpr double kPi = std::numbers::pi;
 // So small a part of the way, or of a weight, counts as nothing.
 constexpr double kClose = 0x1p-40;
-// Radians: an angle so little off half a turn counts as half a turn.
+// In radians. If an angle differs from a half turn by at most this amount, it counts as a half
+// turn.
 constexpr double kFlat = 1e-9;
 constexpr std::uint64_t kFacesPerCheckpoint = 4096;
 constexpr std::uint64_t kMostRounds = 4;
@@ -175,8 +176,9 @@ std::optional<ExponentialMap::Line> ExponentialMap::aim(Point2 offset,
 
 // ---------------------------------------------------------------- 2. cross, 3. pass
 
-/// Whether the line goes on across a vertex as across a side: the angle around it is a full turn. A
-/// line along a side in its first face does not count, because nothing determines its way out.
+/// Whether the line continues across a vertex as across a side. This is the case if the angle
+/// around the vertex is a full turn. A line along a side in its first face does not count, because
+/// nothing determines its way out.
 bool ExponentialMap::is_flat(const Line& line, std::size_t corner, const Fan& fan) {
   const double next = line.side_of(corner + 1), prev = line.side_of(corner + 2);
   if (line.entry == kInside && !((next < 0 && prev > 0) || (next > 0 && prev < 0))) return false;

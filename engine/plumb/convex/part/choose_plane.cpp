@@ -167,8 +167,9 @@ void CutChooser::propose_points(const Edge& edge, std::size_t budget) {
   if (is_small) propose(all.subspan(input_targets_), true);
 }
 
-/// The normal is m = c1 n1 + c2 n2 for the outward normals of the faces. If c1 c2 > 0 both faces
-/// are on one side of the plane, and it enters the solid on both sides of the edge: two sheets.
+/// The normal is m = c1 n1 + c2 n2 for the outward normals of the faces. If c1 c2 > 0, both faces
+/// are on one side of the plane. The plane then enters the solid on both sides of the edge, which
+/// gives two sheets.
 void CutChooser::propose_point(const Edge& edge, VertexId target, bool by_factors) {
   const Vector a = ends_[edge.a], along = ends_[edge.b] - a, w = cross(edge.n1, edge.n2);
   const SpacePoint point = s_.point[target];

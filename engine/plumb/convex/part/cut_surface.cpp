@@ -50,7 +50,7 @@ Sign CutSurface::turn_at(HalfedgeId h) const {
 
 namespace {
 
-/// Reads the surface from a complex: each edge use of a facet, seen from outside, becomes a
+/// Reads the surface from a complex. Each edge use of a facet, seen from outside, becomes a
 /// half-edge.
 class SurfaceReader {
  public:

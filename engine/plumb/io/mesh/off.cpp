@@ -121,7 +121,7 @@ class OffAttributes {
   void give(MeshFile& file);
 
  private:
-  static constexpr std::size_t kMostNumbers = 9;  // Of a vertex: a normal, a colour, a texture.
+  static constexpr std::size_t kMostNumbers = 9;  // A normal, a colour and a texture of a vertex.
 
   void add(const AttributeNumber& number) {
     if (!number.is_finite) ++not_finite_;
@@ -401,8 +401,8 @@ void OffReader::skip_edges() {
   if (!cursor().at_line_end_or_comment()) cursor() = before;
 }
 
-/// Reads the records in the first layout that fits. A file that has as many lines as records is
-/// meant line by line: what does not fit in it is an error.
+/// Reads the records in the first layout that fits. If a file has as many lines as records, each
+/// record is assumed to be a line, and a record that does not fit is an error.
 void OffReader::read_records() {
   const TextCursor start = cursor();
   const bool shares_line = !cursor().at_line_end_or_comment();  // Of the counts and a record.
@@ -538,8 +538,8 @@ void OffReader::read_face(const Layout& layout) {
   if (attributes_.is_wanted()) attributes_.end_face();
 }
 
-/// If faces are no lines, all must have a colour of the same form: otherwise numbers of a layout
-/// that does not fit would be taken for colours.
+/// If faces are not lines, all of them must have a colour of the same form. Otherwise, numbers of a
+/// layout that does not fit would be taken for colours.
 void OffReader::skip_face_colour(bool has_lines) {
   std::uint32_t count = 0;
   for (; count < kColourNumbers && !cursor().at_line_end_or_comment(); ++count) {
@@ -586,9 +586,9 @@ MeshFile OffReader::take() {
 
 // ---------------------------------------------------------------- binary
 
-/// Reads the binary form, as Geomview does: after the line of the keyword, integers and floats of
-/// 32 bits in big-endian order. After its corners a face has the number of the numbers of its
-/// colour, and these numbers.
+/// Reads the binary form, as Geomview does. The line of the keyword is followed by integers and
+/// floats of 32 bits in big-endian order. After its corners, a face has the count of the numbers of
+/// its colour, and these numbers.
 class OffBinaryReader {
  public:
   OffBinaryReader(std::string_view bytes, std::size_t start, const OffKeyword& keyword,
@@ -642,7 +642,7 @@ class OffBinaryReader {
   bool has_face_colour_ = false;
 };
 
-/// Claims are compared with the bytes that follow: a face has at least two numbers.
+/// Counts are compared with the bytes that follow. A face has at least two numbers.
 void OffBinaryReader::read_counts() {
   if (in_.bytes_left() < 3 * kNumberBytes) {
     in_.fail(ErrorCode::CountMismatch,

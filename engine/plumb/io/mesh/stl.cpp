@@ -133,8 +133,8 @@ class StlTextReader {
 };
 
 /// Reads the beginning or the end of a solid, a facet, or a colour. Solids need not be well nested:
-/// some writers repeat the first line or the last. Comments are passed over, and before the first
-/// facet all other lines, because some writers have a name of several lines.
+/// some writers repeat the first line or the last. Comments are skipped. Before the first facet,
+/// all other lines are skipped, too, because some writers write a name on several lines.
 void StlTextReader::read_statement() {
   const std::string_view token = cursor_.token();
   if (is_word(token, "facet")) return read_facet();

@@ -242,8 +242,9 @@ void BridgeSearch::add_bridge(const BridgeDraft& draft) {
   bridges_.segments.push_back({from, end_of(draft.to, draft.from.at)});
 }
 
-/// Returns the point at which a bridge ends: a corner, or else a point beyond the edge, seen from
-/// the other end. Crossings are passed, too, since their exact coordinates are long.
+/// Returns the point at which a bridge ends. It is a corner, or a point beyond the edge, seen from
+/// the other end. A bridge that ends in a crossing is prolonged, too, because the exact coordinates
+/// of crossings are long.
 std::uint32_t BridgeSearch::end_of(const BridgeEnd& end, Point2 other) {
   constexpr double kBeyond = 1.0 / 64, kRounding = 0x1p-48;
   const PointTable2& inputs = complex_.points.inputs;

@@ -199,7 +199,8 @@ SpaceItem FacetSlabs::site(const PlacedPoint& x) const {
   const auto next = std::partition_point(columns.begin(), columns.end(), [&](std::uint32_t place) {
     return below(place) == Sign::Negative;
   });
-  // `next` is the first column not below the point: the point is on it, or in the slab before it.
+  // `next` is the first column that is not below the point. The point is on this column, or in the
+  // slab before it.
   auto column = static_cast<std::size_t>(next - columns.begin());
   if (next != columns.end() && below(*next) == Sign::Zero) {
     if (const SpaceItem item = on_column(column, x); item.is_valid()) return item;
@@ -355,7 +356,7 @@ void ContactLeaves::add_facet(FacetId f, CornerCount& count) {
     return add({f, SpaceItem(), u, corners}, box);
   }
   add({f, SpaceItem(), UseId(), 0}, box);
-  // Inner vertices of the facet are no corners: they have leaves of their own, or belong to their
+  // Inner vertices of the facet are not corners. They have their own leaves, or belong to their
   // edges.
   corners = 0;
   for (const UseId first : cycles) corners += add_corners(first, count);

@@ -168,7 +168,8 @@ std::uint32_t OrientedBoxTree::split(std::span<const Triangle> triangles, const 
 }
 
 /// Divides a node by the sums of corners along the axis on which these are spread most. This need
-/// not be the longest axis: long triangles side by side are separated across it.
+/// not be the longest axis, because long triangles that lie side by side are separated across the
+/// longest axis.
 void OrientedBoxTree::halve(std::span<const Triangle> triangles, const Node& node,
                             std::uint32_t middle) {
   const auto sum = [&](std::uint32_t i, std::size_t axis) {
