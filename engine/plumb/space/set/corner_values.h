@@ -48,7 +48,7 @@ class PlacesBeforeRounding {
   IntegerRow itself_;  // Of a point that was not rounded.
 };
 
-/// What fill_channels() reads.
+/// The input of fill_channels().
 struct CornerInput {
   const CutBoundary& cut;
   const GrowingComplex& complex;

@@ -13,7 +13,7 @@
 
 namespace plumb {
 
-/// What the source triangle of a piece says about it.
+/// The relation of a piece to its source triangle.
 enum class PieceCover : std::uint8_t {
   Triangle,  ///< The piece lies in the triangle.
   Face,      ///< The piece is the face of the source that has the triangle.
@@ -26,7 +26,7 @@ struct BoundaryPiece {
   FacetId facet;           ///< The facet of the set.
   std::uint32_t triangle;  ///< The triangle in SourceTriangles, or kNone.
   bool is_flipped;         ///< Whether triangle and boundary have opposite sides.
-  PieceCover cover;        ///< How the piece and the triangle are related.
+  PieceCover cover;        ///< The relation of the piece and the triangle.
 };
 
 /// The boundary of the closure of the interior, in faces.
