@@ -1,9 +1,9 @@
-// The 3MF reader on arbitrary bytes.
+// The readers of 3MF and of AMF on arbitrary bytes.
 //
 // The first byte chooses exact decimals or nearest doubles, and whether attributes are read. If the
 // rest begins like a ZIP archive, it is the file. Otherwise it is the texts of parts, separated by
 // bytes of 30, of which the target makes an archive: the model, another model, and the settings of
-// two slicers. Either the reader throws an Error that names the file or a part of it, or the mesh
+// two slicers. If the rest begins like AMF, it is read as AMF. Either the reader throws an Error that names the file or a part of it, or the mesh
 // it read is sound, and written as exact OFF and as 3MF it is read again as it was.
 
 #include <array>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mesh_laws.h"
+#include "plumb/io/mesh/amf.h"
 #include "plumb/io/mesh/threemf.h"
 #include "plumb/io/mesh/threemf_archive.h"
 
@@ -83,7 +84,8 @@ void judge_threemf(std::string_view bytes, bool exact_decimals, bool attributes)
   ReadOptions options{kFileName, exact_decimals};
   options.attributes = attributes;
   try {
-    const MeshFile file = read_threemf(bytes, options, context);
+    const MeshFile file = begins_like_amf(bytes) ? read_amf(bytes, options, context)
+                                                 : read_threemf(bytes, options, context);
     oracle_reached();
     require_sound_attributes(file);
     if (attributes) require_looks_round(file);
@@ -109,7 +111,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0 || !has_threemf()) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const bool exact_decimals = (data[0] & 1U) != 0, attributes = (data[0] & 2U) != 0;
-  if (begins_like_zip(bytes)) {
+  if (begins_like_zip(bytes) || begins_like_amf(bytes)) {
     fuzz::judge_threemf(bytes, exact_decimals, attributes);
   } else {
     fuzz::judge_threemf(fuzz::archive_of(bytes), exact_decimals, attributes);

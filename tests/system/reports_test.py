@@ -183,6 +183,11 @@ ROWS = [
     Row("46-openscad-odd-numbers-and-faces", "solid info OUT.off", 0, "volume 1\n"),
     Row("46-openscad-odd-numbers-and-faces", "solid csg minkowski.csg -o OUT.off", 0, "4 faces are oriented opposite"),
     Row("46-openscad-odd-numbers-and-faces", "solid info OUT.off", 0, "volume 37603/6\n"),
+    # AMF as SolidWorks, Slic3r and OpenSCAD write it.
+    *info("47-amf", "solidworks.amf", "modifier.amf", "openscad.amf"),
+    Row("47-amf", "solid info modifier.amf -q", 0, "geometry that was not read: modifier volumes"),
+    Row("47-amf", "solid info inch.amf", 0, ("volume 2048383/750", "the unit is the inch")),
+    Row("47-amf", "solid info cycle.amf", 2, "constellation 1 contains itself"),
     Row("45-extrusion-names-a-drawing", "solid csg rotate.csg -o OUT.off", 0, "", ("passed over", "empty")),
 ]
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "plumb/base/internal/work_log.h"
+#include "plumb/io/mesh/amf.h"
 #include "plumb/io/mesh/attribute_writer.h"
 #include "plumb/io/mesh/glb.h"
 #include "plumb/io/mesh/gltf.h"
@@ -33,7 +34,7 @@
 namespace plumb {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, MeshFormat>, 10> kNames{{
+constexpr std::array<std::pair<std::string_view, MeshFormat>, 11> kNames{{
     {"off", MeshFormat::Off},
     {"off-exact", MeshFormat::ExactOff},
     {"obj", MeshFormat::Obj},
@@ -44,6 +45,7 @@ constexpr std::array<std::pair<std::string_view, MeshFormat>, 10> kNames{{
     {"gltf", MeshFormat::Gltf},
     {"glb", MeshFormat::Gltf},
     {"3mf", MeshFormat::ThreeMf},
+    {"amf", MeshFormat::Amf},
 }};
 
 /// Returns the first word that does not belong to a comment.
@@ -73,11 +75,12 @@ std::optional<MeshFormat> mesh_format_of(const std::string& path) {
 
 bool lists_triangles(MeshFormat format) {
   return format == MeshFormat::Stl || format == MeshFormat::StlBinary ||
-         format == MeshFormat::Gltf || format == MeshFormat::ThreeMf;
+         format == MeshFormat::Gltf || format == MeshFormat::ThreeMf || format == MeshFormat::Amf;
 }
 
 MeshFormat guess_mesh_format(std::string_view bytes) {
   if (begins_like_zip(bytes)) return MeshFormat::ThreeMf;
+  if (begins_like_amf(bytes)) return MeshFormat::Amf;
   if (is_binary_stl(bytes) || is_text_stl(bytes)) return MeshFormat::Stl;
   const std::string_view word = first_word(bytes);
   if (word.starts_with("glTF") || word.starts_with('{')) return MeshFormat::Gltf;
@@ -103,6 +106,8 @@ std::string_view kind_of(MeshFormat format) {
       return "glTF";
     case MeshFormat::ThreeMf:
       return "3MF";
+    case MeshFormat::Amf:
+      return "AMF";
     default:
       return "OFF";
   }
@@ -123,6 +128,8 @@ MeshFile read_mesh_as(std::string_view bytes, MeshFormat format, const ReadOptio
       return read_gltf(bytes, {}, options, context);
     case MeshFormat::ThreeMf:
       return read_threemf(bytes, options, context);
+    case MeshFormat::Amf:
+      return read_amf(bytes, options, context);
     default:
       return read_off(bytes, options, context);
   }
@@ -213,6 +220,12 @@ void require_corners(const PolygonMesh& mesh) {
   }
 }
 
+/// Throws Error{BadArgument} if the format is only read.
+void require_written(MeshFormat format) {
+  if (format != MeshFormat::Amf) return;
+  throw Error(ErrorCode::BadArgument, "AMF is not written; 3MF holds the same");
+}
+
 }  // namespace
 
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
@@ -220,6 +233,7 @@ void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format) {
 }
 
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format, Context& context) {
+  require_written(format);
   require_corners(mesh);
   switch (format) {
     case MeshFormat::ExactOff:
@@ -318,10 +332,10 @@ std::string lost_attributes(const MeshAttributes& attributes, MeshFormat format)
 namespace {
 
 /// Returns the format that the caller or the extension states. A .gltf file is text, which plumb
-/// does not write.
+/// does not write; it does not write AMF either.
 MeshFormat format_to_write(const std::string& path, std::optional<MeshFormat> format) {
   if (!format && !path.ends_with(".gltf")) format = mesh_format_of(path);
-  if (format) return *format;
+  if (format && *format != MeshFormat::Amf) return *format;
   throw Error(ErrorCode::UnknownFormat,
               "the extension names no format that is written: .off, .obj, .stl, .ply, .glb, "
               ".3mf",

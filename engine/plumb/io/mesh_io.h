@@ -58,16 +58,18 @@ enum class MeshFormat : std::uint8_t {
   PlyText,    ///< Text PLY, with doubles.
   Gltf,       ///< Binary glTF (GLB), with floats.
   ThreeMf,    ///< 3MF, with doubles.
+  Amf,        ///< AMF. It is read, but not written.
 };
 
-/// Returns the format that the extension of `path` names: .off, .obj, .stl, .ply, .gltf, .glb or
-/// .3mf. Returns nullopt for any other extension.
+/// Returns the format that the extension of `path` names: .off, .obj, .stl, .ply, .gltf, .glb,
+/// .3mf or .amf. Returns nullopt for any other extension.
 std::optional<MeshFormat> mesh_format_of(const std::string& path);
 /// Returns the format called `name`: off, off-exact, obj, stl, stl-binary, ply, ply-text, gltf,
-/// glb or 3mf. Returns nullopt for any other name.
+/// glb, 3mf or amf. Returns nullopt for any other name.
 std::optional<MeshFormat> mesh_format_named(std::string_view name);
 
-/// Whether files of this format contain triangles only: Stl, StlBinary, Gltf and ThreeMf.
+/// Whether files of this format contain triangles only: Stl, StlBinary, Gltf, ThreeMf and
+/// Amf.
 bool lists_triangles(MeshFormat format);
 
 /// Returns the format that a file with these bytes seems to have:
@@ -115,7 +117,8 @@ MeshFile read_mesh_file(const std::string& path, std::optional<MeshFormat> forma
 ///   - Error{BadArgument} if lists_triangles(format) is true and a face is not a triangle
 ///   - Error{BadArgument} if the format is Gltf and the mesh has no faces
 ///   - Error{CannotWrite} if the format is Gltf and the file would have 2^32 bytes or more
-///   - Error{UnknownFormat} if the format is ThreeMf and plumb is built without libzip or expat
+///   - Error{UnknownFormat} if the format is ThreeMf or Amf and plumb is built without libzip or
+///     expat
 void write_mesh(std::ostream& out, const PolygonMesh& mesh, MeshFormat format);
 
 /// Writes a mesh with its attributes. Attributes that the format cannot represent are left out;

@@ -38,7 +38,7 @@ class SolidRepair : public CommandBody {
  public:
   void declare(CLI::App& app) override {
     app.add_option("FILE", file_,
-                   "A mesh: .off, .obj, .stl, .ply, .glb, .gltf, .3mf; - is standard input")
+                   "A mesh: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .amf; - is standard input")
         ->required()
         ->type_name("");
     flags_.declare(app);

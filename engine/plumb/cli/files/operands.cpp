@@ -100,6 +100,7 @@ FileKind kind_of_file(const std::string& path, std::string_view bytes) {
   if (mesh_format_of(path) || is_nef_file(path, bytes)) return FileKind::Solid;
   if (plane_format_of(path)) return FileKind::PlaneSet;
   if (is_binary_stl(bytes) || is_gltf_text(bytes)) return FileKind::Solid;
+  if (guess_mesh_format(bytes) == MeshFormat::Amf) return FileKind::Solid;
   const std::string_view line = first_line(bytes);
   if (begins_like_wkt(line) || guess_plane_format(bytes) != PlaneFormat::Wkt) {
     return FileKind::PlaneSet;
@@ -283,9 +284,10 @@ void require_solid(const std::string& file, const std::string& bytes) {
     throw Error(ErrorCode::UnknownFormat, *foreign, {.file = input_name(file)});
   }
   const std::string what = kind == FileKind::Map ? "a map" : "a set of the plane";
-  throw Error(ErrorCode::UnknownFormat,
-              what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .nef",
-              {.file = input_name(file)});
+  throw Error(
+      ErrorCode::UnknownFormat,
+      what + ", where a solid is needed: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .amf, .nef",
+      {.file = input_name(file)});
 }
 
 namespace {

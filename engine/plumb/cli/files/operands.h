@@ -71,7 +71,7 @@ void require_solid(const std::string& file, const std::string& bytes);
 
 /// Help of an operand that may be either.
 inline constexpr const char* kSolidOrPlaneHelp =
-    "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .nef; or a set of the plane: .wkt, "
+    "A solid: .off, .obj, .stl, .ply, .glb, .gltf, .3mf, .amf, .nef; or a set of the plane: .wkt, "
     ".geojson, .wkb, .nef2; - is standard input";
 
 /// Prints the notes and the warnings of a file that was read: of a SolidRead or a MeshFile, or the

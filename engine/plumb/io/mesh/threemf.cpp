@@ -63,12 +63,13 @@ std::string start_part(ZipArchive& archive, const std::string& file) {
   }
   if (target) return *target;
   if (archive.find(kUsual)) return kUsual;
-  const bool is_amf = file.ends_with(".amf") || file.ends_with(".AMF");
+  const std::vector<std::string> names = archive.names();
+  const bool has_amf = std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    return name.ends_with(".amf") || name.ends_with(".AMF");
+  });
   throw Error(ErrorCode::UnknownFormat,
-              is_amf
-                  ? "this is a zipped AMF file; export a mesh of it, as OFF, OBJ, STL, PLY, glTF "
-                    "or 3MF"
-                  : "the ZIP archive has no 3D model, so it is no 3MF file",
+              has_amf ? "the ZIP archive is a packed AMF file; give it the extension .amf"
+                      : "the ZIP archive has no 3D model, so it is no 3MF file",
               {file});
 }
 

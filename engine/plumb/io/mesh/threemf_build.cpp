@@ -341,8 +341,9 @@ class SceneBuilder3mf {
       notes.push_back("triangles with two equal corners, left out: " + std::to_string(flat_));
     }
     for (const ThreeMfPart& part : scene_.parts) {
-      if (part.unit == 1) continue;
-      notes.push_back("the unit of " + plumb::quoted(part.name) + " is the " + part.unit_name +
+      if (part.unit == 1 || part.unit_name.empty()) continue;
+      const std::string of_part = part.name.empty() ? "" : " of " + plumb::quoted(part.name);
+      notes.push_back("the unit" + of_part + " is the " + part.unit_name +
                       "; the coordinates are scaled to millimetres");
     }
   }

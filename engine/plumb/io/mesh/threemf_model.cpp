@@ -369,7 +369,8 @@ void ModelReader3mf::require_extensions(const XmlTag& tag) const {
       continue;
     }
     fail(ErrorCode::UnknownFormat, "the file requires the extension " + quoted(prefix) + " (" +
-                                       space->second + "), which is not supported");
+                                       space->second +
+                                       "), which is not supported; export the model as a mesh");
   }
 }
 
@@ -689,6 +690,7 @@ std::uint32_t ThreeMfScene::part_of(const std::string& name) {
 }
 
 std::string threemf_text_name(const std::string& file, const std::string& part) {
+  if (part.empty()) return file;
   return file + '(' + std::string(part).substr(0, text_prefix(part)) + ')';
 }
 

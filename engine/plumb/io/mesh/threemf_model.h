@@ -62,7 +62,7 @@ struct ThreeMfObject {
 struct ThreeMfPart {
   std::string name;   ///< The path in the archive.
   Rational unit = 1;  ///< Millimetres.
-  std::string unit_name = "millimeter";
+  std::string unit_name = "millimeter";  ///< Empty if no note shall name the unit.
 };
 
 /// All that the model parts of a file state.
@@ -87,7 +87,7 @@ struct ThreeMfScene {
   std::uint32_t part_of(const std::string& name);
 };
 
-/// Returns the name of a part in messages: "FILE(PART)".
+/// Returns the name of a part in messages: "FILE(PART)", or "FILE" if the part has no name.
 std::string threemf_text_name(const std::string& file, const std::string& part);
 /// Returns the path in the archive of a part that a text names: without the slash at its front and
 /// with %20 and the like decoded.

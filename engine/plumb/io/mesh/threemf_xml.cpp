@@ -156,9 +156,8 @@ struct XmlStream::Parser {
   static void XMLCALL refuse_document_type(void* user, const XML_Char* /*name*/,
                                            const XML_Char* /*system*/, const XML_Char* /*public*/,
                                            int /*has_subset*/) {
-    of(user).guarded([] {
-      throw Error(ErrorCode::Syntax, "a document type (DOCTYPE), which 3MF does not allow");
-    });
+    of(user).guarded(
+        [] { throw Error(ErrorCode::Syntax, "a document type (DOCTYPE), which is not allowed"); });
   }
 
   void parse(std::string_view block, bool is_last) {

@@ -90,7 +90,7 @@ constexpr std::array kSignatures{
 constexpr std::array kRoots{
     ForeignKind{"COLLADA", "a COLLADA file", kExportMesh},
     ForeignKind{"X3D", "an X3D file", kExportMesh},
-    ForeignKind{"amf", "an AMF file", kExportMesh},
+    ForeignKind{"amf", "an AMF file", "give the file the extension .amf", "AMF"},
     ForeignKind{"VTKFile", "a VTK file", kExportMesh},
     ForeignKind{"kml", "a KML file", kConvert},
     ForeignKind{"gpx", "a GPX file", kConvert},
@@ -132,7 +132,7 @@ constexpr std::array<std::string_view, 9> kWktWords{"POINT",    "LINESTRING", "P
                                                     "MULTI",    "GEOMETRYC",  "CURVE",
                                                     "COMPOUND", "CIRCULAR",   "SRID"};
 
-constexpr std::string_view kSolids = "OFF OBJ STL PLY glTF 3MF nef3";
+constexpr std::string_view kSolids = "OFF OBJ STL PLY glTF 3MF AMF nef3";
 constexpr std::string_view kPlaneSets = "WKT WKB GeoJSON SVG DXF nef2";
 
 /// Returns the advice to the user. If the file would have to be renamed, but another family of
