@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <vector>
 
 #include "float_environment.h"
 #include "generate/space_cases.h"
 #include "generate/test_share.h"
+#include "plumb/predicates/space/plane_exact.h"
 #include "space_oracle.h"
 
 namespace plumb::plane_table_test {
@@ -130,6 +132,70 @@ TEST(PlaneTable, CoefficientsPointsAndRationalsAgree) {
     EXPECT_EQ(q.plane(), p.plane());
     EXPECT_EQ(q.is_opposite(), s < 0);
     EXPECT_EQ(table.size(), 1u);
+  }
+}
+
+Integer integer_of(const exact3::LongPlane::Number& x) {
+  std::array<std::uint64_t, exact3::LongPlane::kLimbs> limbs;
+  for (std::size_t i = 0; i < limbs.size(); ++i) limbs[i] = x.limb(static_cast<int>(i));
+  return integer_from_limbs(limbs.data(), limbs.size());
+}
+
+/// Returns a number of up to this many bits, often one that fills its limbs, or a multiple of q.
+exact3::LongPlane::Number some_number(cases::Random& random, int bits) {
+  using Number = exact3::LongPlane::Number;
+  const Number q = Number(static_cast<std::int64_t>((std::uint64_t{1} << 61) - 1));
+  Number x(cases::integer(random, -4, 4));
+  switch (cases::integer(random, 0, 3)) {
+    case 0:
+      return x;
+    case 1:
+      return multiply_to<Number::kLimbs>(q, x);
+    default:
+      break;
+  }
+  const auto up = static_cast<int>(cases::integer(random, 0, bits - 4));
+  x = x << up;
+  return cases::integer(random, 0, 1) == 0 ? x : x - Number(1);
+}
+
+/// Planes of long integers are those of the same rationals, alone and in blocks.
+TEST(PlaneTable, LongCoefficientsAndRationalsAgree) {
+  cases::Random random(29);
+  std::vector<exact3::LongPlane> planes(700);
+  for (exact3::LongPlane& plane : planes) {
+    const auto bits = static_cast<int>(cases::integer(random, 5, 760));
+    for (auto& x : plane.n) x = some_number(random, bits);
+    plane.d = some_number(random, bits);
+    if (!plane.d.is_zero()) plane.scale = static_cast<int>(cases::integer(random, -200, 200));
+  }
+  PlaneTable table;
+  std::vector<OrientedPlane> found(planes.size());
+  table.intern_coefficients(planes, found);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const exact3::LongPlane& plane = planes[i];
+    const Integer unit = Integer(1)
+                         << static_cast<unsigned>(plane.d.is_zero() ? 0 : std::abs(plane.scale));
+    const Rational d = plane.d.is_zero() || plane.scale >= 0 ? Rational(integer_of(plane.d) * unit)
+                                                             : Rational(integer_of(plane.d), unit);
+    const std::size_t size = table.size();
+    EXPECT_EQ(found[i],
+              table.intern(Rational(integer_of(plane.n[0])), Rational(integer_of(plane.n[1])),
+                           Rational(integer_of(plane.n[2])), d));
+    EXPECT_EQ(table.size(), size);
+    OrientedPlane alone;
+    table.intern_coefficients({&plane, 1}, {&alone, 1});
+    EXPECT_EQ(alone, found[i]);
+    if (!found[i].is_valid()) continue;
+    const PlaneRow& row = table.row(found[i].plane());
+    const IntegerRow exact = table.coefficients(found[i].plane());
+    PlaneTable other;
+    EXPECT_EQ(row.n, other
+                         .row(other
+                                  .intern(Rational(exact[0]), Rational(exact[1]),
+                                          Rational(exact[2]), Rational(exact[3]))
+                                  .plane())
+                         .n);
   }
 }
 

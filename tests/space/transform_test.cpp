@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generate/meshes.h"
 #include "generate/space_program.h"
 #include "generate/space_solids.h"
 #include "oracle/nef3_check.h"
@@ -211,6 +212,37 @@ TEST(MappedSets, ObeyTheLaws) {
     EXPECT_TRUE(ma.transformed(next) == a.transformed(after(next, map)));
     EXPECT_EQ(ma.counts(), a.counts());
     EXPECT_EQ(ma.is_bounded(), a.is_bounded());
+  }
+}
+
+/// Sets of many planes are mapped in integers of fixed widths, while these hold the numbers, which
+/// grow with each map. Vertices keep their ids, and a clean set has its vertices on its planes.
+TEST(MappedSets, OfManyPlanesAreExact) {
+  for (std::uint64_t seed = 0; seed < 12 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    Context context;
+    Nef3 set = Nef3::from_mesh(icosphere_mesh(1, 1, {0.1, 0.2, 0.3}),
+                               {.rule = WindingRule::Positive}, context);
+    set = set - set.transformed(some_map(dice, seed % 12));
+    const Nef3 first = set;
+    AffineMap3 back = some_map(dice, 0);
+    for (std::uint64_t step = 0; step < 5 && !HasFailure(); ++step) {
+      const AffineMap3 map = some_map(dice, step == 3 ? 8 : (seed + 5 * step) % 12);
+      const Nef3 image = set.transformed(map);
+      expect_clean(image);
+      const SpaceComplex &from = set.complex(), &to = image.complex();
+      ASSERT_EQ(from.vertex_count(), to.vertex_count());
+      for (std::size_t v = 0; v < from.vertex_count(); ++v) {
+        const RationalPoint3 x = exact(from.points(), from.vertex_point[VertexId(v)]);
+        EXPECT_EQ(
+            exact(to.points(), to.vertex_point[VertexId(v)]),
+            to_rational(transform_test::image(map, {exact_of(x.x), exact_of(x.y), exact_of(x.z)})));
+      }
+      back = step == 0 ? inverse(map) : after(back, inverse(map));
+      set = image;
+    }
+    EXPECT_TRUE(set.transformed(back) == first);
   }
 }
 

@@ -34,6 +34,10 @@ class IntegerMap {
   }
   /// Returns the matrix of image_of_plane(). Its row k gives coefficient k of the image.
   const std::array<IntegerRow, 4>& plane_matrix() const { return plane_; }
+  /// Returns the matrix of image_of_point() without its last row. Row k gives coordinate k.
+  const std::array<IntegerRow, 3>& point_matrix() const { return point_; }
+  /// Returns the factor of the last homogeneous coordinate of a point.
+  const Integer& weight() const { return weight_; }
 
  private:
   using IntegerVector = std::array<Integer, 3>;

@@ -30,6 +30,7 @@
 #include "plumb/predicates/rounding.h"
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/complex/tidy_tables.h"
+#include "plumb/space/set/fixed_map.h"
 #include "plumb/space/set/integer_map.h"
 
 namespace plumb {
@@ -96,9 +97,10 @@ class AxisMap {
 
 /// Maps planes and points into a new table, each once. Points go to M x + t, and a plane n.x + d =
 /// 0 to (n M^-1).x + d - (n M^-1).t = 0. The columns of M^-1 are the cross products of rows of M,
-/// divided by the determinant. R is mapped to `far_scale` R, and far planes are not shifted
-/// (frame.h). A plane through three input points goes to the plane through their images, if the map
-/// is an AxisMap that takes the three points to doubles: this needs no long numbers.
+/// divided by the determinant. R goes to `far_scale` R, and far planes are not shifted (frame.h).
+/// A plane through three input points goes to the plane through their images, if the map is an
+/// AxisMap that takes the three points to doubles: this needs no long numbers. Other planes and
+/// input points are mapped by a FixedMap, and what is too long for it by the IntegerMap.
 class Images {
  public:
   Images(const SpaceComplex& complex, const AffineMap3& map, Rational far_scale)
@@ -107,8 +109,12 @@ class Images {
         whole_map_(map),
         far_scale_(std::move(far_scale)),
         tables_(std::make_shared<SpaceTables>()),
-        planes_(complex.planes().size()) {
+        planes_(complex.planes().size()),
+        corners_(complex.planes().points().size()) {
     if (const std::optional<AxisMap> axis_map = AxisMap::of(map)) map_corners(*axis_map);
+    has_factors_ = rows_have_factors();
+    if (has_factors_) return;
+    if (const std::optional<FixedMap> fixed_map = FixedMap::of(whole_map_)) map_ahead(*fixed_map);
   }
 
   Sign determinant() const { return whole_map_.determinant(); }
@@ -129,6 +135,9 @@ class Images {
     if (p.is_input()) {
       const SpacePoint known = image_of_corner(p.input());
       if (known.is_valid()) return known;
+      if (!across_.empty() && across_[v][0].is_valid()) {
+        return tables_->points.add(across_[v][0], across_[v][1], across_[v][2]);
+      }
     } else if (const PointSource& source = points.source(p); source.is_line()) {
       const SpacePoint image = image_of_line_point(source, v);
       if (image.is_valid()) return image;
@@ -140,31 +149,44 @@ class Images {
   }
 
  private:
-  static constexpr std::size_t kSample = 16;
+  static constexpr std::size_t kBlock = 64;  // Planes for one inversion. They stay in the cache.
 
   OrientedPlane image_of(PlaneId p) {
     if (complex_.planes().is_frame(p)) return image_of_far(p);
-    return intern_row(tables_->planes,
-                      reduced(whole_map_.image_of_plane(complex_.planes().coefficients(p))));
+    IntegerRow row = whole_map_.image_of_plane(complex_.planes().coefficients(p));
+    const bool is_reduced = has_factors_ || is_across_axis(p);
+    return intern_row(tables_->planes, is_reduced ? primitive(row) : std::move(row));
   }
-  /// Returns a row without a common factor, unless the first rows had none. Rows that were mapped
-  /// by a map and by its inverse have one, and become longer with each map if it is not removed.
-  /// Nearly all other rows have none, and the search for it takes longer than the map.
-  IntegerRow reduced(IntegerRow row) {
-    if (rows_seen_ >= kSample && !has_factors_) return row;
-    ++rows_seen_;
-    IntegerRow shorter = primitive(row);
-    for (std::size_t i = 0; i < 4; ++i) {
-      // Powers of two need no search, because tables of planes remove them.
-      if (row[i].is_zero()) continue;
-      const int lost = bit_length(row[i]) - trailing_zeros(row[i]) - bit_length(shorter[i]) +
-                       trailing_zeros(shorter[i]);
-      has_factors_ = has_factors_ || lost > kLongFactor;
+
+  /// Whether a plane is across an axis, as far as doubles tell. The numbers of its image have a
+  /// common factor that comes from the map alone.
+  bool is_across_axis(PlaneId p) const {
+    const auto& n = complex_.planes().row(p).n;
+    return std::count(n.begin(), n.end(), 0) == 2;
+  }
+
+  /// Whether half of the rows have a long common factor, as rows have after a map and its inverse;
+  /// they become longer with each map if it stays. Nearly all other rows have none, and the search
+  /// for it takes longer than the map. So it is searched in some rows only.
+  bool rows_have_factors() const {
+    constexpr std::size_t kSample = 16;
+    constexpr int kLongFactor = 20;  // Bits. Many rows have a small factor by chance.
+    const PlaneTable& planes = complex_.planes();
+    const std::size_t step = std::max<std::size_t>(complex_.facet_count() / kSample, 1);
+    std::size_t seen = 0, found = 0;
+    for (std::size_t f = 0; f < complex_.facet_count(); f += step) {
+      const PlaneId p = complex_.facet_plane[f];
+      if (planes.is_frame(p) || is_across_axis(p)) continue;
+      Integer common = 0;
+      for (const Integer& x : whole_map_.image_of_plane(planes.coefficients(p))) {
+        common = gcd(common, x);
+      }
+      // Powers of two cost nothing, as tables of planes take them out.
+      ++seen;
+      found += bit_length(common) - trailing_zeros(common) > kLongFactor ? 1 : 0;
     }
-    return shorter;
+    return found > 0 && 2 * found >= seen;
   }
-  // The unit is a bit. Many rows have a small factor by chance.
-  static constexpr int kLongFactor = 20;
 
   /// A plane of the frame becomes a far plane: its offset scales with R and is not shifted.
   OrientedPlane image_of_far(PlaneId p) {
@@ -176,16 +198,19 @@ class Images {
   }
 
   /// Returns the image of an input point if it is known to be an input point.
-  SpacePoint image_of_corner(InputPointId p) const {
-    return corners_.empty() ? SpacePoint() : corners_[p.value()];
+  SpacePoint image_of_corner(InputPointId p) const { return corners_[p.value()]; }
+  /// Whether the ends of a line are known to go to input points.
+  bool has_known_ends(const PointSource& source) const {
+    return image_of_corner(source.end(0)).is_valid() && image_of_corner(source.end(1)).is_valid();
   }
 
   /// Returns the image of the point of a line and a plane. It is a point of a line if the images of
   /// the ends are input points; otherwise the planes of edges at the vertex define it.
   SpacePoint image_of_line_point(const PointSource& source, VertexId v) {
-    const SpacePoint a = image_of_corner(source.end(0)), b = image_of_corner(source.end(1));
-    if (a.is_valid() && b.is_valid()) {
-      return tables_->points.add(a.input(), b.input(), (*this)(source.plane(0)).plane());
+    if (has_known_ends(source)) {
+      return tables_->points.add(image_of_corner(source.end(0)).input(),
+                                 image_of_corner(source.end(1)).input(),
+                                 (*this)(source.plane(0)).plane());
     }
     std::optional<std::array<PlaneId, 2>> first;
     for (const HalfedgeId h : complex_.star_of(v)) {
@@ -208,7 +233,6 @@ class Images {
   /// whose corners have doubles as images.
   void map_corners(const AxisMap& map) {
     const PlaneTable& planes = complex_.planes();
-    corners_.resize(planes.points().size());
     std::vector<std::uint8_t> is_seen(corners_.size(), 0);
     const auto image = [&](InputPointId p) {
       if (std::exchange(is_seen[p.value()], 1) == 0) {
@@ -256,16 +280,110 @@ class Images {
     for (std::size_t i = 0; i < ids.size(); ++i) planes_[ids[i]] = found[i];
   }
 
+  /// Maps planes and input points in blocks, in the order in which image_of() will ask for them. An
+  /// image of a point whose coordinates are not doubles is the common point of three planes across
+  /// the axes. Points with too many bits for the map are left out.
+  void map_ahead(const FixedMap& map) {
+    Block block(planes_.size());
+    for (std::size_t v = 0; v < complex_.vertex_count(); ++v) {
+      const SpacePoint p = complex_.vertex_point[VertexId(v)];
+      if (p.is_input()) {
+        map_point(map, VertexId(v), p.input(), block);
+      } else {
+        map_planes_of(map, complex_.points().source(p), VertexId(v), block);
+      }
+    }
+    for (const auto& pair : complex_.edge_planes) {
+      for (const PlaneId p : pair) map_plane(map, p, block);
+    }
+    for (const PlaneId p : complex_.facet_plane) map_plane(map, p, block);
+    intern(block);
+  }
+
+  /// Planes that are interned together, and what they are for.
+  struct Block {
+    explicit Block(std::size_t planes) : is_queued(planes, 0) {}
+
+    std::vector<exact3::LongPlane> images;
+    std::vector<OrientedPlane*> result;   // A plane of planes_, or null.
+    std::vector<PlaneId*> across;         // A plane of across_, or null.
+    std::vector<std::uint8_t> is_queued;  // For each plane.
+  };
+
+  void intern(Block& block) {
+    std::vector<OrientedPlane> found(block.images.size());
+    tables_->planes.intern_coefficients(block.images, found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (block.result[i] != nullptr) *block.result[i] = found[i];
+      if (block.across[i] != nullptr) *block.across[i] = found[i].plane();
+    }
+    block.images.clear();
+    block.result.clear();
+    block.across.clear();
+  }
+
+  void add(const exact3::LongPlane& image, OrientedPlane* result, PlaneId* across, Block& block) {
+    block.images.push_back(image);
+    block.result.push_back(result);
+    block.across.push_back(across);
+    if (block.images.size() == kBlock) intern(block);
+  }
+
+  void map_plane(const FixedMap& map, PlaneId p, Block& block) {
+    if (planes_[p.value()].is_valid() || complex_.planes().is_frame(p)) return;
+    if (std::exchange(block.is_queued[p.value()], 1) != 0) return;
+    exact3::LongPlane image;
+    if (map.image_of_plane(exact3::operand(complex_.planes(), p), image)) {
+      add(image, &planes_[p.value()], nullptr, block);
+    } else {
+      intern(block);  // Keeps the order.
+      planes_[p.value()] = image_of(p);
+    }
+  }
+
+  /// Maps the planes that define the image of a constructed point.
+  void map_planes_of(const FixedMap& map, const PointSource& source, VertexId v, Block& block) {
+    if (!source.is_line() || has_known_ends(source)) {
+      for (std::size_t i = 0; i < source.plane_count(); ++i) {
+        map_plane(map, source.plane(i), block);
+      }
+      return;
+    }
+    const std::array<PlaneId, 2>* first = nullptr;
+    for (const HalfedgeId h : complex_.star_of(v)) {
+      const auto& pair = complex_.edge_planes[SpaceComplex::edge_of(h)];
+      if (first == nullptr) first = &pair;
+      for (const PlaneId p : pair) {
+        map_plane(map, p, block);
+        if (p != (*first)[0] && p != (*first)[1]) return;
+      }
+    }
+  }
+
+  void map_point(const FixedMap& map, VertexId v, InputPointId p, Block& block) {
+    if (!map.maps_points() || image_of_corner(p).is_valid()) return;
+    FixedMap::Point image;
+    if (!map.image_of_point(complex_.planes().point(p), complex_.planes().grid(p), image)) return;
+    if (const std::optional<Point3> at = image.as_doubles()) {
+      corners_[p.value()] = SpacePoint(tables_->planes.add_point(*at));
+      return;
+    }
+    if (across_.empty()) across_.resize(complex_.vertex_count());
+    for (std::size_t k = 0; k < 3; ++k) {
+      add(image.plane_across(k), nullptr, &across_[v][k], block);
+    }
+  }
+
   const SpaceComplex& complex_;
   const AffineMap3& map_;
   IntegerMap whole_map_;
   Rational far_scale_;
   std::shared_ptr<SpaceTables> tables_;
   std::vector<OrientedPlane> planes_;
-  // The images of input points. An id is invalid if the image is not known.
-  std::vector<SpacePoint> corners_;
-  std::size_t rows_seen_ = 0;  // The number of rows in which a common factor was searched.
-  bool has_factors_ = false;   // Whether one of these rows had a long factor.
+  std::vector<SpacePoint> corners_;  // Images of input points; not valid if not known.
+  // For vertices at input points whose images are no input points: planes across the axes.
+  IdVector<VertexId, std::array<PlaneId, 3>> across_;
+  bool has_factors_ = false;  // Whether rows have a long common factor.
 };
 
 /// Reverses the uses of facets whose plane is now seen from its other side.

@@ -53,6 +53,12 @@ inline int bit_length(const Integer& x) {
 
 /// Returns the number of trailing zero bits. Requires x != 0.
 inline int trailing_zeros(const Integer& x) { return static_cast<int>(mpz_scan1(x.mpz(), 0)); }
+template <int L>
+int trailing_zeros(const Fixed<L>& x) {
+  int limb = 0;
+  while (x.limb(limb) == 0) ++limb;
+  return 64 * limb + std::countr_zero(x.limb(limb));
+}
 
 /// Appends x to `limbs`, as `count` limbs in two's complement. Requires bit_length(x) < 64 count.
 void append_limbs(const Integer& x, std::size_t count, std::vector<std::uint64_t>& limbs);

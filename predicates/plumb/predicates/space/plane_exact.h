@@ -100,6 +100,16 @@ struct BigPlane {
   int scale = kAnyScale;
 };
 
+/// The plane n.x + d 2^scale = 0 in integers of a width that holds the image of every FixedPlane
+/// under an affine map with numbers of up to 254 bits.
+struct LongPlane {
+  static constexpr int kLimbs = 12;
+  using Number = Fixed<kLimbs>;
+  Vector<Number> n;
+  Number d;
+  int scale = kAnyScale;
+};
+
 /// A plane whose exact coefficients are not computed yet; load() computes them.
 struct Operand {
   const PlaneTable* table;  ///< The table that contains the plane.

@@ -164,6 +164,7 @@ PlaneRow exact_row(const Plane& plane) {
 }
 
 template PlaneRow exact_row(const exact3::FixedPlane<exact3::Medium>&);
+template PlaneRow exact_row(const exact3::LongPlane&);
 template PlaneRow exact_row(const exact3::BigPlane&);
 
 }  // namespace plumb

@@ -27,6 +27,7 @@ template <class Plane>
 PlaneRow exact_row(const Plane& plane);
 
 extern template PlaneRow exact_row(const exact3::FixedPlane<exact3::Medium>&);
+extern template PlaneRow exact_row(const exact3::LongPlane&);
 extern template PlaneRow exact_row(const exact3::BigPlane&);
 
 /// Returns a float that is not less than x: at least FLT_MIN, and infinite beyond the floats.

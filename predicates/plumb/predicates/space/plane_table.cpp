@@ -20,6 +20,7 @@
 #include "plumb/predicates/space/plane_table.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -462,6 +463,133 @@ OrientedPlane PlaneTable::intern(const Rational& a, const Rational& b, const Rat
     return Integer(numerator(x) * (common / denominator(x)));
   };
   return intern_row({whole(a), whole(b), whole(c), whole(d)}, 0, {});
+}
+
+namespace {
+
+using exact3::LongPlane;
+using LongNumber = LongPlane::Number;
+
+/// Returns the number of limbs that hold x in two's complement, at least 1.
+int used_limbs(const LongNumber& x) {
+  const std::uint64_t fill = x.is_negative() ? ~std::uint64_t{0} : 0;
+  int count = LongNumber::kLimbs;
+  while (count > 1 && x.limb(count - 1) == fill) --count;
+  const bool has_sign = (x.limb(count - 1) >> 63) == (fill & 1);
+  return has_sign ? count : count + 1;
+}
+
+/// Returns the residue of x. As 2^64 = 2^3 modulo q, the limbs are digits of a number to base 8. In
+/// two's complement, the highest one counts negative for a negative number.
+Residue residue_of(const LongNumber& x) {
+  constexpr Residue kBase = Residue::power_of_two(3);
+  const int count = used_limbs(x);
+  Residue sum = x.is_negative() ? -Residue::of(std::uint64_t{1}) : Residue();
+  for (int i = count; i-- > 0;) sum = sum * kBase + Residue::of(x.limb(i));
+  return sum;
+}
+
+/// Returns x / 2^by. Requires a multiple of 2^by.
+LongNumber shifted_down(const LongNumber& x, int by) {
+  constexpr int kLimbs = LongNumber::kLimbs;
+  if (by == 0) return x;
+  const std::uint64_t fill = x.is_negative() ? ~std::uint64_t{0} : 0;
+  const int limbs = by / 64, bits = by % 64;
+  const auto limb = [&](int i) { return i < kLimbs ? x.limb(i) : fill; };
+  std::array<std::uint64_t, kLimbs> result;
+  for (int i = 0; i < kLimbs; ++i) {
+    const std::uint64_t low = limb(i + limbs), high = limb(i + limbs + 1);
+    result[static_cast<std::size_t>(i)] = bits == 0 ? low : (low >> bits) | (high << (64 - bits));
+  }
+  return LongNumber::from_limbs(result.data());
+}
+
+/// Takes powers of two out of the coefficients, as strip() of an IntegerRow does. Requires a normal
+/// other than zero.
+void strip(LongPlane& plane) {
+  int low = INT_MAX;
+  for (const LongNumber& x : plane.n) {
+    if (!x.is_zero()) low = std::min(low, trailing_zeros(x));
+  }
+  for (LongNumber& x : plane.n) x = shifted_down(x, low);
+  if (plane.d.is_zero()) return;
+  const int offset_low = trailing_zeros(plane.d);
+  plane.d = shifted_down(plane.d, offset_low);
+  plane.scale += offset_low - low;
+}
+
+Integer integer_of(const LongNumber& x) {
+  std::array<std::uint64_t, LongNumber::kLimbs> limbs;
+  for (std::size_t i = 0; i < limbs.size(); ++i) limbs[i] = x.limb(static_cast<int>(i));
+  return integer_from_limbs(limbs.data(), limbs.size());
+}
+
+}  // namespace
+
+/// Stores the coefficients of a plane that has no parents.
+PlaneSource PlaneTable::push_slot(const LongPlane& plane) {
+  const int normal_bits =
+      std::max({bit_length(plane.n[0]), bit_length(plane.n[1]), bit_length(plane.n[2])});
+  const int offset_bits = bit_length(plane.d);
+  const int limbs = std::max(normal_bits, offset_bits) / 64 + 1;
+  const auto slot = static_cast<std::uint32_t>(slots_.size());
+  slots_.push_back({limbs_.size(),
+                    static_cast<std::uint32_t>(limbs),
+                    plane.d.is_zero() ? 0 : plane.scale,
+                    normal_bits,
+                    offset_bits,
+                    {}});
+  for (const LongNumber* x : {&plane.n[0], &plane.n[1], &plane.n[2], &plane.d}) {
+    for (int i = 0; i < limbs; ++i) limbs_.push_back(x->limb(i));
+  }
+  return {{PlaneSource::kExplicit, slot, 0}};
+}
+
+/// Interns one plane, whose normal is not zero, by its fingerprint.
+OrientedPlane PlaneTable::intern_coefficients(const LongPlane& plane, Fingerprint fingerprint) {
+  LongPlane own = plane;
+  strip(own);
+  const bool is_flipped = orientation(own) == Sign::Negative;
+  if (is_flipped) negate(own);
+  const std::size_t planes = size();
+  const Draft draft{true, is_flipped, exact_row(own), push_slot(own)};
+  const OrientedPlane result = find_or_add(draft, fingerprint);
+  if (size() == planes) pop_slot();  // The plane was known already.
+  return result;
+}
+
+/// Works in two passes over each block, as intern_block() does.
+void PlaneTable::intern_coefficients(std::span<const LongPlane> planes,
+                                     std::span<OrientedPlane> result) {
+  make_room(planes.size());
+  for (std::size_t first = 0; first < planes.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, planes.size() - first);
+    std::array<ResidueRow, kBlock> rows;
+    std::array<Residue, kBlock> inverses, scratch;
+    for (std::size_t i = 0; i < count; ++i) {
+      const LongPlane& plane = planes[first + i];
+      rows[i] = {
+          residue_of(plane.n[0]), residue_of(plane.n[1]), residue_of(plane.n[2]),
+          plane.d.is_zero() ? Residue() : residue_of(plane.d) * Residue::power_of_two(plane.scale)};
+      inverses[i] = leading(rows[i]);
+    }
+    invert_all(std::span(inverses).first(count), std::span(scratch).first(count));
+    std::array<Fingerprint, kBlock> fingerprints;
+    for (std::size_t i = 0; i < count; ++i) {
+      fingerprints[i] = plumb::fingerprint(rows[i], inverses[i]);
+    }
+    index_->look_ahead(std::span(fingerprints).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const LongPlane& plane = planes[first + i];
+      if (inverses[i].is_zero() || orientation(plane) == Sign::Zero) {
+        result[first + i] = intern_row({integer_of(plane.n[0]), integer_of(plane.n[1]),
+                                        integer_of(plane.n[2]), integer_of(plane.d)},
+                                       plane.d.is_zero() ? 0 : plane.scale, {});
+      } else {
+        result[first + i] = intern_coefficients(plane, fingerprints[i]);
+      }
+    }
+  }
 }
 
 // --- the frame -----------------------------------------------------------------------------------

@@ -52,6 +52,10 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
+namespace exact3 {
+struct LongPlane;
+}  // namespace exact3
+
 using PlaneId = StrongId<struct PlaneTag>;
 /// An input point of space, by its index in the table.
 using InputPointId = StrongId<struct InputPointTag>;
@@ -195,6 +199,10 @@ class PlaneTable {
   OrientedPlane intern(double a, double b, double c, double d);
   /// Returns the plane a x + b y + c z + d = 0 with rational coefficients.
   OrientedPlane intern(const Rational& a, const Rational& b, const Rational& c, const Rational& d);
+  /// Sets result[i] to the plane with the coefficients planes[i] (plane_exact.h). Many planes share
+  /// one modular inversion, and no number is allocated. Requires result.size() == planes.size().
+  void intern_coefficients(std::span<const exact3::LongPlane> planes,
+                           std::span<OrientedPlane> result);
   /// Returns the plane of a wall. If the plane is new, the table stores the two planes of the
   /// pencil as its parents(). There are two cases in which the wall is a far plane n.x + d R = 0
   /// (PlaneSource), which has no parents:
@@ -255,6 +263,8 @@ class PlaneTable {
   void intern_block(std::span<const std::array<InputPointId, 3>> triangles,
                     std::span<OrientedPlane> result, CornerNotes& notes);
   PlaneSource push_slot(const IntegerRow& row, int scale, std::array<PlaneId, 2> parents);
+  PlaneSource push_slot(const exact3::LongPlane& plane);
+  OrientedPlane intern_coefficients(const exact3::LongPlane& plane, Fingerprint fingerprint);
   PlaneSource copy_slot(const PlaneTable& other, const PlaneSource& source,
                         std::span<const PlaneId> map);
   void pop_slot();
