@@ -277,20 +277,30 @@ void SpaceRay::add_hits(EdgeId e, std::vector<SpaceRayHit>& hits) const {
 }
 
 /// Adds the cells of a cycle that the line meets, and returns whether there are any. Each edge that
-/// passes on the right inverts is_inside.
+/// passes on the right inverts is_inside. Nearly all edges have both ends strictly on one side along
+/// j, which one sign of each vertex shows.
 bool SpaceRay::add_hits_of_cycle(UseId first, bool& is_inside,
                                  std::vector<SpaceRayHit>& hits) const {
   const std::size_t before = hits.size();
-  const End start = end(complex_.use_origin(first));
-  End a = start;
+  const auto end_at = [&](VertexId v, Sign along_j) {
+    return End{v, {{shadow_sign(v, 0), along_j}}};
+  };
+  VertexId v = complex_.use_origin(first);
+  const Sign start = shadow_sign(v, 1);
+  Sign here = start;
   UseId u = first;
   do {
     const UseId after = complex_.use_next[u];
-    const End b = after == first ? start : end(complex_.use_origin(after));
-    if (a.place.is_origin()) add_hits(a.vertex, hits);
-    const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u]);
-    if (add_hit_inside_edge(e, a, b, hits)) is_inside = !is_inside;
-    a = b;
+    const VertexId next = complex_.use_origin(after);
+    const Sign there = after == first ? start : shadow_sign(next, 1);
+    if (here * there != Sign::Positive) {
+      const End a = end_at(v, here);
+      if (a.place.is_origin()) hits.push_back(hit_of(v, PlaneId()));
+      const EdgeId e = SpaceComplex::edge_of(complex_.use_halfedge[u]);
+      if (add_hit_inside_edge(e, a, end_at(next, there), hits)) is_inside = !is_inside;
+    }
+    v = next;
+    here = there;
     u = after;
   } while (u != first);
   return hits.size() > before;

@@ -1,4 +1,4 @@
-// Finds the volumes of a complex: classes of sides of facets, then one ray for each piece.
+// Finds the volumes of a complex: classes of sides of facets, then rays of pieces.
 //
 // Two sides bound the same volume near an edge if they follow each other in radial order, and near
 // a vertex if they bound one face of its sphere map. If the map is connected, the first rule unites
@@ -16,13 +16,17 @@
 #include "plumb/space/query/volumes.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "plumb/base/internal/box_tree.h"
 #include "plumb/base/internal/parallel.h"
 #include "plumb/predicates/error.h"
 #include "plumb/predicates/point3_signs.h"
+#include "plumb/space/complex/space_boxes.h"
 #include "plumb/space/local_maps.h"
 #include "plumb/space/space_locator.h"
 #include "plumb/sphere/overlay/sphere_overlay.h"
@@ -162,35 +166,136 @@ constexpr SphereDirection kRight{kPlaneY, kPlaneZ};  // The direction of x.
 
 // ---- connected pieces
 
-/// Returns the least vertex of each connected piece. Edges and facets connect vertices. Pieces are
-/// in the order of their first vertices.
-std::vector<VertexId> find_least_vertices(const SpaceComplex& complex, const Context& context) {
-  UnionFind pieces(complex.vertex_count());
+/// Bounds of the numbers x, y, z, x + y, x - y, y + z, y - z, z + x and z - x. Parallel bars
+/// between the sides of a box can have boxes within each other, but seldom bounds of all these
+/// numbers.
+class Extents {
+ public:
+  static constexpr std::size_t kCount = 9;
+
+  /// Returns the bounds of a point in a box.
+  static Extents of(const Box3& box) {
+    Extents result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      result.set(i, box.low[i], box.high[i]);
+      result.set_rounded(3 + 2 * i, box.low[i] + box.low[j], box.high[i] + box.high[j]);
+      result.set_rounded(4 + 2 * i, box.low[i] - box.high[j], box.high[i] - box.low[j]);
+    }
+    return result;
+  }
+
+  std::array<double, kCount> low{}, high{};
+
+ private:
+  void set(std::size_t k, double least, double most) {
+    low[k] = least;
+    high[k] = most;
+  }
+  /// Sets bounds that were rounded in any direction. Unknown ones are infinite.
+  void set_rounded(std::size_t k, double least, double most) {
+    constexpr double kRounding = 0x1p-52, kFlushed = 0x1p-1000;
+    const double lower = least - (std::fabs(least) * kRounding + kFlushed);
+    const double upper = most + (std::fabs(most) * kRounding + kFlushed);
+    set(k, std::isfinite(lower) ? lower : -Box3::kInfinity,
+        std::isfinite(upper) ? upper : Box3::kInfinity);
+  }
+};
+
+/// A connected piece.
+struct Piece {
+  VertexId least;  ///< Its lexicographically least vertex.
+  Box3 box;        ///< Contains the piece.
+  /// The least and greatest numbers of the piece are within these bounds (outer) or reach them
+  /// surely (inner).
+  Extents outer, inner;
+
+  explicit Piece(VertexId v) : least(v) {
+    outer.low.fill(Box3::kInfinity);
+    outer.high.fill(-Box3::kInfinity);
+    inner = outer;
+  }
+  void add(const Box3& vertex) {
+    box.add(vertex);
+    const Extents at = Extents::of(vertex);
+    for (std::size_t k = 0; k < Extents::kCount; ++k) {
+      outer.low[k] = std::min(outer.low[k], at.low[k]);
+      outer.high[k] = std::max(outer.high[k], at.high[k]);
+      inner.low[k] = std::min(inner.low[k], at.high[k]);
+      inner.high[k] = std::max(inner.high[k], at.low[k]);
+    }
+  }
+  /// Whether the piece surely has a point outside of the convex hull of another one.
+  bool sticks_out_of(const Piece& other) const {
+    for (std::size_t k = 0; k < Extents::kCount; ++k) {
+      if (inner.low[k] < other.outer.low[k] || inner.high[k] > other.outer.high[k]) return true;
+    }
+    return false;
+  }
+};
+
+/// Returns the connected pieces. Edges and facets connect vertices. Pieces are in the order of
+/// their first vertices.
+std::vector<Piece> find_pieces(const SpaceComplex& complex, const Context& context) {
+  UnionFind roots(complex.vertex_count());
   for (std::uint32_t h = 0; h < complex.origin.size(); h += 2) {
-    pieces.unite(complex.origin[h].value(), complex.origin[h + 1].value());
+    roots.unite(complex.origin[h].value(), complex.origin[h + 1].value());
   }
   for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
     check_at(f, &context);
     const auto cycles = complex.cycles_of(FacetId(f));
     const std::uint32_t first = complex.use_origin(cycles[0]).value();
-    for (const UseId u : cycles.subspan(1)) pieces.unite(first, complex.use_origin(u).value());
-    for (const VertexId v : complex.inner_of(FacetId(f))) pieces.unite(first, v.value());
+    for (const UseId u : cycles.subspan(1)) roots.unite(first, complex.use_origin(u).value());
+    for (const VertexId v : complex.inner_of(FacetId(f))) roots.unite(first, v.value());
   }
-  std::vector<VertexId> least;
+  std::vector<Piece> pieces;
   std::vector<std::uint32_t> number(complex.vertex_count(), kNone);
   for (std::uint32_t v = 0; v < complex.vertex_count(); ++v) {
     check_at(v, &context);
-    std::uint32_t& piece = number[pieces.root(v)];
-    if (piece == kNone) {
-      piece = static_cast<std::uint32_t>(least.size());
-      least.push_back(VertexId(v));
-    } else if (compare_xyz(complex.points(), complex.vertex_point[v],
-                           complex.vertex_point[least[piece]]) == Sign::Negative) {
-      least[piece] = VertexId(v);
+    std::uint32_t& known = number[roots.root(v)];
+    if (known == kNone) {
+      known = static_cast<std::uint32_t>(pieces.size());
+      pieces.emplace_back(VertexId(v));
+    } else if (VertexId& least = pieces[known].least;
+               compare_xyz(complex.points(), complex.vertex_point[v],
+                           complex.vertex_point[least]) == Sign::Negative) {
+      least = VertexId(v);
     }
   }
-  return least;
+  for (std::uint32_t v = 0; v < complex.vertex_count() && pieces.size() > 1; ++v) {
+    check_at(v, &context);
+    pieces[number[roots.root(v)]].add(box_of(complex, VertexId(v)));
+  }
+  return pieces;
 }
+
+/// Tells by boxes that pieces lie in volume 0.
+class OutermostPieces {
+ public:
+  explicit OutermostPieces(std::span<const Piece> pieces) : pieces_(pieces) {
+    std::vector<Box3> boxes;
+    boxes.reserve(pieces.size());
+    for (const Piece& piece : pieces) boxes.push_back(piece.box);
+    tree_ = BoxTree(boxes);
+  }
+
+  /// Whether the boxes show that the outer side of a piece faces volume 0. Looks at a few boxes
+  /// only.
+  bool has(const SpaceComplex& complex, std::size_t piece) const {
+    constexpr int kMostBoxes = 64;
+    int left = kMostBoxes;
+    bool is_outermost = true;
+    tree_.for_each_meeting(box_of(complex, pieces_[piece].least), [&](std::uint32_t other) {
+      is_outermost = other == piece || (left-- > 0 && pieces_[piece].sticks_out_of(pieces_[other]));
+      return is_outermost;
+    });
+    return is_outermost;
+  }
+
+ private:
+  std::span<const Piece> pieces_;
+  BoxTree tree_;
+};
 
 /// Returns the node that faces a direction at a cell. `local` is memory that is reused.
 std::uint32_t node_towards(const SpaceComplex& complex, const ShellNodes& shells, SpaceItem item,
@@ -205,17 +310,22 @@ std::uint32_t node_towards(const SpaceComplex& complex, const ShellNodes& shells
 
 /// Unites the outer shell of every piece with the shell that its ray towards -x hits, or with the
 /// other shells of volume 0. Returns a node of volume 0: one piece holds the least vertex of all.
-std::uint32_t nest_pieces(const SpaceComplex& complex, std::span<const VertexId> least,
+/// A piece in a bounded volume lies in the convex hull of another piece (Lemma 7). So no ray is
+/// needed for a piece that has points outside of the hulls of all others.
+std::uint32_t nest_pieces(const SpaceComplex& complex, std::span<const Piece> pieces,
                           ShellNodes& shells, Context& context) {
   LocalMap local;
   std::optional<SpaceLocator> locator;
+  std::optional<OutermostPieces> by_boxes;
+  if (pieces.size() > 1) by_boxes.emplace(pieces);
   std::vector<std::uint32_t> outermost;  // The nodes of volume 0.
-  for (const VertexId v : least) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
     // No part of the piece is to the left of its least vertex, so this vertex is on the outer
     // shell.
+    const VertexId v = pieces[i].least;
     const std::uint32_t outer = node_towards(complex, shells, v, kLeft, local);
     SpaceItem hit;
-    if (least.size() > 1) {
+    if (by_boxes && !by_boxes->has(complex, i)) {
       if (!locator) locator.emplace(complex);
       hit = locator->shoot_left(complex.vertex_point[v]);
     }
@@ -269,16 +379,16 @@ VolumeLabels find_volumes(const SpaceComplex& complex, Context& context,
                           std::span<const std::uint8_t> connected) {
   if (complex.vertex_count() == 0) return {{}, {}, {}, 1};
   std::optional<ShellNodes> shells;
-  std::vector<VertexId> least;
+  std::vector<Piece> pieces;
   run_jobs(context, 2, [&](std::size_t i, Context& own) {
     own.check_limits("volumes");
     if (i == 0) {
       shells.emplace(complex, connected, &own);
     } else {
-      least = find_least_vertices(complex, own);
+      pieces = find_pieces(complex, own);
     }
   });
-  const std::uint32_t outermost = nest_pieces(complex, least, *shells, context);
+  const std::uint32_t outermost = nest_pieces(complex, pieces, *shells, context);
   return numbered(complex, *shells, outermost);
 }
 

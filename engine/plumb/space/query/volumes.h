@@ -81,14 +81,14 @@ bool has_one_ring(const SpaceComplex& complex, VertexId v);
 //  1. ShellNodes           unites the sides of facets around every edge and in every face of every
 //                          sphere map: each class is a shell, the boundary of one volume on one
 //                          connected piece
-//  2. find_least_vertices  finds the lexicographically least vertex of each piece; what it sees
-//                          towards -x is the outer shell of the piece
+//  2. find_pieces          finds the least vertex and the box of each piece; what the least vertex
+//                          sees towards -x is the outer shell of the piece
 //  3. nest_pieces          shoots from there towards -x to the next piece and the shell that faces
 //                          the ray: both bound the same volume. If nothing is hit it is volume 0
 //  4. numbered             numbers the volumes
 //
-// Cost: O(n alpha(n)), and a ray for each piece if there are at least two. The ray of the least
-// piece cannot meet another one, but nest_pieces() shoots it all the same. Proof:
+// Cost: O(n alpha(n)), and a ray for each piece that may lie within another piece, as far as boxes
+// tell. Proof:
 // docs/design/boolean.md, Lemmas 6 and 7.
 
 /// The volumes around cells, numbered by their least facet, then edge, then vertex; volume 0
