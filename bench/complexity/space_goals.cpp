@@ -114,11 +114,13 @@ bool measure_degenerate(Options& options) {
     report(options, what, least_seconds([&] { return seconds_of([&] { unite(a, b); }); }), "s");
   };
   const PolygonMesh ico = ball(4, {0.1, 0.2, 0.3}), large = ball(5, {0.1, 0.2, 0.3});
-  print("an icosphere of 5,120 and itself turned by 1e-12", ico, testing::turned(ico, 1e-12));
+  print("an icosphere of 5,120 around (0.1, 0.2, 0.3), and itself turned about the z axis by 1e-12",
+        ico, testing::turned(ico, 1e-12));
   const PolygonMesh centred = ball(4, {0, 0, 0});
-  print("the same about its own centre, 22,890 contacts", centred, testing::turned(centred, 1e-12));
-  print("an icosphere of 20,480 twice", large, large);
-  print("two cubes of 19,200 triangles, shifted in two planes",
+  print("an icosphere of 5,120 around the origin, turned likewise: ico5120-turned, 22,890 contacts",
+        centred, testing::turned(centred, 1e-12));
+  print("an icosphere of 20,480 twice: ico20480-twice", large, large);
+  print("two cubes of 19,200 triangles, shifted in two planes: cubes19200",
         testing::grid_cube_mesh(40, {0, 0, 0}), testing::grid_cube_mesh(40, {3.25, 2.5, 0}));
   return true;
 }
