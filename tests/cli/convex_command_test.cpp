@@ -78,6 +78,58 @@ TEST(ConvexProgram, decompose_writes_a_file_for_each_piece) {
   EXPECT_EQ(run({"solid", "compare", whole, kBlock}).code, 0);
 }
 
+/// Writes an L-shaped prism whose faces have one of two materials, and returns its path.
+std::string coloured_block(const ScratchDirectory& scratch, const std::string& name) {
+  const std::string file = (scratch / (name + ".obj")).string();
+  write_file(file, "mtllib " + name + ".mtl\n" +
+                       "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+                       "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n"
+                       "usemtl red\nf 6 5 4 3 2 1\nf 7 8 9 10 11 12\n"
+                       "usemtl blue\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\n"
+                       "f 5 6 12 11\nf 6 1 7 12\n");
+  write_file((scratch / (name + ".mtl")).string(), "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+  return file;
+}
+
+TEST(ConvexProgram, decompose_keeps_materials) {
+  const ScratchDirectory scratch;
+  const std::string file = coloured_block(scratch, "block"), pieces = (scratch / "pieces").string();
+  const RunResult result = run({"convex", "decompose", file, "--format", "obj", "-o", pieces});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.err.find("faces on cuts have no attributes"), std::string::npos) << result.err;
+  for (const std::string name : {"piece_0001", "piece_0002"}) {
+    const std::string obj = read_file(pieces + "/" + name + ".obj"),
+                      mtl = read_file(pieces + "/" + name + ".mtl");
+    EXPECT_EQ(obj.find("mtllib " + name + ".mtl\n"), obj.find("mtllib")) << obj;
+    EXPECT_NE(obj.find("usemtl red\n"), std::string::npos) << obj;
+    EXPECT_NE(obj.find("usemtl blue\n"), std::string::npos) << obj;
+    EXPECT_NE(mtl.find("newmtl red\n"), std::string::npos) << mtl;
+  }
+  // One note for all files, and none if nothing is kept.
+  const std::string note = "not written, because the format does not hold them";
+  const RunResult stl = run({"convex", "decompose", file, "--format", "stl", "-o", pieces});
+  ASSERT_NE(stl.err.find(note), std::string::npos) << stl.err;
+  EXPECT_EQ(stl.err.find(note, stl.err.find(note) + 1), std::string::npos) << stl.err;
+  EXPECT_EQ(stl.err.find("faces on cuts"), std::string::npos) << stl.err;
+  const RunResult plain =
+      run({"convex", "decompose", file, "--format", "obj", "--keep", "none", "-o", pieces});
+  EXPECT_EQ(plain.err.find("faces on cuts"), std::string::npos) << plain.err;
+  EXPECT_EQ(read_file(pieces + "/piece_0001.obj").find("usemtl"), std::string::npos);
+}
+
+TEST(ConvexProgram, decompose_removes_no_library_of_its_input) {
+  const ScratchDirectory scratch;
+  const std::string file = coloured_block(scratch, "piece_0007");
+  const std::string library = (scratch / "piece_0007.mtl").string(),
+                    other = (scratch / "piece_0008.mtl").string();
+  write_file(other, "newmtl old\n");
+  const std::string folder = (scratch / "").string();
+  ASSERT_EQ(run({"convex", "decompose", file, "-o", folder}).code, 0);
+  EXPECT_TRUE(fs::exists(file));
+  EXPECT_TRUE(fs::exists(library));
+  EXPECT_FALSE(fs::exists(other));
+}
+
 TEST(ConvexProgram, decompose_by_every_method_and_in_every_format) {
   const ScratchDirectory scratch;
   for (const char* method : {"cuts", "walls"}) {

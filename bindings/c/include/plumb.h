@@ -939,7 +939,8 @@ enum plumb_decomposition {
   PLUMB_DECOMPOSE_WALLS = 2 /**< Cuts along vertical walls through reflex edges. */
 };
 /** Cuts the solid into convex pieces. Every point of the solid belongs to exactly one piece. If
- * `is_closed` is true, the closures of the pieces are returned instead. */
+ * `is_closed` is true, the closures of the pieces are returned instead. The pieces have the sources
+ * of the solid (plumb_solid_with_source()); faces on cuts have no source. */
 PLUMB_API plumb_status plumb_solid_decompose(const plumb_solid* solid, int method, bool is_closed,
                                              plumb_solid_list** out, const plumb_context* context,
                                              plumb_error** error);

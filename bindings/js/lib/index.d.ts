@@ -640,7 +640,8 @@ export class Solid extends PointSet<Solid, Vector3, 'vertex'|'edge'|'facet'|'vol
   minkowskiErosion(other: Solid, options?: Options): Solid;
   /**
    * Returns the convex parts of the solid. Every point of the solid belongs to exactly one part. If
-   * `closed` is true, the closures of the parts are returned instead.
+   * `closed` is true, the closures of the parts are returned instead. The parts keep the attributes
+   * of the solid; faces on cuts have none.
    */
   decompose(options?: Options&{
     method?: 'best'|'cuts'|'walls';

@@ -333,6 +333,20 @@ export const cases = {
     check(!('attributes' in repairMesh(torn, {fillHoles: 3}).mesh));
   },
 
+  'convex parts keep attributes'(plumb) {
+    const {Solid} = plumb, corner = Solid.box([1, 1, -1], [9, 9, 9]);
+    const mesh = Solid.box([0, 0, 0], [3, 3, 1]).difference(corner).toMesh();
+    const parts = painted(plumb, mesh, 'bent', 50).decompose({closed: true});
+    check(parts.length === 2);
+    for (const part of parts) {
+      checkEqual(part.sources(), ['bent']);
+      const {source, sourceFace, attributes} = part.toMeshWithAttributes();
+      source.forEach(
+          (s, f) => checkEqual(attributes.faceId[f], s === none ? none : sourceFace[f] + 50));
+      checkEqual(source.filter((s) => s === none).length, 2);
+    }
+  },
+
   'half-spaces give their cuts attributes'(plumb) {
     const {Solid} = plumb, body = painted(plumb, boxMesh(plumb, 0, 2), 'wood');
     const source = {name: 'saw', material: {name: 'end grain'}, group: 'cuts', id: 77};

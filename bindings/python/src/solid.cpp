@@ -485,7 +485,8 @@ void def_operations(nb::class_<Nef3>& c) {
                  "expression"_a, "solids"_a);
   def_run(c, "decompose", &pieces_of,
           "Return the convex parts of the set. `method` is 'best', 'cuts' or 'walls'. If `closed` "
-          "is true, return the closures of the parts.",
+          "is true, return the closures of the parts. The parts keep attributes; faces on cuts "
+          "have none.",
           "method"_a = "best", "closed"_a = false);
   def_run(c, "reflex_edges", &reflex_edges_of,
           "Return the edges around which the solid spans more than half a turn.");

@@ -297,3 +297,22 @@ def test_a_repaired_mesh_keeps_its_attributes():
     bad = plumb.Mesh.of_triangles(vertices, torn, plumb.MeshAttributes(face_id=[1, 2]))
     with pytest.raises(plumb.Error):
         bad.repaired(fill_holes=3)
+
+
+def test_convex_parts_keep_attributes():
+    """The facets of the parts cover each face of the mesh once; faces on cuts have no source."""
+    bent = plumb.Solid.box((0, 0, 0), (3, 3, 1)) - plumb.Solid.box((1, 1, -1), (9, 9, 9))
+    mesh = bent.to_mesh()
+    parts = painted(mesh, "bent", 50).decompose(closed=True)
+    covered, bare = np.zeros(len(mesh[1])), 0.0
+    for part in parts:
+        assert part.sources() == ["bent"]
+        made = part.to_mesh_with_attributes()
+        cut = made.source == -1
+        assert (made.face_id[cut] == -1).all() and (made.face_material[cut] == -1).all()
+        assert (made.face_id[~cut] == made.source_face[~cut] + 50).all()
+        np.add.at(covered, made.source_face[~cut], areas(made)[~cut])
+        bare += areas(made)[cut].sum()
+    p, q, r = (mesh[0][mesh[1][:, i]] for i in range(3))
+    assert covered == pytest.approx(np.abs(np.cross(q - p, r - p)).sum(axis=1) / 2)
+    assert bare == 2 * (len(parts) - 1)

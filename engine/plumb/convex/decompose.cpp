@@ -66,9 +66,10 @@ ConvexPieces decompose_named(const Nef3& whole, const DecomposeOptions& options,
 }  // namespace
 
 ConvexPieces decompose(const Nef3& set, const DecomposeOptions& options, Context& context) {
-  if (!has_unnamed(set)) return decompose_named(set, options, context);
-  ConvexPieces result = decompose_named(with_names(set), options, context);
-  remove_names(result.pieces);
+  const bool is_unnamed = has_unnamed(set);
+  ConvexPieces result = decompose_named(is_unnamed ? with_names(set) : set, options, context);
+  if (is_unnamed) remove_names(result.pieces);
+  put_sources(set, result.pieces);
   return result;
 }
 

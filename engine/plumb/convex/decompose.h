@@ -37,6 +37,11 @@
 // facet_origin kNoOrigin. The facets of pieces that lie in it have the facet_origin kNoOrigin, too.
 // A wall of a piece gets kNoOrigin when the piece is decomposed again.
 //
+// The pieces have the sources of the set (source_mesh.h). So mesh_with_attributes() gives each
+// facet of a piece the attributes of the faces of the sources in which it lies. Walls lie in no
+// face of the boundary. So they have no source, except where an operation had removed a face of a
+// source.
+//
 // Cost and bounds: docs/convex.md; proofs: docs/design/walls.md. Sources: B. Chazelle, Convex
 // partitions of polyhedra, SIAM Journal on Computing 13 (1984); P. Hachenberger, Exact Minkowski
 // sums of polyhedra and exact and efficient decomposition of polyhedra into convex pieces,

@@ -348,9 +348,10 @@ ConvexPieces parts_by_walls(const Nef3& set, const DecomposeOptions& options, Co
 
 ConvexPieces decompose_by_walls(const Nef3& set, const DecomposeOptions& options,
                                 Context& context) {
-  if (!has_unnamed(set)) return parts_by_walls(set, options, context);
-  ConvexPieces result = parts_by_walls(with_names(set), options, context);
-  remove_names(result.pieces);
+  const bool is_unnamed = has_unnamed(set);
+  ConvexPieces result = parts_by_walls(is_unnamed ? with_names(set) : set, options, context);
+  if (is_unnamed) remove_names(result.pieces);
+  put_sources(set, result.pieces);
   return result;
 }
 

@@ -11,8 +11,10 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -53,6 +55,10 @@ class PieceFiles {
   /// process may have open files. `losses` states what the file cannot represent.
   void add(std::string_view extension, const std::vector<std::string>& losses,
            const std::function<void(std::ostream&)>& write);
+  /// Returns the name of the material library of the next piece.
+  std::string next_library() const;
+  /// Writes the material library of the last piece.
+  void add_library(const std::function<void(std::ostream&)>& write);
   /// Opens a picture of the pieces, which becomes visible with them. Throws Error{Usage} if it has
   /// the name of a piece in one of the extensions, and Error{CannotWrite}.
   void open_picture(const std::string& path, const std::vector<std::string_view>& extensions);
@@ -69,6 +75,7 @@ class PieceFiles {
   std::string directory_;
   std::optional<OutputDirectory> made_;  // Outlives the files in it.
   std::vector<std::unique_ptr<OutputFile>> files_;
+  std::vector<std::unique_ptr<OutputFile>> libraries_;
   std::unique_ptr<OutputFile> picture_;
   std::size_t changed_ = 0;
   std::string worst_;  // Name of a file.
@@ -78,6 +85,7 @@ class PieceFiles {
 namespace {
 
 constexpr std::string_view kStem = "piece_";
+constexpr std::string_view kLibraryExtension = ".mtl";
 
 std::string file_name(std::size_t piece, std::string_view extension) {
   std::string number = std::to_string(piece);
@@ -118,6 +126,17 @@ void PieceFiles::add(std::string_view extension, const std::vector<std::string>&
   files_.back()->finish();
 }
 
+std::string PieceFiles::next_library() const {
+  return file_name(files_.size() + 1, kLibraryExtension);
+}
+
+void PieceFiles::add_library(const std::function<void(std::ostream&)>& write) {
+  const auto path = path_of(directory_) / file_name(files_.size(), kLibraryExtension);
+  libraries_.push_back(std::make_unique<OutputFile>(file_name_of(path)));
+  write(libraries_.back()->stream());
+  libraries_.back()->finish();
+}
+
 void PieceFiles::open_picture(const std::string& path,
                               const std::vector<std::string_view>& extensions) {
   namespace fs = std::filesystem;
@@ -147,6 +166,7 @@ void PieceFiles::note_losses(std::string_view better, Session& session) const {
 
 void PieceFiles::commit(const std::vector<std::string_view>& extensions, const std::string& input) {
   const std::size_t pieces = files_.size();
+  std::move(libraries_.begin(), libraries_.end(), std::back_inserter(files_));
   if (picture_) files_.push_back(std::move(picture_));
   commit_all(files_);
   if (!is_wanted()) return;
@@ -157,7 +177,10 @@ void PieceFiles::commit(const std::vector<std::string_view>& extensions, const s
     std::error_code ignored;
     if (piece_number(at->path().filename().string(), extensions) <= pieces) continue;
     if (!at->is_regular_file(ignored)) continue;
-    if (std::filesystem::equivalent(at->path(), path_of(input), ignored)) continue;
+    // Neither the input nor a material library beside it.
+    auto beside = at->path();
+    beside.replace_extension(path_of(input).extension());
+    if (std::filesystem::equivalent(beside, path_of(input), ignored)) continue;
     std::filesystem::remove(at->path(), ignored);
   }
 }
@@ -205,6 +228,7 @@ class Decomposition : public CommandBody {
                    "solid moved apart")
         ->type_name("OUT");
     input_.declare(app);
+    input_.declare_keep(app);
   }
 
   ExitCode run(Session& session) override {
@@ -213,7 +237,8 @@ class Decomposition : public CommandBody {
     const bool is_plane = kind_of_file(file_, bytes) == FileKind::PlaneSet;
     session.expect(stages(is_plane, session.options()));
     session.begin("read");
-    const auto names = is_plane ? extensions(kPlaneFormats) : extensions(solid_formats());
+    auto names = is_plane ? extensions(kPlaneFormats) : extensions(solid_formats());
+    if (!is_plane) names.push_back(kLibraryExtension);
     if (!svg_.empty()) files.open_picture(svg_, names);
     const Answer answer =
         is_plane ? decompose_plane(bytes, files, session) : decompose_solid(bytes, files, session);
@@ -276,23 +301,42 @@ class Decomposition : public CommandBody {
     session.begin("cut");
     const ConvexPieces found = decompose(set, {method, closed_}, context);
     std::size_t done = 0;
+    std::string dropped;         // A sentence on attributes that the format does not hold.
+    bool has_bare_cuts = false;  // Whether faces on cuts stand beside faces with attributes.
     session.begin("pieces");
     for (const Nef3& piece : found.pieces) {
       if (!files.is_wanted()) break;
       context.checkpoint("pieces", done++, found.pieces.size());
       const SolidFormat& format = solid_format(piece, session.options().format);
-      const SolidText text(piece, format, OutputRounding::Valid, context);
+      const SolidText text(piece, format, OutputRounding::Valid, context, files.next_library());
       files.add(format.extension, text.losses(),
                 [&](std::ostream& out) { text.write(out, context); });
+      if (text.has_library()) {
+        files.add_library([&](std::ostream& out) { text.write_library(out); });
+      }
+      if (dropped.empty()) dropped = text.dropped();
+      has_bare_cuts = has_bare_cuts || (text.has_attributes() && has_wall(piece));
     }
+    if (!dropped.empty()) session.note(session.options().out + ": " + dropped);
+    if (has_bare_cuts) session.note(session.options().out + ": faces on cuts have no attributes");
     if (!svg_.empty()) {
       session.begin("draw");
+      // Without sources, so that each piece has a colour of its own.
+      std::vector<Nef3> shown;
+      for (const Nef3& piece : found.pieces) shown.push_back(piece.with_sources({}));
       files.finish_picture(
-          picture_of(found.pieces, kPiecesApart, picture(PictureFormat::Svg, title()), context));
+          picture_of(shown, kPiecesApart, picture(PictureFormat::Svg, title()), context));
     }
     Answer answer{found.pieces.size(), found.reflex_edges, "reflex edge", {}};
     if (session.options().json) answer.matches = do_volumes_add_up(set, found.pieces, context);
     return answer;
+  }
+  static bool has_wall(const Nef3& piece) {
+    const SpaceComplex& complex = piece.complex();
+    for (std::uint32_t f = 0; f < complex.facet_count(); ++f) {
+      if (is_wall(complex, FacetId(f))) return true;
+    }
+    return false;
   }
   /// Returns the requested format. If none was requested, returns OFF, or .nef if a mesh cannot
   /// represent the pieces.

@@ -18,12 +18,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/convex/decompose.h"
 #include "plumb/space/complex/tidy_tables.h"
 #include "plumb/space/nef3.h"
+#include "plumb/space/set/source_carrier.h"
 
 namespace plumb {
 
@@ -56,6 +58,13 @@ inline void remove_names(std::vector<Nef3>& pieces) {
     remove_names(origins);
     piece = piece.with_origins(origins);
   }
+}
+
+/// Gives pieces the sources of the set. O(1) for each piece.
+inline void put_sources(const Nef3& set, std::vector<Nef3>& pieces) {
+  const SourceLists::List& sources = SourceCarrier::of(set);
+  if (sources == nullptr) return;
+  for (Nef3& piece : pieces) piece = SourceCarrier::put(sources, std::move(piece));
 }
 
 /// A part of a set that has one dimension.

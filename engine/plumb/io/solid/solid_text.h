@@ -63,6 +63,8 @@ class SolidText {
   /// Returns a sentence on the attributes of the sources that the file does not have, or an empty
   /// text.
   const std::string& dropped() const { return dropped_; }
+  /// Whether the file has attributes of the sources.
+  bool has_attributes() const { return !attributes_.empty(); }
   /// Whether the file names a material library, which write_library() writes.
   bool has_library() const;
   void write_library(std::ostream& out) const { write_material_library(out, attributes_); }
