@@ -2,9 +2,11 @@
 //
 // A corner of the result has the numbers of its piece at the corner's point. If the point equals a
 // corner of the source after rounding, the numbers are copied; nearly all corners are of this kind.
-// Otherwise the barycentric weights of the exact point are computed in integers, and rounded before
-// the sum: on a common edge of two source triangles both give the same doubles, because the third
-// weight is zero there. A point that a repair has moved is taken at its new place.
+// Otherwise the barycentric weights of the exact point are rounded before the sum: on a common edge
+// of two source triangles both give the same doubles, because the third weight is zero there. Most
+// constructed points are on an edge of one source and in a triangle of another one; doubles with
+// error bounds give their weights (line_weights.h). All other weights are computed in integers. A
+// point that a repair has moved is taken at its new place.
 //
 // If pieces were joined, the point may lie outside the triangle that stands for all of them; the
 // sum is then computed exactly, so that large weights cannot cancel.
@@ -20,11 +22,14 @@
 #include <vector>
 
 #include "plumb/predicates/arithmetic/double_bits.h"
+#include "plumb/predicates/arithmetic/nearest_quotient.h"
 #include "plumb/predicates/arithmetic/scaled.h"
 #include "plumb/predicates/arithmetic/seeded_hash.h"
+#include "plumb/predicates/space/point_as_line.h"
 #include "plumb/predicates/space/rounded_point3.h"
 #include "plumb/space/boolean/frame.h"
 #include "plumb/space/set/barycentric_form.h"
+#include "plumb/space/set/line_weights.h"
 
 namespace plumb {
 namespace {
@@ -142,6 +147,7 @@ class TriangleReader {
 
  private:
   CornerWeights computed_weights(const Point3& p) {
+    if (const auto certain = certain_weights(p)) return {*certain, {}};
     BarycentricWeights w = exact_weights(p);
     CornerWeights weights{};
     if (w.has_negative()) {
@@ -153,6 +159,34 @@ class TriangleReader {
     }
     weights.rounded = w.rounded();
     return weights;
+  }
+  /// Returns the rounded weights at a constructed point if doubles are certain of them: if the
+  /// point is on an edge of the triangle, or where an edge of another triangle meets this one.
+  std::optional<std::array<double, 3>> certain_weights(const Point3& p) const {
+    const SpacePoint at = has_filter_ ? input_.places.constructed(p) : SpacePoint();
+    if (!at.is_valid() || at.is_input()) return {};
+    const CornerPoints corners = input_.sources.corner_points(triangle());
+    const PlaneTable& planes = input_.points().planes();
+    const PointSource line = exact3::as_line(planes, input_.points().source(at));
+    if (!line.is_line()) return {};
+    const LineEnds ends{planes.point(line.end(0)), planes.point(line.end(1))};
+    const std::size_t i = corner_index(corners, ends[0]), j = corner_index(corners, ends[1]);
+    if (i < 3 && j < 3 && i != j) {
+      const PlaneSource& plane = planes.source(line.plane(0));
+      if (plane.is_explicit()) return {};
+      const auto weights = weights_on_line(ends, {planes.point(InputPointId(plane.code[0])),
+                                                  planes.point(InputPointId(plane.code[1])),
+                                                  planes.point(InputPointId(plane.code[2]))});
+      if (!weights) return {};
+      std::array<double, 3> result{};
+      result[i] = (*weights)[0];
+      result[j] = (*weights)[1];
+      return result;
+    }
+    const bool has_corners =
+        corners[0] != nullptr && corners[1] != nullptr && corners[2] != nullptr;
+    if (!has_corners || line.plane(0) != triangle().plane) return {};
+    return weights_of_corners({*corners[0], *corners[1], *corners[2]}, ends);
   }
   /// Most points at which triangles are cut lie on an edge, where the weights need few products.
   BarycentricWeights exact_weights(const Point3& p) {
@@ -192,6 +226,7 @@ class TriangleReader {
   }
 
   const CornerInput& input_;
+  const bool has_filter_ = rounds_to_nearest();
   std::uint32_t known_ = kNone;
   const SourceTriangle* triangle_ = nullptr;  // The triangle with the index known_.
   PieceCover cover_ = PieceCover::Triangle;
