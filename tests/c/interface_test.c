@@ -2670,6 +2670,24 @@ static const char kBowTie[] =
     "\"features\":[{\"type\":\"Feature\",\"properties\":null,\"geometry\":"
     "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[2,2],[2,0],[0,2],[0,0]]]}}]}";
 
+/* A hole that lies outside of its polygon. */
+static const char kStrayHole[] =
+    "{\"type\":\"Polygon\",\"coordinates\":[[[0,0],[4,0],[4,4],[0,4],[0,0]],"
+    "[[6,1],[8,1],[8,2],[6,1]]]}";
+
+static void test_layer_nesting(void) {
+  plumb_layer* layer = NULL;
+  plumb_layer_report* report = NULL;
+  double at[2] = {0, 0};
+  OK(plumb_layer_read(kStrayHole, sizeof kStrayHole - 1, NULL, NULL, &layer, NULL, NULL, &error));
+  OK(plumb_layer_check(layer, -1, &report, NULL, &error));
+  CHECK(plumb_layer_report_has_defects(report) && plumb_layer_report_count(report) == 1);
+  CHECK(plumb_layer_report_kind(report, 0) == PLUMB_LAYER_NESTING);
+  CHECK(plumb_layer_report_place(report, 0, at) && at[0] == 6 && at[1] == 1);
+  plumb_layer_report_free(report);
+  plumb_layer_free(layer);
+}
+
 static void test_layer_crossing(void) {
   plumb_layer *layer = NULL, *result = NULL, *repaired = NULL;
   plumb_layer_report* report = NULL;
@@ -2853,6 +2871,7 @@ int main(int count, char** arguments) {
   test_cells();
   test_layer();
   test_layer_crossing();
+  test_layer_nesting();
   test_layer_operations();
   test_layer_options();
   test_simplify_reports();

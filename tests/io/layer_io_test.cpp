@@ -188,7 +188,7 @@ TEST(LayerWriter, writes_a_feature_a_line_in_wkt) {
             "POLYGON ((0 0,4 0,4 4,0 4,0 0))\nPOLYGON EMPTY\n"
             "MULTIPOLYGON (((0 0,1 0,0 1,0 0)),((5 5,6 5,5 6.5,5 5)))\n");
   const Layer again = read(out.str());
-  EXPECT_EQ(again.feature_count(), 2U) << "a feature for each geometry that is not empty";
+  EXPECT_EQ(again.feature_begin, layer.feature_begin);
   EXPECT_EQ(again.polygon_count(), 3U);
 }
 
@@ -220,6 +220,97 @@ TEST(LayerReader, takes_a_multipolygon_of_wkt_and_wkb_for_one_feature) {
   EXPECT_EQ(triangles.feature_count(), 1U);
   EXPECT_EQ(triangles.polygon_count(), 2U);
   EXPECT_EQ(read(hex + '\n' + hex).feature_count(), 2U);
+}
+
+TEST(LayerReader, keeps_geometries_without_polygons_as_features) {
+  const std::string square = "((0 0,4 0,4 4,0 4,0 0))";
+  const Layer layer =
+      read("POLYGON EMPTY\nPOLYGON" + square + "\nMULTIPOLYGON EMPTY\nPOLYGON(())\n" +
+           "MULTIPOLYGON(EMPTY," + square + ")\nPOINT(1 2)\nPOLYGON" + square);
+  EXPECT_EQ(layer.feature_begin, (std::vector<std::uint32_t>{0, 0, 1, 1, 1, 2, 2, 3}));
+  // Members of collections are features, and an empty collection is one feature.
+  const Layer members = read("GEOMETRYCOLLECTION(POLYGON" + square + ",POLYGON EMPTY,POLYGON" +
+                             square + ")GEOMETRYCOLLECTION EMPTY");
+  EXPECT_EQ(members.feature_begin, (std::vector<std::uint32_t>{0, 1, 1, 2, 2}));
+  EXPECT_EQ(read("TIN EMPTY").feature_count(), 1U);
+  // An empty polygon, an empty multipolygon and an empty point in WKB.
+  const std::string polygon = "010300000000000000", multi = "010600000000000000";
+  const std::string point = "0101000000000000000000F87F000000000000F87F";
+  EXPECT_EQ(read(polygon + '\n' + multi + '\n' + point).feature_count(), 3U);
+  EXPECT_EQ(read("0106000000"
+                 "01000000" +
+                 polygon)
+                .feature_count(),
+            1U);
+  EXPECT_EQ(read("0107000000"
+                 "02000000" +
+                 polygon + multi)
+                .feature_count(),
+            2U);
+  for (const std::string geometry :
+       {R"({"type":"Polygon","coordinates":[]})", R"({"type":"MultiPolygon","coordinates":[]})",
+        R"({"type":"GeometryCollection","geometries":[]})"}) {
+    EXPECT_EQ(read(collection(feature(R"("id":7,)", geometry))).id(0), "7");
+  }
+}
+
+TEST(LayerReader, keeps_features_whose_geometry_has_no_type) {
+  for (const std::string geometry : {R"({"type":null})", R"({"id":"a","type":null})", "{}"}) {
+    const LayerFile file = read_layer(collection(
+        feature(R"("id":"a","properties":{"x":1},)", geometry) + ',' + feature("", kSquare)));
+    EXPECT_EQ(file.layer.feature_begin, (std::vector<std::uint32_t>{0, 0, 1}));
+    EXPECT_EQ(file.layer.id(0), "\"a\"");
+    EXPECT_EQ(file.notes,
+              (std::vector<std::string>{"read as null: geometries without a type (1)"}));
+  }
+  EXPECT_THROW(read(collection(feature("", R"({"coordinates":[]})"))), Error);
+  EXPECT_THROW(read(collection(feature("", R"({"type":7})"))), Error);
+  // Null among the geometries of a TopoJSON object.
+  const Layer layer =
+      read(R"({"type":"Topology","arcs":[[[0,0],[1,0],[1,1],[0,0]]],"objects":{"a":{"type":)"
+           R"("GeometryCollection","geometries":[null,{"type":"Polygon","arcs":[[0]],"id":1},)"
+           R"({"type":null,"id":2}]}}})");
+  EXPECT_EQ(layer.feature_begin, (std::vector<std::uint32_t>{0, 0, 1, 1}));
+  EXPECT_EQ(layer.id(0), "");
+  EXPECT_EQ(layer.id(2), "2");
+  EXPECT_THROW(read(R"({"type":"Topology","arcs":[],"objects":{"a":{"type":)"
+                    R"("GeometryCollection","geometries":[7]}}})"),
+               Error);
+}
+
+TEST(LayerReports, name_features_whose_rings_enclose_nothing) {
+  // A ring that runs twice round, a hole that is its outer ring, and a ring without area.
+  const Layer layer = read(collection(
+      feature("",
+              R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0],[1,0],[1,1],[0,0]]]})") +
+      ',' +
+      feature("", R"({"type":"Polygon","coordinates":[[[3,0],[4,0],[4,1],[3,0]],)"
+                  R"([[3,0],[4,0],[4,1],[3,0]]]})") +
+      ',' + feature("", R"({"type":"Polygon","coordinates":[[[5,0],[6,1],[7,2],[5,0]]]})") + ',' +
+      feature("", "null") + ',' + feature("", kSquare)));
+  const LayerReport report = repair_layer(layer).report;
+  EXPECT_EQ(report.emptied, (std::vector<std::uint32_t>{0, 1, 2}));
+  std::ostringstream text;
+  write_layer_report_text(text, layer, report);
+  EXPECT_NE(text.str().find("feature 2 has no area left\n"), std::string::npos) << text.str();
+}
+
+TEST(LayerReports, name_holes_that_do_not_lie_in_their_polygons) {
+  const Layer layer = read(collection(
+      feature(R"("id":"a",)", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]],)"
+                              R"([[6,1],[8,1],[8,2],[6,1]]]})")));
+  const LayerReport report = check_layer(layer);
+  std::ostringstream text, json, geojson;
+  write_layer_report_text(text, layer, report);
+  EXPECT_NE(text.str().find("1 nesting\nnesting of feature 1 (\"a\"): a hole lies outside of its "
+                            "outer ring, or in another hole, at 6 1\n"),
+            std::string::npos)
+      << text.str();
+  write_layer_report_json(json, layer, report);
+  EXPECT_NE(json.str().find(R"("nestings":1)"), std::string::npos) << json.str();
+  write_layer_report_geojson(geojson, layer, report);
+  EXPECT_NE(geojson.str().find(R"("kind":"nesting")"), std::string::npos);
+  EXPECT_NE(geojson.str().find(R"({"type":"Point","coordinates":[6,1]})"), std::string::npos);
 }
 
 std::string notes_of(const std::string& text) {

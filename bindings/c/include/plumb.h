@@ -2024,10 +2024,12 @@ enum plumb_layer_region_kind {
   PLUMB_LAYER_GAP = 1,     /**< A narrow region that no feature covers. */
   PLUMB_LAYER_HOLE = 2,    /**< A wide region that no feature covers. Such a region is no defect. */
   /** A point at which the border of a feature crosses itself, or edges on which it lies twice. */
-  PLUMB_LAYER_CROSSING = 3
+  PLUMB_LAYER_CROSSING = 3,
+  /** A ring that is listed as a hole, but lies outside of the outer ring or in another hole. */
+  PLUMB_LAYER_NESTING = 4
 };
-/** The overlaps, gaps, holes and crossings that plumb_layer_check() or plumb_layer_repair()
- * found. */
+/** The overlaps, gaps, holes, crossings and nestings that plumb_layer_check() or
+ * plumb_layer_repair() found. */
 typedef struct plumb_layer_report plumb_layer_report;
 /** Makes the layer without overlaps and gaps. `owner` is a constant of plumb_owner. An enclosed
  * region that no feature covers is a gap if it is narrower than `gaps_below`; a negative number
@@ -2036,8 +2038,8 @@ typedef struct plumb_layer_report plumb_layer_report;
 PLUMB_API plumb_status plumb_layer_repair(const plumb_layer* layer, int owner, double gaps_below,
                                           plumb_layer** out, plumb_layer_report** report,
                                           const plumb_context* context, plumb_error** error);
-/** Makes the report of the overlaps, gaps, holes and crossings of a layer. The regions of the
- * report have no owners. */
+/** Makes the report of the overlaps, gaps, holes, crossings and nestings of a layer. The regions of
+ * the report have no owners. */
 PLUMB_API plumb_status plumb_layer_check(const plumb_layer* layer, double gaps_below,
                                          plumb_layer_report** out, const plumb_context* context,
                                          plumb_error** error);
@@ -2105,7 +2107,7 @@ PLUMB_API plumb_status plumb_layer_simplify_with_report(
     plumb_simplify_report* report, const plumb_context* context, plumb_error** error);
 /** Returns the number of regions of a report. */
 PLUMB_API size_t plumb_layer_report_count(const plumb_layer_report* report);
-/** Whether the layer has overlaps, gaps or crossings. */
+/** Whether the layer has overlaps, gaps, crossings or nestings. */
 PLUMB_API bool plumb_layer_report_has_defects(const plumb_layer_report* report);
 /** Returns the kind of region i, a constant of plumb_layer_region_kind; -1 if there is none. */
 PLUMB_API int plumb_layer_report_kind(const plumb_layer_report* report, size_t i);

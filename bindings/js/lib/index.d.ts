@@ -940,12 +940,13 @@ export class MapOverlay extends Handle {
 export function overlay(first: MapReport, second: MapReport, options?: Options): MapOverlay;
 
 export interface LayerReport {
-  /** Whether there are overlaps, gaps or crossings. */
+  /** Whether there are overlaps, gaps, crossings or nestings. */
   hasDefects: boolean;
   regions: {
     /** A crossing is a point at which the border of a feature crosses itself, or edges on which it
-     * lies twice. */
-    kind: 'overlap'|'gap'|'hole'|'crossing'; area: Fraction;
+     * lies twice. A nesting is a ring that is listed as a hole, but lies outside of the outer ring
+     * or in another hole. */
+    kind: 'overlap'|'gap'|'hole'|'crossing'|'nesting'; area: Fraction;
     /** Whether the region is a gap that opens to the outside or into a hole. */
     isOpen: boolean;
     /** Twice the area divided by the perimeter. */
@@ -953,7 +954,8 @@ export interface LayerReport {
     features: number[];
     /** The feature that gets the region, or null. */
     owner: number | null;
-    /** A place to look at: the point of a crossing, or a corner of another region. */
+    /** A place to look at: the point of a crossing, or a corner of another region or of the ring of
+     * a nesting. */
     at: [number, number]|null;
   }[];
   text: string;
@@ -1055,7 +1057,7 @@ export class Layer extends Handle {
   find(idOrName: string): number;
   write(format: 'geojson'|'topojson'|'wkt', options?: Options): Uint8Array;
   toGeoJson(options?: Options): object;
-  /** Returns the overlaps, gaps, holes and crossings of the layer. */
+  /** Returns the overlaps, gaps, holes, crossings and nestings of the layer. */
   check(options?: LayerCheckOptions): LayerReport;
   /** Returns the layer without overlaps and gaps. */
   repaired(options?: LayerRepairOptions): {layer: Layer; report: LayerReport};

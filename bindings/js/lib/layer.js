@@ -21,7 +21,7 @@ import {PlaneSet} from './plane_set.js';
 import {readOptions, self, simplified} from './sets.js';
 
 const owners = ['longest border', 'largest', 'smallest', 'first', 'lowest id'];
-const kinds = ['overlap', 'gap', 'hole', 'crossing'];
+const kinds = ['overlap', 'gap', 'hole', 'crossing', 'nesting'];
 const pairsKept = ['all', 'first', 'both', 'first only'];
 const none = 0xffffffff;
 const optionsLayout = new Struct({

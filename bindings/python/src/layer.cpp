@@ -305,15 +305,17 @@ void bind_layer(nb::module_& m) {
                                  "the repair.");
   report.def_prop_ro(
       "regions", &regions_of,
-      "The overlaps, gaps, holes and crossings. Each of them is a dict with kind ('overlap', "
-      "'gap', 'hole' or 'crossing'), area (an exact fraction), open, width, features (indices), "
-      "owner (an index, or None), and at (x and y of a place to look at, or None). A crossing is a "
-      "point at which the border of a feature crosses itself, or edges on which it lies twice.");
+      "The overlaps, gaps, holes, crossings and nestings. Each of them is a dict with kind "
+      "('overlap', 'gap', 'hole', 'crossing' or 'nesting'), area (an exact fraction), open, width, "
+      "features (indices), owner (an index, or None), and at (x and y of a place to look at, or "
+      "None). A crossing is a point at which the border of a feature crosses itself, or edges on "
+      "which it lies twice. A nesting is a ring that is listed as a hole, but lies outside of the "
+      "outer ring or in another hole.");
   report.def_prop_ro("has_defects", &LayerReport::has_defects,
-                     "Whether the layer had overlaps, gaps or crossings.");
+                     "Whether the layer had overlaps, gaps, crossings or nestings.");
   report.def_ro("gaps_below", &LayerReport::gaps_below, "The bound for the widths of gaps.");
   report.def_ro("emptied", &LayerReport::emptied,
-                "The features that lost their whole area by the repair.");
+                "The features that have polygons, but no area after the repair.");
   report.def_prop_ro(
       "largest_move", [](const LayerReport& r) { return r.rounding.largest_move; },
       "An upper bound for the distance by which rounding has moved a border.");
@@ -339,9 +341,9 @@ void bind_layer(nb::module_& m) {
           "remains.",
           "path"_a);
   def_run(c, "check", &checked_layer,
-          "Return the overlaps, gaps, holes and crossings of the layer as a LayerReport. Its "
-          "regions have no owners. If `enclosed_only` is true, gaps that open to the outside or "
-          "into a hole are not found.",
+          "Return the overlaps, gaps, holes, crossings and nestings of the layer as a LayerReport. "
+          "Its regions have no owners. If `enclosed_only` is true, gaps that open to the outside "
+          "or into a hole are not found.",
           "gaps_below"_a = nb::none(), "enclosed_only"_a = false);
   c.def(
       "find",

@@ -181,6 +181,10 @@ def test_crossings_and_coordinate_reference_systems(tmp_path: Path) -> None:
     (region,) = layer.check().regions
     assert region["kind"] == "crossing" and region["features"] == [0]
     assert region["at"] == (1, 1) and region["owner"] is None
+    (nesting,) = plumb.Layer.parse(
+        '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,0]],[[6,1],[8,1],[8,2],[6,1]]]}'
+    ).check().regions
+    assert nesting["kind"] == "nesting" and nesting["at"] == (6, 1)
     repaired, report = layer.repaired()
     assert report.has_defects and not repaired.check().has_defects
     overlaid, _ = plumb.Layer.parse(OVERLAPPING).overlaid(repaired)

@@ -60,6 +60,7 @@ struct LayerDraft {
   bool has_heights = false;       // Whether positions have numbers after x and y.
   std::set<std::string> members;  // The names of unknown members of features and collections.
   std::size_t steps = 0;          // The number of points and corners so far, for checkpoints.
+  std::size_t untyped = 0;        // Geometries that are objects without a type.
   bool has_unnamed_crs = false;
 };
 
@@ -123,6 +124,7 @@ class LayerReader {
 
   void read_crs(Id crs);
   void read_feature(Id feature);
+  bool is_without_type(Id object) const;
   void add_geometry(Id geometry);
   void add_polygon(Id rings);
   void add_positions(Id ring);
@@ -240,6 +242,15 @@ void LayerReader::read_feature(Id feature) {
   file_.layer.end_feature(member_source(feature, "id"), member_source(feature, "properties"));
 }
 
+/// Whether an object stands for a geometry that is missing: its type is null, or it has no members.
+/// In TopoJSON, it may have members and no type.
+bool LayerReader::is_without_type(Id object) const {
+  const std::optional<Id> type = json_.find(object, "type");
+  if (is_topology_) return !type || !json_.is_text(*type);
+  if (!type) return json_.items(object).begin() == json_.items(object).end();
+  return json_.source(*type) == "null";
+}
+
 /// Adds the polygons of a geometry and of all geometries in it.
 void LayerReader::add_geometry(Id geometry) {
   const char* const member = is_topology_ ? "arcs" : "coordinates";
@@ -251,8 +262,11 @@ void LayerReader::add_geometry(Id geometry) {
       if (json_.source(at) != "null") fail(ErrorCode::Syntax, "expected a geometry or null", at);
       continue;
     }
-    const std::optional<Id> type_id = json_.find(at, "type");
-    if (is_topology_ && (!type_id || !json_.is_text(*type_id))) continue;  // {"type": null}
+    if (is_without_type(at)) {
+      // TopoJSON states a missing geometry so, and old converters left it so in GeoJSON.
+      if (!is_topology_) ++draft_.untyped;
+      continue;
+    }
     const std::string type = type_of(at);
     if (type == "Polygon") {
       const std::optional<Id> rings = json_.find(at, member);
@@ -345,9 +359,12 @@ void LayerReader::read_topology() {
     geometries.push_back(object);
   }
   for (const Id geometry : geometries) {
-    if (!json_.is_object(geometry)) fail(ErrorCode::Syntax, "expected a geometry", geometry);
     add_geometry(geometry);
-    file_.layer.end_feature(member_source(geometry, "id"), member_source(geometry, "properties"));
+    if (json_.is_object(geometry)) {
+      file_.layer.end_feature(member_source(geometry, "id"), member_source(geometry, "properties"));
+    } else {
+      file_.layer.end_feature("", "");  // null
+    }
   }
 }
 
@@ -495,6 +512,10 @@ LayerFile noted(LayerDraft draft) {
   if (draft.unclosed > 0) {
     notes.push_back(std::string(kClosedByEdge) + " (" + std::to_string(draft.unclosed) + ')');
   }
+  if (draft.untyped > 0) {
+    notes.push_back("read as null: geometries without a type (" + std::to_string(draft.untyped) +
+                    ')');
+  }
   if (draft.has_heights) notes.push_back("passed over: numbers of positions after x and y");
   if (!draft.replaced.is_none()) notes.push_back(draft.replaced.note());
   if (!draft.members.empty()) {
@@ -571,6 +592,11 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
   layer.points = std::move(shapes.points);
   // The index of the next entry of file.continued, a polygon of the feature of the one before.
   std::size_t next = 0;
+  auto empty = file.without_polygons.begin();
+  const auto add_empty_before = [&](std::size_t p) {
+    for (; empty != file.without_polygons.end() && *empty <= p; ++empty) layer.end_feature("", "");
+  };
+  add_empty_before(0);
   for (std::size_t p = 0; p < shapes.polygon_count(); ++p) {
     if (p % 1024 == 0) context.checkpoint("read", p, shapes.polygon_count());
     for (std::size_t r = shapes.polygon_begin[p]; r < shapes.polygon_begin[p + 1]; ++r) {
@@ -583,6 +609,7 @@ LayerFile layer_of_shapes(PlaneFile file, Context& context) {
     while (next < file.continued.size() && file.continued[next] <= p) ++next;
     if (next < file.continued.size() && file.continued[next] == p + 1) continue;
     layer.end_feature("", "");
+    add_empty_before(p + 1);
   }
   return result;
 }
@@ -795,11 +822,11 @@ std::string number_of(std::size_t count, const std::string& one) {
 
 void write_region(TextOutput& out, const Layer& layer, const LayerReport& report, std::size_t i) {
   const LayerRegion& region = report.regions[i];
-  const bool is_crossing = region.kind == LayerRegionKind::Crossing;
-  const bool is_overlap = is_crossing || region.kind == LayerRegionKind::Overlap;
+  const bool is_place = region.at.has_value();
+  const bool is_of_features = is_place || region.kind == LayerRegionKind::Overlap;
   const bool has_one_feature = report.features_of(region).size() == 1;
   out << (region.is_open ? "open " : "") << name_of(region.kind)
-      << (is_overlap        ? " of "
+      << (is_of_features    ? " of "
           : has_one_feature ? " in "
                             : " between ");
   bool is_first = true;
@@ -808,8 +835,12 @@ void write_region(TextOutput& out, const Layer& layer, const LayerReport& report
     is_first = false;
     out << feature_title(layer, f);
   }
-  if (is_overlap && has_one_feature) out << " with itself";
-  if (!is_crossing) {
+  if (region.kind == LayerRegionKind::Nesting) {
+    out << ": a hole lies outside of its outer ring, or in another hole";
+  } else if (is_of_features && has_one_feature) {
+    out << " with itself";
+  }
+  if (!is_place) {
     out << ": area " << nearest_double(region.area) << ", width " << region.width;
   }
   if (const std::optional<Point2> at = place_of(report, i)) {
@@ -822,7 +853,7 @@ void write_region(TextOutput& out, const Layer& layer, const LayerReport& report
 
 }  // namespace
 
-/// Returns a corner of a region, or the point of a crossing, as the place of the defect.
+/// Returns a corner of a region, or the point of a crossing or a nesting, as the place of the defect.
 std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
   if (report.regions[region].at) return report.regions[region].at;
   const std::uint32_t polygon = report.shapes.feature_begin[region];
@@ -924,6 +955,8 @@ void write_layer_report_text(std::ostream& stream, const Layer& layer, const Lay
       << report.gaps_below << ", " << number_of(report.count(LayerRegionKind::Hole), "hole");
   const std::size_t crossings = report.count(LayerRegionKind::Crossing);
   if (crossings > 0) out << ", " << number_of(crossings, "crossing");
+  const std::size_t nestings = report.count(LayerRegionKind::Nesting);
+  if (nestings > 0) out << ", " << number_of(nestings, "nesting");
   out << '\n';
   for (std::size_t i = 0; i < report.regions.size(); ++i) write_region(out, layer, report, i);
   for (const std::uint32_t f : report.emptied)
@@ -943,6 +976,7 @@ void write_layer_report_json(std::ostream& out, const Layer& layer, const LayerR
                                        {"gaps", report.count(LayerRegionKind::Gap)},
                                        {"holes", report.count(LayerRegionKind::Hole)},
                                        {"crossings", report.count(LayerRegionKind::Crossing)},
+                                       {"nestings", report.count(LayerRegionKind::Nesting)},
                                        {"gaps_below", report.gaps_below},
                                        {"regions", std::move(regions)},
                                        {"emptied", std::move(emptied)},

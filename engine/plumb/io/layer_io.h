@@ -57,7 +57,7 @@ struct LayerFile {
 /// Returns the layer that a GeoJSON, TopoJSON, WKT or WKB text describes. The features of the layer
 /// are:
 ///   - in WKT and WKB: each polygon and each MULTIPOLYGON, without id and properties; members of
-///     collections and faces of a TIN are features of their own
+///     collections and faces of a TIN are features of their own. An empty geometry is a feature
 ///   - in GeoJSON: each feature of a FeatureCollection, or the whole text if it is a feature or a
 ///     geometry. A sequence of texts gives one layer
 ///   - in TopoJSON: each geometry of the object
@@ -166,14 +166,14 @@ std::optional<std::string> feature_name(const Layer& layer, std::uint32_t featur
 /// text.
 std::string feature_title(const Layer& layer, std::uint32_t feature);
 
-/// Returns a place to look at: the point of a crossing, or a corner of another region. Returns
-/// nothing if rounding leaves nothing of the region.
+/// Returns a place to look at: the point of a crossing, or a corner of another region or of the
+/// ring of a nesting. Returns nothing if rounding leaves nothing of the region.
 std::optional<Point2> place_of(const LayerReport& report, std::size_t region);
 
-/// Writes the regions of a report, which are overlaps, gaps, holes and crossings, as a GeoJSON
-/// FeatureCollection. Each region is written with its polygons, its area, its width, its features
-/// (LayerReport::features) and its owner. A crossing is a point. `layer` is the layer that was
-/// checked or repaired.
+/// Writes the regions of a report, which are overlaps, gaps, holes, crossings and nestings, as a
+/// GeoJSON FeatureCollection. Each region is written with its polygons, its area, its width, its
+/// features (LayerReport::features) and its owner. A crossing or a nesting is a point. `layer` is
+/// the layer that was checked or repaired.
 void write_layer_report_geojson(std::ostream& out, const Layer& layer, const LayerReport& report,
                                 Context& context = unlimited_context());
 

@@ -89,6 +89,9 @@ struct PlaneFile {
   /// In WKT and WKB: the polygons, in ascending order, that belong to the same MULTIPOLYGON as the
   /// polygon before them.
   std::vector<std::uint32_t> continued;
+  /// In WKT and WKB: for each geometry without polygons, in the order of the file, the number of
+  /// polygons before it. Such a geometry is empty, or it consists of points or lines.
+  std::vector<std::uint32_t> without_polygons;
   /// Notes for a human reader. Each note is one sentence. The notes report contents of the file
   /// that are not in `shapes`.
   std::vector<std::string> notes;

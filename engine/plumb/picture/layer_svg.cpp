@@ -46,6 +46,8 @@ constexpr const char* kLayerStyle = R"(.feature{stroke:#5b6672;stroke-width:8;fi
 .ring.gap{stroke:#6a2fa0}
 .crossing{fill:#b45309;stroke:#b45309}
 .ring.crossing{fill:none;stroke:#b45309}
+.nesting{fill:#0f766e;stroke:#0f766e}
+.ring.nesting{fill:none;stroke:#0f766e}
 )";
 
 // The texts of the page. The page has the size of the screen, so they are not a part of the
@@ -70,6 +72,7 @@ constexpr LayerLegendItem kLayerLegend[] = {
     {"gap", "#6a2fa0", "a narrow region without a feature"},
     {"hole", "#d8e9f7", "a wide one, such as a lake; no defect"},
     {"crossing", "#b45309", "the border of a feature crosses itself"},
+    {"nesting", "#0f766e", "a hole that does not lie in its polygon"},
 };
 
 std::vector<Point2> ring_of(const Layer& layer, std::size_t r) {
@@ -187,11 +190,10 @@ void draw_circles(const View& view, const BoxedLayer& shapes, const LayerReport&
 std::string sentence(const Layer& layer, const LayerReport& report, std::size_t i) {
   constexpr std::size_t kMostNames = 4;
   const LayerRegion& region = report.regions[i];
-  const bool is_crossing = region.kind == LayerRegionKind::Crossing;
-  const bool is_overlap = is_crossing || region.kind == LayerRegionKind::Overlap;
+  const bool is_of_features = region.at || region.kind == LayerRegionKind::Overlap;
   std::string text = name_of(region.kind);
   const bool has_one_feature = report.features_of(region).size() == 1;
-  text += is_overlap ? " of " : has_one_feature ? " in " : " between ";
+  text += is_of_features ? " of " : has_one_feature ? " in " : " between ";
   std::size_t named = 0;
   for (const std::uint32_t f : report.features_of(region)) {
     if (named == kMostNames) {
@@ -200,8 +202,12 @@ std::string sentence(const Layer& layer, const LayerReport& report, std::size_t 
     }
     text += (named++ == 0 ? "" : ", ") + feature_title(layer, f);
   }
-  if (is_overlap && has_one_feature) text += " with itself";
-  if (is_crossing) {
+  if (region.kind == LayerRegionKind::Nesting) {
+    text += ": a hole lies outside of its outer ring, or in another hole";
+  } else if (is_of_features && has_one_feature) {
+    text += " with itself";
+  }
+  if (region.at) {
     return text + ", at " + format_double(region.at->x) + ' ' + format_double(region.at->y);
   }
   text += ": area " + format_double(nearest_double(region.area));
@@ -239,7 +245,8 @@ std::string facts(const Layer& layer, const LayerReport& report) {
          counted(report.count(LayerRegionKind::Overlap), "overlap") + ", " +
          counted(report.count(LayerRegionKind::Gap), "gap") + ", " +
          counted(report.count(LayerRegionKind::Hole), "hole") + ", " +
-         counted(report.count(LayerRegionKind::Crossing), "crossing");
+         counted(report.count(LayerRegionKind::Crossing), "crossing") + ", " +
+         counted(report.count(LayerRegionKind::Nesting), "nesting");
 }
 
 /// Draws the map. Returns how many features were left out.
@@ -348,8 +355,8 @@ void write_layer_html(std::ostream& out, const Layer& layer, const LayerReport& 
       draw(view, features, shapes, report, kMostCloseUpPoints, out);
       if (report.regions[i].at) {
         const Point2 at = view.place(*report.regions[i].at);
-        out << "<circle class=\"ring crossing\" cx=\"" << svg_number(at.x) << "\" cy=\""
-            << svg_number(at.y) << "\" r=\"8\"/>\n";
+        out << "<circle class=\"ring " << name_of(report.regions[i].kind) << "\" cx=\""
+            << svg_number(at.x) << "\" cy=\"" << svg_number(at.y) << "\" r=\"8\"/>\n";
       }
       out << "</svg>\n";
     } else {

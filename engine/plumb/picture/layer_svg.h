@@ -1,7 +1,7 @@
 // Draws a layer that was checked or repaired. The features are drawn in different tints. The
-// overlaps, gaps and holes of the layer are drawn on top of the features, and crossings are marked
-// by circles. The SVG file has no scripts, and the HTML file has a close-up of each region. Neither
-// file loads other files. The y-axis points upwards.
+// overlaps, gaps and holes of the layer are drawn on top of the features. Crossings and nestings
+// are marked by circles. The SVG file has no scripts, and the HTML file has a close-up of each
+// region. Neither file loads other files. The y-axis points upwards.
 #pragma once
 
 #include <cstddef>

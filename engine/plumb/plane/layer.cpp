@@ -145,6 +145,8 @@ class LayerRepair {
   std::uint32_t select(Numbers candidates, std::span<const BorderPiece> borders) const;
   double worth(std::uint32_t feature, std::span<const BorderPiece> borders) const;
   void find_crossings();
+  void find_nestings();
+  void add_place(LayerRegionKind kind, std::uint32_t polygon, Point2 at);
   void find_emptied(const Layer& result);
 
   const Layer& layer_;
@@ -174,19 +176,36 @@ void LayerRepair::find() {
   own_overlaps();
   own_gaps();
   find_crossings();
+  find_nestings();
+}
+
+/// Returns the number of the list that contains an item. Requires that the item is in a list.
+std::uint32_t list_of(const std::vector<std::uint32_t>& begin, std::uint32_t item) {
+  const auto after = std::upper_bound(begin.begin(), begin.end(), item);
+  return static_cast<std::uint32_t>(after - begin.begin() - 1);
+}
+
+/// Appends a defect of a polygon at a point.
+void LayerRepair::add_place(LayerRegionKind kind, std::uint32_t polygon, Point2 at) {
+  const auto begin = static_cast<std::uint32_t>(report_.features.size());
+  report_.features.push_back(list_of(layer_.feature_begin, polygon));
+  report_.regions.push_back({kind, 0, 0, begin, begin + 1, kNobody, false, at});
 }
 
 /// Appends the places at which polygons cross themselves.
 void LayerRepair::find_crossings() {
   for (const SelfCrossing& crossing : self_crossings(cells_, layer_, context_)) {
-    const auto after = std::upper_bound(layer_.feature_begin.begin(), layer_.feature_begin.end(),
-                                        crossing.polygon);
-    const auto begin = static_cast<std::uint32_t>(report_.features.size());
-    report_.features.push_back(
-        static_cast<std::uint32_t>(after - layer_.feature_begin.begin() - 1));
     const RationalPoint2 p = exact(complex_.points, complex_.vertex_point[crossing.vertex]);
-    report_.regions.push_back({LayerRegionKind::Crossing, 0, 0, begin, begin + 1, kNobody, false,
-                               Point2{nearest_double(p.x), nearest_double(p.y)}});
+    add_place(LayerRegionKind::Crossing, crossing.polygon,
+              {nearest_double(p.x), nearest_double(p.y)});
+  }
+}
+
+/// Appends the holes that do not lie in their polygons.
+void LayerRepair::find_nestings() {
+  for (const std::uint32_t r : cells_.misplaced_holes()) {
+    add_place(LayerRegionKind::Nesting, list_of(layer_.polygon_begin, r),
+              layer_.points.approx(layer_.ring(r).front()));
   }
 }
 
@@ -441,13 +460,11 @@ void LayerRepair::own_gaps() {
 }
 
 void LayerRepair::find_emptied(const Layer& result) {
-  std::vector<std::uint8_t> had_area(layer_.feature_count(), 0);
-  for (std::size_t f = 0; f < complex_.face_count(); ++f) {
-    for (const std::uint32_t feature : cells_.features(FaceId(f))) had_area[feature] = 1;
-  }
+  const auto has_polygons = [](const Layer& layer, std::uint32_t f) {
+    return layer.feature_begin[f] != layer.feature_begin[f + 1];
+  };
   for (std::uint32_t f = 0; f < layer_.feature_count(); ++f) {
-    const bool has_area = result.feature_begin[f] != result.feature_begin[f + 1];
-    if (had_area[f] != 0 && !has_area) report_.emptied.push_back(f);
+    if (has_polygons(layer_, f) && !has_polygons(result, f)) report_.emptied.push_back(f);
   }
 }
 

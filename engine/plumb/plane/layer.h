@@ -13,7 +13,8 @@
 //  2. LayerRegions      joins neighbouring faces with the same list to regions. A region that
 //                       several features cover is an overlap. A bounded region that no feature
 //                       covers is a gap or a hole. A point at which a ring crosses itself, as in a
-//                       bow tie, is a crossing.
+//                       bow tie, is a crossing. A hole that does not lie in its polygon is a
+//                       nesting.
 //  3. RegionOwners      gives each overlap and each gap to one feature
 //     A narrow channel or notch between features is also a gap. Such a gap is open to the outside
 //     or into a hole. Bridges across such gaps (layer/open_gaps.h) are arranged together with the
@@ -157,19 +158,24 @@ enum class LayerRegionKind : std::uint8_t {
   /// The rings of a polygon cross themselves or each other at a point, or lie on each other along
   /// edges. The region is a point or these edges, so its area and its width are 0.
   Crossing,
+  /// A ring of a polygon is listed as a hole, but lies outside of the outer ring or in a hole.
+  /// By the even-odd rule, the polygon covers what the ring encloses. The region is a corner of the
+  /// ring, so its area and its width are 0.
+  Nesting,
 };
 
-/// Returns "overlap", "gap", "hole" or "crossing": the name of a kind in files, pictures and
-/// bindings.
+/// Returns "overlap", "gap", "hole", "crossing" or "nesting": the name of a kind in files, pictures
+/// and bindings.
 constexpr const char* name_of(LayerRegionKind kind) {
   if (kind == LayerRegionKind::Overlap) return "overlap";
   if (kind == LayerRegionKind::Crossing) return "crossing";
+  if (kind == LayerRegionKind::Nesting) return "nesting";
   return kind == LayerRegionKind::Gap ? "gap" : "hole";
 }
 
-/// A region of a report: a gap, a hole, a connected region in which the same features overlap, or a
-/// crossing. If several polygons of one feature overlap and no other feature covers the region, the
-/// region is an overlap of one feature.
+/// A region of a report: a gap, a hole, a connected region in which the same features overlap, a
+/// crossing or a nesting. If several polygons of one feature overlap and no other feature covers
+/// the region, the region is an overlap of one feature.
 struct LayerRegion {
   /// The value of `owner` for a region that belongs to no feature.
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
@@ -179,28 +185,31 @@ struct LayerRegion {
   double width;                  ///< Twice the area, divided by the perimeter.
   std::uint32_t features_begin;  ///< First entry in LayerReport::features.
   std::uint32_t features_end;    ///< The entry after the last entry in LayerReport::features.
-  /// The feature that gets the region; kNobody for a hole or a crossing.
+  /// The feature that gets the region; kNobody for a hole, a crossing or a nesting.
   std::uint32_t owner;
   bool is_open = false;  ///< Whether the region is a gap that opens to the outside or into a hole.
-  /// The point of a crossing, or a point of its edges, as the nearest doubles.
+  /// The point of a crossing, or a point of its edges, or a corner of the ring of a nesting, as the
+  /// nearest doubles.
   std::optional<Point2> at = {};
 };
 
 /// The regions that check_layer() or repair_layer() found, and the changes that repair_layer()
 /// made.
 struct LayerReport {
-  std::vector<LayerRegion> regions;  ///< Overlaps, gaps and holes, then crossings.
+  std::vector<LayerRegion> regions;  ///< Overlaps, gaps and holes, then crossings and nestings.
   /// The features of all regions, end to end. features_of() returns the features of one region. The
   /// features of an overlap are the features that cover it. The features of a gap or a hole are the
   /// features along its boundary. The features of a region are in ascending order.
   std::vector<std::uint32_t> features;
   /// The polygons of the regions, rounded to doubles. Feature k of `shapes` is regions[k], and has
-  /// no id and no properties. It has no polygons if the region is a crossing, or if rounding leaves
-  /// nothing of the region.
+  /// no id and no properties. It has no polygons if the region is a crossing or a nesting, or if
+  /// rounding leaves nothing of the region.
   Layer shapes;
-  double gaps_below = 0;               ///< The bound that was used for the widths of gaps.
-  std::vector<std::uint32_t> emptied;  ///< The features that lost their whole area by the repair.
-  PlaneRoundingReport rounding;        ///< The changes that rounding has caused.
+  double gaps_below = 0;  ///< The bound that was used for the widths of gaps.
+  /// The features that have polygons, but no area after the repair. Either the repair took their
+  /// whole area, or their rings enclose none by the even-odd rule, as a ring that runs twice round.
+  std::vector<std::uint32_t> emptied;
+  PlaneRoundingReport rounding;  ///< The changes that rounding has caused.
   /// Whether the repair ended although open gaps were left. This happens in two cases: after
   /// LayerRepairOptions::most_rounds rounds, or if everything that a round filled vanished when it
   /// was rounded to doubles.
@@ -212,7 +221,7 @@ struct LayerReport {
   }
   /// Returns the number of regions of a kind. O(regions).
   std::size_t count(LayerRegionKind kind) const;
-  /// Whether the layer has overlaps, gaps or crossings.
+  /// Whether the layer has overlaps, gaps, crossings or nestings.
   bool has_defects() const;
 };
 
@@ -224,9 +233,9 @@ struct RepairedLayer {
   LayerReport report;  ///< The regions that were found, and the changes that were made.
 };
 
-/// Returns the overlaps, gaps, holes and crossings of a layer. The layer is not changed, so no
-/// region has an owner, and `options.rule` has no effect. Only the corners of LayerReport::shapes
-/// are rounded. Throws as repair_layer() does.
+/// Returns the overlaps, gaps, holes, crossings and nestings of a layer. The layer is not changed,
+/// so no region has an owner, and `options.rule` has no effect. Only the corners of
+/// LayerReport::shapes are rounded. Throws as repair_layer() does.
 LayerReport check_layer(const Layer& layer, const LayerRepairOptions& options = {},
                         Context& context = unlimited_context());
 

@@ -2,7 +2,7 @@
 //
 // The repaired layer goes to -o, and the report to standard output: as text, or as JSON with
 // --json. With --dry-run there is only the report, and the exit code says whether the layer has
-// overlaps, gaps or crossings. --changes writes the regions of the report as GeoJSON.
+// overlaps, gaps, crossings or nestings. --changes writes the regions of the report as GeoJSON.
 // Tested by tests/cli/layer_command_test.cpp.
 #include <optional>
 #include <ostream>
@@ -51,7 +51,8 @@ class MapRepair : public CommandBody {
                  "Leave gaps that open to the outside or into a hole");
     app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")
         ->type_name("NAME");
-    app.add_option("--changes", changes_, "Write overlaps, gaps, holes and crossings as GeoJSON")
+    app.add_option("--changes", changes_,
+                   "Write overlaps, gaps, holes and other regions as GeoJSON")
         ->type_name("OUT");
     app.add_flag("--dry-run", is_dry_run_, "Only report; exit 1 if map check does");
   }

@@ -49,7 +49,8 @@ PlaneFile ShapeCollector::take() {
   if (unclosed_ > 0) {
     notes_.push_back(std::string(kClosedByEdge) + " (" + std::to_string(unclosed_) + ')');
   }
-  return {std::move(shapes_), std::move(continued_), std::move(notes_)};
+  return {std::move(shapes_), std::move(continued_), std::move(without_polygons_),
+          std::move(notes_)};
 }
 
 void ShapeWriter::write() {

@@ -79,6 +79,16 @@ class ShapeCollector {
     }
   }
 
+  /// Ends a geometry that began when there were as many polygons and as many geometries without
+  /// polygons as stated, and records it if it has none of both.
+  template <class Input>
+  void end_geometry(const Input& in, std::size_t polygons, std::size_t without_polygons) {
+    if (polygons != polygon_count() || without_polygons != without_polygons_.size()) return;
+    if (without_polygons_.size() % kStep == 0) charge(in, kStep * kCornerBytes);
+    without_polygons_.push_back(static_cast<std::uint32_t>(polygons));
+  }
+  std::size_t without_polygons() const { return without_polygons_.size(); }
+
   /// Names something of the file that shapes cannot hold: one note lists each of them once.
   void pass_over(std::string_view what);
   /// Adds another note.
@@ -112,7 +122,7 @@ class ShapeCollector {
   std::size_t total_bytes_;
   std::uint64_t charged_positions_ = 0;
   PlaneShapes shapes_;
-  std::vector<std::uint32_t> continued_;
+  std::vector<std::uint32_t> continued_, without_polygons_;
   std::size_t unclosed_ = 0;  ///< Rings that an edge had to close.
   std::vector<std::string> passed_over_;
   std::vector<std::string> notes_;

@@ -111,6 +111,7 @@ class WkbReader {
   std::uint32_t read_count(std::size_t bytes_each);
   void read_head();
   void read_geometry(std::uint32_t allowed);
+  void read_body();
   void read_members();
   void read_point();
   void read_line();
@@ -194,6 +195,13 @@ void WkbReader::read_geometry(std::uint32_t allowed) {
              "a geometry of code " + std::to_string(head_.code) + " among others of another kind",
              start);
   }
+  const std::size_t polygons = shapes_.polygon_count(), others = shapes_.without_polygons();
+  read_body();
+  if (allowed == kAnything) shapes_.end_geometry(in_, polygons, others);
+}
+
+/// Reads what follows a head.
+void WkbReader::read_body() {
   switch (head_.code) {
     case kPoint:
       return read_point();

@@ -335,7 +335,9 @@ void WktReader::read_geometry() {
     cursor_.fail(ErrorCode::Syntax, "collections nested more than 64 deep", last_);
   }
   take_dimension();
+  const std::size_t polygons = shapes_.polygon_count(), others = shapes_.without_polygons();
   (this->*kind.body)();
+  shapes_.end_geometry(cursor_, polygons, others);
 }
 
 /// Reads EMPTY, "()", or a list "(" items ")" with commas between the items.

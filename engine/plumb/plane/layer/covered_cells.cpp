@@ -2,7 +2,13 @@
 // changes by the polygons that have an odd number of curves on the edge. The dual graph of an
 // arrangement is connected, so one search visits all faces.
 //
-// Tested by tests/plane/layer_test.cpp, which compares with cells of a grid.
+// A polygon covers exactly one side of an edge on which it has one curve. If its rings are nested
+// as they should be, this is the inner side of the outer ring and the outer side of a hole. A hole
+// that lies outside of the outer ring, or in another hole, has the polygon on its inner side
+// instead.
+//
+// Tested by tests/plane/layer_test.cpp, which compares with cells of a grid, and by
+// tests/plane/misplaced_holes_test.cpp.
 #include "plumb/plane/layer/covered_cells.h"
 
 #include <algorithm>
@@ -10,6 +16,7 @@
 #include <utility>
 
 #include "plumb/base/internal/union_find.h"
+#include "plumb/predicates/plane/plane_points.h"
 
 namespace plumb {
 namespace {
@@ -25,6 +32,19 @@ CoveredCells::CoveredCells(const Layer& layer, const Bridges& bridges, Context& 
       memory_(context),
       corner_points_(layer.points),
       has_bridges_(!bridges.segments.empty()) {
+  arrange_rings(layer, bridges);
+  find_misplaced_holes(layer);
+  name_features(layer);
+}
+
+CoveredCells::CoveredCells(const Layer& layer, Context& context)
+    : context_(context), memory_(context), corner_points_(layer.points), has_bridges_(false) {
+  arrange_rings(layer, Bridges());
+  name_features(layer);
+}
+
+/// Arranges rings and bridges, and makes the lists of the polygons that cover each face.
+void CoveredCells::arrange_rings(const Layer& layer, const Bridges& bridges) {
   const std::size_t curves = layer.ring_corners.size() + bridges.segments.size();
   memory_.add(kBytesPerLayerCorner * curves, "the cells of a layer");
   add_curves(layer);
@@ -35,9 +55,8 @@ CoveredCells::CoveredCells(const Layer& layer, const Bridges& bridges, Context& 
   polygon_.resize(curves_.size(), kNoPolygon);
   PointTable2 points = layer.points;
   points.append(bridges.points);
-  arrangement_ = arrange(std::move(points), curves_, context);
+  arrangement_ = arrange(std::move(points), curves_, context_);
   visit_faces();
-  name_features(layer);
 }
 
 bool CoveredCells::is_same_cover(FaceId f, FaceId g) const {
@@ -156,6 +175,60 @@ void CoveredCells::enter(FaceId from, FaceId to, EdgeId across) {
   lists_.erase(kept, lists_.end());
   first_[to] = begin;
   last_[to] = lists_.size();
+}
+
+/// Returns the ring of a curve. O(log(rings)).
+std::uint32_t CoveredCells::ring_index(SegmentId s) const {
+  const auto end = std::upper_bound(ring_begin_.begin(), ring_begin_.end(), s.value());
+  return static_cast<std::uint32_t>(end - ring_begin_.begin() - 1);
+}
+
+/// Whether the polygon of a curve covers the inner side of an edge on which the curve lies. `turn`
+/// is the sense in which the ring of the curve runs.
+bool CoveredCells::covers_inner_side(SegmentId curve, EdgeId e, Sign turn) const {
+  // The first half of an edge runs from left to right.
+  const SweepSegment& ends = curves_[curve.value()];
+  const bool runs_right = compare_xy(corner_points_, ends.from, ends.to) == Sign::Negative;
+  const bool is_left = runs_right == (turn == Sign::Positive);
+  const FaceId inner = complex().dcel.face(is_left ? first_half(e) : twin(first_half(e)));
+  const FeatureList polygons = features(inner);  // Not yet replaced by features.
+  return std::binary_search(polygons.begin(), polygons.end(), polygon(curve));
+}
+
+/// Finds misplaced holes. Requires that lists contain polygons.
+void CoveredCells::find_misplaced_holes(const Layer& layer) {
+  if (layer.ring_count() == layer.polygon_count()) return;
+  struct Hole {
+    Sign turn = Sign::Zero;
+    bool is_seen = false;      // Whether an edge was looked at.
+    bool is_misplaced = true;  // Whether all these edges are as those of an outer ring.
+  };
+  std::vector<Hole> holes(layer.ring_count());
+  std::size_t work = 0;
+  for (std::uint32_t e = 0; e < complex().edge_count(); ++e) {
+    get_origins(EdgeId(e), origins_);
+    for (std::size_t i = 0; i < origins_.size() && is_of_polygon(origins_[i]); ++i) {
+      if (work++ % kFacesPerCheckpoint == 0) {
+        context_.checkpoint("holes of the layer", e, complex().edge_count());
+      }
+      const std::uint32_t p = polygon(origins_[i]);
+      // Curves ascend, and curves of the outer ring are the first ones of a polygon.
+      if (origins_[i].value() < ring_begin_[layer.polygon_begin[p] + 1]) continue;
+      const auto is_of_p = [&](SegmentId s) { return is_of_polygon(s) && polygon(s) == p; };
+      if (i > 0 && is_of_p(origins_[i - 1])) continue;
+      if (i + 1 < origins_.size() && is_of_p(origins_[i + 1])) continue;
+      const std::uint32_t r = ring_index(origins_[i]);
+      Hole& hole = holes[r];
+      if (!hole.is_misplaced) continue;
+      if (!hole.is_seen) hole.turn = polygon_area_sign(corner_points_, layer.ring(r));
+      hole.is_seen = true;
+      hole.is_misplaced =
+          hole.turn != Sign::Zero && covers_inner_side(origins_[i], EdgeId(e), hole.turn);
+    }
+  }
+  for (std::uint32_t r = 0; r < holes.size(); ++r) {
+    if (holes[r].is_seen && holes[r].is_misplaced) misplaced_holes_.push_back(r);
+  }
 }
 
 /// Replaces polygons by their features, each once, and marks the faces where a feature occurs

@@ -11,6 +11,7 @@
 #include "plumb/base/context.h"
 #include "plumb/plane/arrangement.h"
 #include "plumb/plane/layer.h"
+#include "plumb/predicates/sign.h"
 
 namespace plumb {
 
@@ -29,11 +30,12 @@ struct Bridges {
 /// The arrangement of all rings, with the features that cover each face.
 class CoveredCells {
  public:
-  /// Arranges the rings and the bridges. Throws ResourceLimit if a limit of the Context is
-  /// exceeded, and Cancelled if a stop is requested. Requires that the layer outlives the cells.
+  /// Arranges the rings and the bridges, and finds misplaced holes. Throws ResourceLimit if a limit
+  /// of the Context is exceeded, and Cancelled if a stop is requested. Requires that the layer
+  /// outlives the cells.
   CoveredCells(const Layer& layer, const Bridges& bridges, Context& context);
-  /// Arranges the rings alone.
-  CoveredCells(const Layer& layer, Context& context) : CoveredCells(layer, Bridges(), context) {}
+  /// Arranges the rings alone, and does not look for misplaced holes.
+  CoveredCells(const Layer& layer, Context& context);
 
   /// Returns the arrangement. Face 0 is not covered.
   const PlaneComplex& complex() const { return arrangement_.complex; }
@@ -52,6 +54,11 @@ class CoveredCells {
   }
   /// Whether several polygons of one feature cover a face.
   bool is_doubled(FaceId f) const { return !is_doubled_.empty() && is_doubled_[f.value()] != 0; }
+  /// Returns the misplaced holes, as ascending indices of rings. A ring is a misplaced hole if it
+  /// is not the outer ring of its polygon, but the polygon covers the inner side of each of its
+  /// edges. Such a ring lies outside of the outer ring, or in another hole. Edges on which the
+  /// polygon has several curves are not looked at.
+  FeatureList misplaced_holes() const { return misplaced_holes_; }
 
   /// Sets `origins` to the curves that lie on an edge, in ascending order.
   void get_origins(EdgeId e, std::vector<SegmentId>& origins) const {
@@ -74,9 +81,13 @@ class CoveredCells {
   CurveRange ring_of(SegmentId s) const;
 
  private:
+  void arrange_rings(const Layer& layer, const Bridges& bridges);
   void add_curves(const Layer& layer);
   void visit_faces();
   void enter(FaceId from, FaceId to, EdgeId across);
+  void find_misplaced_holes(const Layer& layer);
+  std::uint32_t ring_index(SegmentId s) const;
+  bool covers_inner_side(SegmentId curve, EdgeId e, Sign turn) const;
   void name_features(const Layer& layer);
 
   static constexpr std::uint32_t kNoPolygon = std::numeric_limits<std::uint32_t>::max();
@@ -92,6 +103,7 @@ class CoveredCells {
   std::vector<std::uint32_t> lists_;  // Polygons, later features, of all faces.
   IdVector<FaceId, std::size_t> first_, last_;
   std::vector<std::uint8_t> is_doubled_;  // For each face; empty if there is no such face.
+  std::vector<std::uint32_t> misplaced_holes_;
   std::vector<SegmentId> origins_;
 };
 
