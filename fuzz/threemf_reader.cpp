@@ -1,10 +1,11 @@
 // The readers of 3MF and of AMF on arbitrary bytes.
 //
 // The first byte chooses exact decimals or nearest doubles, and whether attributes are read. If the
-// rest begins like a ZIP archive, it is the file. Otherwise it is the texts of parts, separated by
-// bytes of 30, of which the target makes an archive: the model, another model, and the settings of
-// two slicers. If the rest begins like AMF, it is read as AMF. Either the reader throws an Error that names the file or a part of it, or the mesh
-// it read is sound, and written as exact OFF and as 3MF it is read again as it was.
+// rest begins like AMF, it is read as AMF. If it begins like a ZIP archive, it is the file.
+// Otherwise it is the texts of parts, separated by bytes of 30, of which the target makes an
+// archive: the model, another model, and the settings of two slicers. Either the reader throws an
+// Error that names the file or a part of it, or the mesh it read is sound, and written as exact OFF
+// and as 3MF it is read again as it was.
 
 #include <array>
 #include <sstream>

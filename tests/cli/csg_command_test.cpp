@@ -127,7 +127,7 @@ TEST_F(CsgProgram, imports_only_from_below_the_model) {
 TEST_F(CsgProgram, refuses_with_the_place_and_writes_nothing) {
   const std::string out = file("out.off");
   const std::string text =
-      holding("cube();\ntext(text = \"x\", direction = \"btt\");\n", "text.csg");
+      holding("cube();\ntext(text = \"x\", direction = \"up\");\n", "text.csg");
   expect_refusal(run({"solid", "csg", text, "-o", out}), text + ":2:1", "the direction of text()");
   const std::string open =
       holding("union() {\n polyhedron(points = [[0,0,0],[1,0,0],[0,1,0]], faces = [[0,1,2]]);\n}\n",

@@ -156,8 +156,8 @@ TEST(CsgReader, UnknownParametersAreNamedOnce) {
 }
 
 TEST(CsgReader, RefusesAtThePlace) {
-  expect_refusal("cube();\n  text(text = \"a\", direction = \"ttb\");", ErrorCode::BadArgument,
-                 "m.csg:2:3: the direction of text() is 'ttb'");
+  expect_refusal("cube();\n  text(text = \"a\", direction = \"up\");", ErrorCode::BadArgument,
+                 "m.csg:2:3: the direction of text() is 'up'");
   expect_refusal("surface(center = true);", ErrorCode::BadArgument,
                  "m.csg:1:1: surface needs the name of a file");
   expect_refusal("roof() { square(); }", ErrorCode::UnknownFormat, "m.csg:1:1: 'roof' is no node");

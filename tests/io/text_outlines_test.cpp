@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "plumb/csg/evaluate.h"
 #include "plumb/io/csg_reader.h"
@@ -91,6 +93,42 @@ TEST_F(TextShapes, AreMovedByTheirAlignment) {
   EXPECT_LE(top.top, plain.top / 20);
   EXPECT_GE(bottom.bottom, plain.bottom / 20);
   EXPECT_NEAR(aligned("left", "center").top, (top.top + bottom.top) / 2, 1e-9);
+}
+
+TEST_F(TextShapes, RunInFourDirections) {
+  const auto points_of = [](const std::string& text, TextDirection direction) {
+    std::vector<std::array<double, 2>> points;
+    const TextOutlines outlines = outlines_of({.text = text, .direction = direction});
+    for (const GlyphOutline& glyph : outlines.glyphs) {
+      points.insert(points.end(), glyph.points.begin(), glyph.points.end());
+    }
+    return points;
+  };
+  EXPECT_EQ(points_of("pWl", TextDirection::Left), points_of("lWp", TextDirection::Right));
+  EXPECT_EQ(points_of("pWl", TextDirection::Up), points_of("lWp", TextDirection::Down));
+  // A combining mark stays behind its letter.
+  EXPECT_EQ(points_of("a\u0301W", TextDirection::Left),
+            points_of("Wa\u0301", TextDirection::Right));
+  EXPECT_NE(points_of("pWl", TextDirection::Up), points_of("pWl", TextDirection::Down));
+  // Downwards, each character lies below the one before, and all lie around x = 0.
+  const TextOutlines down = outlines_of({.text = "HHH", .direction = TextDirection::Down});
+  ASSERT_EQ(down.glyphs.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Box box = box_of({{down.glyphs[i]}, {}, true});
+    EXPECT_TRUE(box.left < 0 && box.right > 0 && box.top < 0);
+    if (i > 0) {
+      EXPECT_LT(box.top, box_of({{down.glyphs[i - 1]}, {}, true}).bottom);
+    }
+  }
+  const auto aligned = [](const std::string& halign, const std::string& valign) {
+    return box_of(outlines_of(
+        {.text = "HHH", .direction = TextDirection::Down, .halign = halign, .valign = valign}));
+  };
+  EXPECT_NEAR(aligned("right", "top").right - aligned("left", "top").right,
+              2 * (aligned("center", "top").right - aligned("left", "top").right), 1e-9);
+  EXPECT_GT(aligned("left", "top").bottom, 0);
+  EXPECT_NEAR(aligned("left", "top").top + aligned("left", "bottom").top,
+              2 * aligned("left", "center").top, 1e-9);
 }
 
 TEST_F(TextShapes, ApproachCurvesWithMoreChords) {

@@ -51,6 +51,9 @@ TEXTS = (
     'text("AVA To 3.14", font = "DejaVu Sans", size = 20, halign = "center", valign = "center")',
     'text("Exact Nef", font = "DejaVu Serif:style=Bold", size = 7, spacing = 1.3, halign = "right", valign = "top", $fn = 40)',
     'text("gjpq QWERTY", font = "Liberation Serif", valign = "bottom", $fn = 3)',
+    'text("aWfj", font = "Liberation Sans", direction = "rtl", halign = "right")',
+    'text("plumb", font = "Liberation Sans", direction = "ttb", halign = "center", valign = "center")',
+    'text("plumb", font = "DejaVu Sans", direction = "btt", size = 7, spacing = 1.2, halign = "right", valign = "top")',
     'text("\u00c4\u00f6\u00df \u0416", font = "Liberation Sans:style=Italic", size = 12.5)',
 )
 TEXT_TOLERANCE = 1e-3  # OpenSCAD loads outlines at a resolution of 1 / 2170 of the em.

@@ -188,6 +188,8 @@ ROWS = [
     Row("47-amf", "solid info modifier.amf -q", 0, "geometry that was not read: modifier volumes"),
     Row("47-amf", "solid info inch.amf", 0, ("volume 2048383/750", "the unit is the inch")),
     Row("47-amf", "solid info cycle.amf", 2, "constellation 1 contains itself"),
+    # Texts of OpenSCAD in all directions; only the message depends on whether there are fonts.
+    Row("48-text-directions", "plane csg unknown.csg", 2, "unknown.csg:1:1: the direction of text() is 'up'"),
     Row("45-extrusion-names-a-drawing", "solid csg rotate.csg -o OUT.off", 0, "", ("passed over", "empty")),
 ]
 

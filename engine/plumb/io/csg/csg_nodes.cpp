@@ -374,10 +374,14 @@ void CsgNodes::append_text() {
   };
   note_alignment("halign", request.halign, {"left", "center", "right"});
   note_alignment("valign", request.valign, {"baseline", "bottom", "center", "top"});
-  if (const std::string direction = text("direction", "ltr"); direction != "ltr") {
+  constexpr std::array<std::string_view, 4> kDirections{"ltr", "rtl", "ttb", "btt"};
+  const std::string direction = text("direction", "ltr");
+  const auto* const known = std::find(kDirections.begin(), kDirections.end(), direction);
+  if (known == kDirections.end()) {
     scanner_.fail(ErrorCode::BadArgument, "the direction of text() is " + plumb::quoted(direction) +
-                                              "; only ltr, from left to right, is supported");
+                                              ", which is none of ltr, rtl, ttb and btt");
   }
+  request.direction = static_cast<TextDirection>(known - kDirections.begin());
   if (!(request.size > 0)) return add_note("a text() whose size is not positive is empty");
   request.chords = std::max(chords_of(request.size, division()) / 8 + 1, 2U);
   if (request.chords > kMostChords) {

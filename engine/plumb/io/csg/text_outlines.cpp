@@ -212,7 +212,12 @@ class TextSetter {
 
   std::vector<GlyphOutline> run() {
     unit_ = request_.size * kEmOfSize / face_->units_per_EM;
-    for (const char32_t character : characters_of(request_.text)) set(character);
+    std::vector<char32_t> characters = characters_of(request_.text);
+    const TextDirection direction = request_.direction;
+    is_vertical_ = direction == TextDirection::Down || direction == TextDirection::Up;
+    const bool is_turned = direction == TextDirection::Left || direction == TextDirection::Up;
+    if (is_turned) reverse_characters(characters);
+    for (const char32_t character : characters) set(character);
     const double dx = shift_along(), dy = shift_across();
     for (GlyphOutline& glyph : glyphs_) {
       for (auto& p : glyph.points) p = {p[0] + dx, p[1] + dy};
@@ -221,15 +226,40 @@ class TextSetter {
   }
 
  private:
+  /// Reverses the characters, but not a character and the combining marks after it.
+  static void reverse_characters(std::vector<char32_t>& characters) {
+    const auto is_mark = [](char32_t c) { return c >= 0x300 && c < 0x370; };
+    std::reverse(characters.begin(), characters.end());
+    for (auto first = characters.begin(); first != characters.end();) {
+      const auto base = std::find_if_not(first, characters.end(), is_mark);
+      const auto end = base == characters.end() ? base : base + 1;
+      std::reverse(first, end);
+      first = end;
+    }
+  }
+
   void set(char32_t character) {
     context_.checkpoint("text", 0, 1);
     const FT_UInt index = FT_Get_Char_Index(face_, character);
     if (FT_Load_Glyph(face_, index, FT_LOAD_NO_SCALE) != 0) return;
     FT_GlyphSlot slot = face_->glyph;
+    if (is_vertical_) return set_below(*slot);
     x_ += kerning_before(index) * unit_ * kAdvanceScale * request_.spacing;
     if (slot->format == FT_GLYPH_FORMAT_OUTLINE && slot->outline.n_points > 0) add(slot->outline);
     x_ += static_cast<double>(slot->advance.x) * unit_ * kAdvanceScale * request_.spacing;
     last_ = index;
+  }
+
+  /// Adds a character below the ones before. Its middle comes to x = 0, and its highest place to
+  /// where the character before ends.
+  void set_below(FT_GlyphSlotRec& slot) {
+    const FT_Glyph_Metrics& m = slot.metrics;
+    x_ = static_cast<double>(m.vertBearingX - m.horiBearingX) * unit_ * kAdvanceScale;
+    const double top = static_cast<double>(m.horiBearingY + m.vertBearingY);
+    const double end = y_;
+    y_ -= top * unit_ * kAdvanceScale;
+    if (slot.format == FT_GLYPH_FORMAT_OUTLINE && slot.outline.n_points > 0) add(slot.outline);
+    y_ = end - static_cast<double>(m.vertAdvance) * unit_ * kAdvanceScale * request_.spacing;
   }
 
   void add(FT_Outline& outline) {
@@ -237,10 +267,12 @@ class TextSetter {
     FT_Outline_Get_CBox(&outline, &box);
     highest_ = std::max(highest_, static_cast<double>(box.yMax));
     lowest_ = std::min(lowest_, static_cast<double>(box.yMin));
+    widest_ = std::max(widest_, rounded_up(static_cast<double>(box.xMax)) +
+                                    rounded_up(-static_cast<double>(box.xMin)));
     GlyphOutline glyph = OutlinePen(request_.chords).draw(outline);
     if (glyph.path_sizes.empty()) return;
     memory_.add(sizeof(glyph) + glyph.points.size() * sizeof(glyph.points[0]), "a text");
-    for (auto& p : glyph.points) p = {p[0] * unit_ + x_, p[1] * unit_};
+    for (auto& p : glyph.points) p = {p[0] * unit_ + x_, p[1] * unit_ + y_};
     glyphs_.push_back(std::move(glyph));
   }
 
@@ -252,11 +284,14 @@ class TextSetter {
   }
 
   double shift_along() const {
-    if (request_.halign == "right") return -x_;
-    return request_.halign == "center" ? -x_ / 2 : 0;
+    const double width = is_vertical_ ? widest_ : x_;
+    if (request_.halign == "right") return -width;
+    return request_.halign == "center" ? -width / 2 : 0;
   }
   double shift_across() const {
-    const double height = rounded_up(highest_), depth = rounded_up(-lowest_);
+    // As in OpenSCAD, `top` and `center` of a vertical text are its end and its middle.
+    const double height = is_vertical_ ? y_ : rounded_up(highest_);
+    const double depth = is_vertical_ ? 0 : rounded_up(-lowest_);
     if (request_.valign == "top") return -height;
     if (request_.valign == "bottom") return depth;
     return request_.valign == "center" ? (depth - height) / 2 : 0;
@@ -271,8 +306,10 @@ class TextSetter {
   const TextRequest& request_;
   Context& context_;
   MemoryCharge memory_;
-  double unit_ = 0;                  // The length of a unit of the font.
-  double x_ = 0;                     // The place of the next character.
+  double unit_ = 0;  // The length of a unit of the font.
+  bool is_vertical_ = false;
+  double x_ = 0, y_ = 0;             // The place of the next character.
+  double widest_ = 0;                // The greatest width of a character.
   double highest_ = 0, lowest_ = 0;  // For all characters, in units of the font.
   std::optional<FT_UInt> last_;      // The previous character.
   std::vector<GlyphOutline> glyphs_;

@@ -20,10 +20,15 @@
 
 namespace plumb {
 
+/// Where the next character of a text comes.
+enum class TextDirection : std::uint8_t { Right, Left, Down, Up };
+
 /// The parameters of text().
 struct TextRequest {
   std::string text = {};  ///< In UTF-8.
   std::string font = {};  ///< A name, which can have a style: "Liberation Sans:style=Bold".
+  /// Left and Up set the characters in reverse order, to the right and downwards, as OpenSCAD does.
+  TextDirection direction = TextDirection::Right;
   double size = 10;
   double spacing = 1;               ///< Multiplies the advance of each character.
   std::string halign = "left";      ///< left, center or right; other values count as left.

@@ -60,8 +60,8 @@ struct ThreeMfObject {
 
 /// A part of the archive that describes a model.
 struct ThreeMfPart {
-  std::string name;   ///< The path in the archive.
-  Rational unit = 1;  ///< Millimetres.
+  std::string name;                      ///< The path in the archive.
+  Rational unit = 1;                     ///< Millimetres.
   std::string unit_name = "millimeter";  ///< Empty if no note shall name the unit.
 };
 
