@@ -1,4 +1,4 @@
-// Layers in GeoJSON and TopoJSON, and reports of repairs.
+// Reading of layers.
 //
 // A file has one value of JSON or a sequence of them, such as a feature on each line. GeoJSON
 // states the positions of each ring. TopoJSON states arcs, which rings share; a ring is a list of
@@ -6,9 +6,7 @@
 // that share an arc share its points. Both kinds of geometries are found by one walk over
 // geometries, which keeps a stack of its own because collections may be nested.
 //
-// A layer is written with the numbers of features from 1 and their ids, if they have any.
-//
-// Tested by tests/io/layer_io_test.cpp.
+// Layers are written in layer_writer.cpp. Tested by tests/io/layer_io_test.cpp.
 #include "plumb/io/layer_io.h"
 
 #include <algorithm>
@@ -16,9 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <ostream>
 #include <set>
 #include <span>
 #include <utility>
@@ -35,9 +31,7 @@
 #include "plumb/io/text/input_cursors.h"
 #include "plumb/io/text/json_reader.h"
 #include "plumb/io/text/lenient_json.h"
-#include "plumb/io/text/text_output.h"
 #include "plumb/predicates/error.h"
-#include "plumb/predicates/rounding.h"
 
 namespace plumb {
 namespace {
@@ -732,256 +726,6 @@ LayerFile read_layer_file(const std::string& path, LayerReadOptions options, Con
   file.notes.insert(file.notes.begin(), input.notes.begin(), input.notes.end());
   context.release_memory(input.text.size());
   return file;
-}
-
-// ---------------------------------------------------------------- writing
-
-namespace {
-
-void write_ring(TextOutput& out, const Layer& layer, std::size_t r) {
-  const std::span<const std::uint32_t> ring = layer.ring(r);
-  out << '[';
-  for (std::size_t i = 0; i <= ring.size(); ++i) {
-    const Point2 p = layer.points.approx(ring[i < ring.size() ? i : 0]);
-    out << (i == 0 ? "[" : ",[") << p.x << ',' << p.y << ']';
-  }
-  out << ']';
-}
-
-void write_polygon(TextOutput& out, const Layer& layer, std::size_t p) {
-  out << '[';
-  for (std::size_t r = layer.polygon_begin[p]; r < layer.polygon_begin[p + 1]; ++r) {
-    if (r > layer.polygon_begin[p]) out << ',';
-    write_ring(out, layer, r);
-  }
-  out << ']';
-}
-
-/// Writes the geometry of a feature.
-void write_geometry(TextOutput& out, const Layer& layer, std::size_t f) {
-  const std::uint32_t begin = layer.feature_begin[f], end = layer.feature_begin[f + 1];
-  if (begin == end) {
-    out << "null";
-    return;
-  }
-  const bool is_one = end - begin == 1;
-  out << R"({"type":")" << (is_one ? "Polygon" : "MultiPolygon") << R"(","coordinates":)"
-      << (is_one ? "" : "[");
-  for (std::size_t p = begin; p < end; ++p) {
-    if (p > begin) out << ',';
-    write_polygon(out, layer, p);
-  }
-  out << (is_one ? "}" : "]}");
-}
-
-}  // namespace
-
-std::optional<std::string> feature_name(const Layer& layer, std::uint32_t feature) {
-  if (layer.properties(feature).empty()) return {};
-  const auto properties = nlohmann::json::parse(layer.properties(feature));
-  if (!properties.is_object()) return {};
-  for (const char* const name : {"name", "NAME", "Name"}) {
-    const auto found = properties.find(name);
-    if (found != properties.end() && found->is_string()) return found->get<std::string>();
-  }
-  return {};
-}
-
-namespace {
-
-/// Returns a feature as JSON: its number from 1 and, if it has them, its id and its name.
-nlohmann::ordered_json feature_json(const Layer& layer, std::uint32_t feature) {
-  nlohmann::ordered_json json = {{"number", feature + 1}};
-  if (!layer.id(feature).empty()) json["id"] = nlohmann::ordered_json::parse(layer.id(feature));
-  if (const std::optional<std::string> name = feature_name(layer, feature)) json["name"] = *name;
-  return json;
-}
-
-nlohmann::ordered_json region_json(const Layer& layer, const LayerReport& report, std::size_t i) {
-  const LayerRegion& region = report.regions[i];
-  nlohmann::ordered_json features = nlohmann::ordered_json::array();
-  for (const std::uint32_t f : report.features_of(region)) {
-    features.push_back(feature_json(layer, f));
-  }
-  nlohmann::ordered_json json = {{"kind", name_of(region.kind)},
-                                 {"area", nearest_double(region.area)},
-                                 {"open", region.is_open},
-                                 {"width", region.width},
-                                 {"features", std::move(features)},
-                                 {"to", nullptr},
-                                 {"at", nullptr}};
-  if (const std::optional<Point2> at = place_of(report, i)) json["at"] = {at->x, at->y};
-  if (region.owner != LayerRegion::kNobody) json["to"] = feature_json(layer, region.owner);
-  return json;
-}
-
-/// Returns a number with the singular or the plural of a word.
-std::string number_of(std::size_t count, const std::string& one) {
-  return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
-}
-
-void write_region(TextOutput& out, const Layer& layer, const LayerReport& report, std::size_t i) {
-  const LayerRegion& region = report.regions[i];
-  const bool is_place = region.at.has_value();
-  const bool is_of_features = is_place || region.kind == LayerRegionKind::Overlap;
-  const bool has_one_feature = report.features_of(region).size() == 1;
-  out << (region.is_open ? "open " : "") << name_of(region.kind)
-      << (is_of_features    ? " of "
-          : has_one_feature ? " in "
-                            : " between ");
-  bool is_first = true;
-  for (const std::uint32_t f : report.features_of(region)) {
-    if (!is_first) out << ", ";
-    is_first = false;
-    out << feature_title(layer, f);
-  }
-  if (region.kind == LayerRegionKind::Nesting) {
-    out << ": a hole lies outside of its outer ring, or in another hole";
-  } else if (is_of_features && has_one_feature) {
-    out << " with itself";
-  }
-  if (!is_place) {
-    out << ": area " << nearest_double(region.area) << ", width " << region.width;
-  }
-  if (const std::optional<Point2> at = place_of(report, i)) {
-    out << ", at " << at->x << ' ' << at->y;
-  }
-  if (region.owner != LayerRegion::kNobody)
-    out << "; goes to " << feature_title(layer, region.owner);
-  out << '\n';
-}
-
-}  // namespace
-
-/// Returns a corner of a region, or the point of a crossing or a nesting, as the place of the defect.
-std::optional<Point2> place_of(const LayerReport& report, std::size_t region) {
-  if (report.regions[region].at) return report.regions[region].at;
-  const std::uint32_t polygon = report.shapes.feature_begin[region];
-  if (polygon == report.shapes.feature_begin[region + 1]) return {};
-  return report.shapes.points.approx(report.shapes.ring(report.shapes.polygon_begin[polygon])[0]);
-}
-
-std::string feature_title(const Layer& layer, std::uint32_t feature) {
-  std::string title = "feature " + std::to_string(feature + 1);
-  // An id may be any text of the file. As JSON in ASCII, it cannot send commands to a terminal.
-  const auto ascii = [](const nlohmann::json& json) {
-    return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  };
-  std::string inner;
-  if (!layer.id(feature).empty()) inner = ascii(nlohmann::json::parse(layer.id(feature)));
-  if (const std::optional<std::string> name = feature_name(layer, feature)) {
-    inner += (inner.empty() ? "" : ", ") + ascii(*name);
-  }
-  return inner.empty() ? title : title + " (" + inner + ')';
-}
-
-namespace {
-
-/// Writes the beginning of a collection, up to its features.
-void begin_features(TextOutput& out, const std::string& crs) {
-  out << R"({"type":"FeatureCollection",)";
-  if (!crs.empty()) {
-    const nlohmann::ordered_json named = {{"type", "name"}, {"properties", {{"name", crs}}}};
-    out << R"("crs":)"
-        << named.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << ',';
-  }
-  out << R"("features":[)" << '\n';
-}
-
-}  // namespace
-
-void write_layer_geojson(std::ostream& stream, const Layer& layer, Context& context) {
-  write_layer_geojson(stream, layer, layer.crs, context);
-}
-
-void write_layer_geojson(std::ostream& stream, const Layer& layer, const std::string& crs,
-                         Context& context) {
-  TextOutput out(stream, context);
-  begin_features(out, crs);
-  for (std::size_t f = 0; f < layer.feature_count(); ++f) {
-    out << (f == 0 ? "" : ",\n") << R"({"type":"Feature",)";
-    if (!layer.id(f).empty()) out << R"("id":)" << layer.id(f) << ',';
-    out << R"("properties":)" << (layer.properties(f).empty() ? "null" : layer.properties(f))
-        << R"(,"geometry":)";
-    write_geometry(out, layer, f);
-    out << '}';
-  }
-  out << "\n]}\n";
-  out.flush();
-}
-
-void write_layer_gpkg(std::ostream& out, const Layer& layer, const std::string& crs,
-                      Context& context) {
-  write_gdal_layer(out, layer, crs, "GPKG", context);
-}
-
-void write_layer_fgb(std::ostream& out, const Layer& layer, const std::string& crs,
-                     Context& context) {
-  write_gdal_layer(out, layer, crs, "FlatGeobuf", context);
-}
-
-Shapefile layer_shapefile(const Layer& layer, const std::string& crs, Context& context) {
-  return gdal_shapefile(layer, crs, context);
-}
-
-void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,
-                                Context& context) {
-  write_layer_report_geojson(stream, layer, report, layer.crs, context);
-}
-
-void write_layer_report_geojson(std::ostream& stream, const Layer& layer, const LayerReport& report,
-                                const std::string& crs, Context& context) {
-  TextOutput out(stream, context);
-  begin_features(out, crs);
-  for (std::size_t i = 0; i < report.regions.size(); ++i) {
-    out << (i == 0 ? "" : ",\n") << R"({"type":"Feature","properties":)"
-        << region_json(layer, report, i).dump() << R"(,"geometry":)";
-    if (const std::optional<Point2> at = report.regions[i].at) {
-      out << R"({"type":"Point","coordinates":[)" << at->x << ',' << at->y << "]}";
-    } else {
-      write_geometry(out, report.shapes, i);
-    }
-    out << '}';
-  }
-  out << "\n]}\n";
-  out.flush();
-}
-
-void write_layer_report_text(std::ostream& stream, const Layer& layer, const LayerReport& report) {
-  TextOutput out(stream);
-  out << number_of(layer.feature_count(), "feature") << ", "
-      << number_of(report.count(LayerRegionKind::Overlap), "overlap") << ", "
-      << number_of(report.count(LayerRegionKind::Gap), "gap") << " below width "
-      << report.gaps_below << ", " << number_of(report.count(LayerRegionKind::Hole), "hole");
-  const std::size_t crossings = report.count(LayerRegionKind::Crossing);
-  if (crossings > 0) out << ", " << number_of(crossings, "crossing");
-  const std::size_t nestings = report.count(LayerRegionKind::Nesting);
-  if (nestings > 0) out << ", " << number_of(nestings, "nesting");
-  out << '\n';
-  for (std::size_t i = 0; i < report.regions.size(); ++i) write_region(out, layer, report, i);
-  for (const std::uint32_t f : report.emptied)
-    out << feature_title(layer, f) << " has no area left\n";
-  out.flush();
-}
-
-void write_layer_report_json(std::ostream& out, const Layer& layer, const LayerReport& report) {
-  nlohmann::ordered_json regions = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < report.regions.size(); ++i) {
-    regions.push_back(region_json(layer, report, i));
-  }
-  nlohmann::ordered_json emptied = nlohmann::ordered_json::array();
-  for (const std::uint32_t f : report.emptied) emptied.push_back(feature_json(layer, f));
-  const nlohmann::ordered_json json = {{"features", layer.feature_count()},
-                                       {"overlaps", report.count(LayerRegionKind::Overlap)},
-                                       {"gaps", report.count(LayerRegionKind::Gap)},
-                                       {"holes", report.count(LayerRegionKind::Hole)},
-                                       {"crossings", report.count(LayerRegionKind::Crossing)},
-                                       {"nestings", report.count(LayerRegionKind::Nesting)},
-                                       {"gaps_below", report.gaps_below},
-                                       {"regions", std::move(regions)},
-                                       {"emptied", std::move(emptied)},
-                                       {"rounding_moved_by", report.rounding.largest_move}};
-  out << json.dump() << '\n';
 }
 
 }  // namespace plumb
