@@ -222,7 +222,7 @@ class Decomposition : public CommandBody {
                    "diagonals, optimal: between vertices (plane); best: the fewest pieces")
         ->type_name("METHOD")
         ->check(CLI::IsMember({"cuts", "walls", "diagonals", "optimal", "best"}).description(""));
-    app.add_flag("--closed", closed_, "Closures of the pieces");
+    app.add_flag("--closed", closed_, "Write the closures of the pieces");
     app.add_option("--svg", svg_,
                    "Draw the pieces, one colour each: of the plane those of dimension 2; of a "
                    "solid moved apart")

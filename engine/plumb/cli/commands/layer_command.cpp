@@ -39,7 +39,7 @@ class MapRepair : public CommandBody {
                "Which feature gets an overlap or a gap: the one with the longest common border "
                "(default), the largest, the smallest, the first one, or that of the lowest id");
     app.add_option("--prefer", preferences_,
-                   "Before the rule: feature A gets what could go to A and B; ids or names")
+                   "Feature A gets what could go to A or B; --rule decides the rest; ids or names")
         ->type_name("A B")
         ->allow_extra_args(false);
     app.add_option("--gaps-below", options_.gaps_below,

@@ -65,7 +65,8 @@ class MapDissolve : public CommandBody {
     app.add_option("--by", property_,
                    "Unite features with the same value of this property (default: all features)")
         ->type_name("NAME");
-    app.add_option("--sum", sums_, "Add the values of a property; others stay if all are equal")
+    app.add_option("--sum", sums_,
+                   "Add up the values of this property; others are kept if all are equal")
         ->type_name("NAME");
     app.add_option("--object", read_options_.object, "The object of a TopoJSON file to read")
         ->type_name("NAME");

@@ -145,8 +145,8 @@ void MapCheck::declare(CLI::App& app) {
   app.add_flag("--edges", checks_edges_,
                "Check the edges of a layer, as those of a map; --outer implies this");
   app.add_option("--gaps-below", layer_options_.gaps_below,
-                 "Layers: gaps of at least the width W are holes and no defects (default: 1/10000 "
-                 "of the diagonal; small lakes are holes, too)")
+                 "Layers: gaps at least W wide are holes, not defects (default: 1/10000 of the "
+                 "diagonal; small lakes are holes, too)")
       ->check(CLI::Range(0.0, 1e300).description(""))
       ->type_name("W");
   app.add_flag("--enclosed-only", is_enclosed_only_,
@@ -337,7 +337,9 @@ void MapOverlayCommand::declare(CLI::App& app) {
   app.add_flag("--areas", layer_words_.with_areas, "Layers: add the area as a property");
   app.add_option("--object", layer_words_.first_object, "Layers: the object to read of TopoJSON A")
       ->type_name("NAME");
-  app.add_option("--object-b", layer_words_.second_object, "The same for B")->type_name("NAME");
+  app.add_option("--object-b", layer_words_.second_object,
+                 "Layers: the object to read of TopoJSON B")
+      ->type_name("NAME");
   app.add_flag("--infer-outer", infers_outer_, "Complete outer boundaries that are not listed");
   app.add_flag("--strict", is_strict_,
                "Exit 2 instead of writing GeoJSON whose cells are reshaped by rounding");

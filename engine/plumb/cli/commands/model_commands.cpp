@@ -92,12 +92,12 @@ class MakeSolid : public SetOperation<MadeSolid> {
         ->check(
             CLI::IsMember({"box", "cube", "sphere", "cylinder", "cone", "torus"}).description(""));
     app.add_option("--size", size_, "Sides of a box (default 1,1,1)")->type_name("X,Y,Z");
-    app.add_option("--radius", radius_, "Of a circle (default 1)")->type_name("R");
+    app.add_option("--radius", radius_, "Radius of the circles (default 1)")->type_name("R");
     app.add_option("--top", top_, "Radius at the top of a cone (default 0)")->type_name("R");
     app.add_option("--tube", tube_, "Radius of the tube of a torus (default 1/4)")->type_name("R");
-    app.add_option("--height", height_, "Of a cylinder or cone (default 1)")->type_name("H");
+    app.add_option("--height", height_, "Height of a cylinder or cone (default 1)")->type_name("H");
     app.add_option("--segments", segments_, "Chords of a circle (default 30)")->type_name("N");
-    app.add_flag("--centre", is_centred_, "Around the origin, not upward from it");
+    app.add_flag("--centre", is_centred_, "Put the centre of the solid at the origin");
   }
   ProgressStages stages() const override { return {Solid::combining()}; }
 
@@ -156,9 +156,11 @@ class OffsetSolid : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
     declare_first<Solid>(app, a_);
-    app.add_option("--by", by_, "The distance; negative: shrink")->required()->type_name("D");
+    app.add_option("--by", by_, "The distance; a negative one shrinks A")
+        ->required()
+        ->type_name("D");
     app.add_option("--rounds", options_.rounds,
-                   "Divisions of the octahedron that stands for a ball (default 2)")
+                   "Divisions of the octahedron that replaces a ball (default 2)")
         ->type_name("N")
         ->check(CLI::Range(0U, 7U).description(""));
   }
@@ -182,7 +184,7 @@ class TransformSolid : public SolidOperation {
     declare_first<Solid>(app, a_);
     app.add_option("--mirror", mirror_, "Mirror at the plane through 0 with this normal")
         ->type_name("X,Y,Z");
-    app.add_option("--scale", scale_, "Factors along the axes")->type_name("X,Y,Z");
+    app.add_option("--scale", scale_, "Scale by these factors along the axes")->type_name("X,Y,Z");
     app.add_option("--resize", resize_, "New size of the bounding box; 0 keeps a size")
         ->type_name("X,Y,Z");
     app.add_option("--rotate", rotate_, "Rotate about an axis through 0: 0,0,1,45")
@@ -242,12 +244,14 @@ class ExtrudeOutline : public SetOperation<SweptSolid> {
  private:
   void declare_operands(CLI::App& app) override {
     declare_first<SweptSolid>(app, a_);
-    app.add_option("--height", height_, "Along the z-axis")->required()->type_name("H");
-    app.add_flag("--centre", is_centred_, "From -H/2 to H/2, not upward from 0");
-    app.add_option("--twist", twist_, "Degrees by which the top is turned clockwise")
+    app.add_option("--height", height_, "Height along the z-axis")->required()->type_name("H");
+    app.add_flag("--centre", is_centred_, "Extrude from -H/2 to H/2, not from 0 to H");
+    app.add_option("--twist", twist_, "Rotate the top clockwise by this angle")
         ->type_name("DEGREES");
-    app.add_option("--scale", scale_, "Factors of x and y at the top")->type_name("X,Y");
-    app.add_option("--slices", slices_, "Layers, for a twist (default 1)")->type_name("N");
+    app.add_option("--scale", scale_, "Scale x and y at the top by these factors")
+        ->type_name("X,Y");
+    app.add_option("--slices", slices_, "Number of layers, for a twist (default 1)")
+        ->type_name("N");
   }
   ProgressStages stages() const override { return {Plane::reading(), Solid::combining()}; }
   Nef3 compute(Session& session) override {
@@ -274,9 +278,9 @@ class RevolveOutline : public SetOperation<SweptSolid> {
  private:
   void declare_operands(CLI::App& app) override {
     declare_first<SweptSolid>(app, a_);
-    app.add_option("--angle", angle_, "Degrees (default 360); the outline's y becomes z")
+    app.add_option("--angle", angle_, "Angle (default 360); y of the set becomes z")
         ->type_name("DEGREES");
-    app.add_option("--steps", steps_, "Steps of the turn (default 30)")->type_name("N");
+    app.add_option("--steps", steps_, "Number of steps (default 30)")->type_name("N");
   }
   ProgressStages stages() const override { return {Plane::reading(), Solid::combining()}; }
   Nef3 compute(Session& session) override {

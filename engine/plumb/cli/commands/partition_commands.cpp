@@ -192,7 +192,7 @@ class PlaneVoronoi : public PartitionCommand {
         ->required()
         ->type_name("");
     app.add_option("--box", box_,
-                   "The box of the cells (default: that of the sites, and a tenth more)")
+                   "The box of the cells (default: the box of the sites, enlarged by a tenth)")
         ->type_name("X,Y,X,Y");
     input_.declare(app);
   }

@@ -59,12 +59,12 @@ struct PlaneOperand {
   bool are_kept = false;  ///< Whether --keep ids was given.
 };
 
-/// How files are read as sets of the plane.
+/// The options by which files are read as sets of the plane.
 class PlaneInput {
  public:
   void declare(CLI::App& app) {
     add_choice(app, "--rule", rule_, {"odd", "nonzero", "positive", "negative"},
-               "Winding numbers inside (default: odd, polygon by polygon)");
+               "Winding rule (default: odd, polygon by polygon)");
     app.add_option("--curve-tolerance", tolerance_,
                    "Largest distance of a curve of .dxf or .svg from its chords")
         ->type_name("D")

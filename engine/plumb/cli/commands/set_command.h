@@ -104,7 +104,7 @@ auto read_sets(const Input& input, const std::vector<std::string>& files, Sessio
   return read_sets(input, files, session, [](const auto&) {});
 }
 
-/// What is known of the features of operands of a kind without features.
+/// The features of operands of a kind without features.
 struct NoFeatures {
   template <class Read>
   void add(const Read&) {}
@@ -159,7 +159,7 @@ class SetOperation : public CommandBody {
       app.add_flag("--triangles", triangles_, "Write triangles instead of polygons");
     }
     if constexpr (kHasCanonical) {
-      app.add_flag("--canonical", canonical_, "Equal sets give equal .nef files");
+      app.add_flag("--canonical", canonical_, "Write equal .nef files for equal sets");
     }
   }
 

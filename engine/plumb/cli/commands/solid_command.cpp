@@ -202,14 +202,14 @@ class SectionOperation : public SolidOperation {
  private:
   void declare_operands(CLI::App& app) override {
     declare_first<Solid>(app, a_);
-    app.add_option("--plane", plane_, "a,b,c,d of a x + b y + c z + d")
+    app.add_option("--plane", plane_, "The numbers a,b,c,d of a x + b y + c z + d")
         ->required()
         ->type_name("a,b,c,d");
     add_choice(app, "--side", side_, {"closed", "open", "plane"},
-               "closed: <= 0, open: < 0, plane: = 0")
+               "Where it is <= 0 (closed), < 0 (open), = 0 (plane)")
         ->required();
     add_choice(app, "--keep", keep_, {"inside", "outside"},
-               "The part there (default), or the rest");
+               "Keep this part of A (default), or the rest");
   }
 
   Nef3 compute(Session& session) override {

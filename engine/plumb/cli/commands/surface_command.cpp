@@ -354,7 +354,7 @@ class PathCommand : public CommandBody {
     app.add_option("--from", from_, "The first point of the path (default 0)")->type_name("POINT");
     app.add_option("--to", to_, "The last point of the path (default 1)")->type_name("POINT");
     app.add_flag("--local", is_local_,
-                 "A locally shortest path, as between points of polygons; found faster");
+                 "Find a locally shortest path, as polygons use it; this is faster");
   }
 
   ExitCode run(Session& session) override {

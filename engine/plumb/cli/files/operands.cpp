@@ -201,7 +201,7 @@ void RepairFlags::declare(CLI::App& app) {
   app.add_option("--weld", weld_, "Merge vertices that are at most EPS apart")
       ->type_name("EPS")
       ->check(flaw_of_distance);
-  app.add_flag("--one-side", one_side_, "Of faces with the same corners, keep only one");
+  app.add_flag("--one-side", one_side_, "Keep one of several faces with the same corners");
   app.add_flag("--reorient", reorients_, "Flip faces oriented opposite to their neighbours");
   app.add_option("--fill-holes", fill_holes_, "Fill holes of at most N edges")->type_name("N");
   app.add_option("--fill-holes-below", fill_holes_below_,
@@ -235,7 +235,7 @@ std::string words_of(const RepairOptions& repair) {
 
 void SolidInput::declare(CLI::App& app) {
   add_choice(app, "--rule", rule_, {"positive", "nonzero", "odd"},
-             "Winding numbers inside (default: positive)");
+             "Winding rule (default: positive)");
   app.add_flag("--surface", surface_, "Read a mesh, open or not, as the set of its facets");
   app.add_flag("--allow-empty", allows_empty_, "Read a mesh that encloses nothing as empty");
   repair_.declare(app);
@@ -389,7 +389,7 @@ std::vector<SurfaceRepair> repair(SurfaceScene& scene, Context& context) {
 void SurfaceInput::declare(CLI::App& app) {
   declare_file(app);
   app.add_flag("--repair", repairs_,
-               "Add loops around handles to shapes that do not separate, so that they do");
+               "Add loops around handles to shapes, so that they separate the surface");
 }
 
 void SurfaceInput::declare_file(CLI::App& app) {
@@ -404,7 +404,7 @@ void SurfaceInput::declare_expression(CLI::App& app, bool is_required) {
                      "A, B .. or s0, s1 ..")
           ->type_name("EXPR");
   if (is_required) op->required();
-  app.add_option("--rule", rule_, "Labels inside: evenodd (default), nonzero, positive")
+  app.add_option("--rule", rule_, "Winding rule: evenodd (default), nonzero, positive")
       ->type_name("RULE")
       ->check(CLI::IsMember({"evenodd", "nonzero", "positive"}).description(""));
 }
