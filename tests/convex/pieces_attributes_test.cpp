@@ -113,8 +113,8 @@ TEST(PiecesWithAttributes, DanglingPartsHaveTheSourcesOfTheSet) {
 }
 
 TEST(PiecesWithAttributes, WallsInFacesThatAreGoneHaveTheirAttributes) {
-  // The first box stands on a face of the second one, so the only wall of the two pieces is the face
-  // of the first box in which the boxes meet.
+  // The first box stands on a face of the second one, so the only wall of the two pieces is the
+  // face of the first box in which the boxes meet.
   const auto first = source_of(fanned(box_mesh({0, 1, 1}, {2, 3, 3})), 0);
   const auto second = source_of(fanned(box_mesh({2, 0, 0}, {4, 4, 4})), 100);
   const Nef3 set = from_source(first) + from_source(second);

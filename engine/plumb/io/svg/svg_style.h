@@ -3,9 +3,9 @@
 // A style sheet is a list of rules: selectors, and declarations for the elements that they select.
 // Three properties matter to a set: display, visibility and fill-rule. Selectors of one element are
 // applied: `*`, an element, a class or an id, and an element with a class or an id, such as
-// `path.outer`. Drawing programs rarely write others. A rule with another selector, or in an at-rule
-// such as @media, is not applied; its selector is kept for a note if the rule sets one of the three
-// properties. Format: W3C, Cascading Style Sheets Level 2, sections 4 to 6.
+// `path.outer`. Drawing programs rarely write others. A rule with another selector, or in an
+// at-rule such as @media, is not applied; its selector is kept for a note if the rule sets one of
+// the three properties. Format: W3C, Cascading Style Sheets Level 2, sections 4 to 6.
 //
 // Rules that select the same elements are merged while they are read: of two declarations, the
 // important one decides, then that of the more special selector, then the later one. The value for

@@ -277,8 +277,8 @@ void SpaceRay::add_hits(EdgeId e, std::vector<SpaceRayHit>& hits) const {
 }
 
 /// Adds the cells of a cycle that the line meets, and returns whether there are any. Each edge that
-/// passes on the right inverts is_inside. Nearly all edges have both ends strictly on one side along
-/// j, which one sign of each vertex shows.
+/// passes on the right inverts is_inside. Nearly all edges have both ends strictly on one side
+/// along j, which one sign of each vertex shows.
 bool SpaceRay::add_hits_of_cycle(UseId first, bool& is_inside,
                                  std::vector<SpaceRayHit>& hits) const {
   const std::size_t before = hits.size();
