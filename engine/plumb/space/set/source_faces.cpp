@@ -4,6 +4,8 @@
 // Tested by tests/space/mesh_with_attributes_test.cpp.
 #include "plumb/space/set/source_faces.h"
 
+#include <deque>
+#include <mutex>
 #include <span>
 #include <utility>
 
@@ -80,16 +82,50 @@ class FaceTriangles {
   std::vector<std::uint32_t> face_vertices_;
 };
 
+bool has_polygons(const PolygonMesh& mesh) {
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    if (mesh.face(f).size() > 3) return true;
+  }
+  return false;
+}
+
+using SharedTriangles = std::shared_ptr<const std::vector<FaceTriangle>>;
+
+/// The triangles of sources that have polygons.
+class KnownTriangles {
+ public:
+  /// Returns the triangles of a source, or null.
+  SharedTriangles find(const std::shared_ptr<const MeshSource>& source) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(known_, [](const Known& known) { return known.source.expired(); });
+    for (const Known& known : known_) {
+      if (known.source.lock() == source) return known.triangles;
+    }
+    return nullptr;
+  }
+  /// Remembers the triangles of a source, and forgets those of the oldest one if there are many.
+  void add(const std::shared_ptr<const MeshSource>& source, const SharedTriangles& triangles) {
+    constexpr std::size_t kMost = 64;
+    const std::lock_guard lock(mutex_);
+    if (known_.size() == kMost) known_.pop_front();
+    known_.push_back({source, triangles});
+  }
+
+ private:
+  struct Known {
+    std::weak_ptr<const MeshSource> source;
+    SharedTriangles triangles;
+  };
+  std::mutex mutex_;
+  std::deque<Known> known_;
+};
+
 }  // namespace
 
 std::vector<FaceTriangle> triangles_of_faces(const PolygonMesh& mesh, Context& context) {
   std::vector<FaceTriangle> result;
   result.reserve(mesh.corners.size() / 3);
-  bool has_polygons = false;
-  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-    has_polygons = has_polygons || mesh.face(f).size() > 3;
-  }
-  if (has_polygons) {
+  if (has_polygons(mesh)) {
     FaceTriangles faces(mesh, context);
     for (std::uint32_t f = 0; f < mesh.face_count(); ++f) faces.add(f, result);
     return result;
@@ -99,6 +135,18 @@ std::vector<FaceTriangle> triangles_of_faces(const PolygonMesh& mesh, Context& c
     if (mesh.face(f).size() == 3) result.push_back({f, {begin, begin + 1, begin + 2}});
   }
   return result;
+}
+
+std::shared_ptr<const std::vector<FaceTriangle>> triangles_of_source(
+    const std::shared_ptr<const MeshSource>& source, Context& context) {
+  static KnownTriangles all;
+  const bool is_kept = has_polygons(source->mesh);
+  SharedTriangles triangles = is_kept ? all.find(source) : nullptr;
+  if (triangles != nullptr) return triangles;
+  triangles =
+      std::make_shared<const std::vector<FaceTriangle>>(triangles_of_faces(source->mesh, context));
+  if (is_kept) all.add(source, triangles);
+  return triangles;
 }
 
 }  // namespace plumb

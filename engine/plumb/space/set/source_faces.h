@@ -1,11 +1,13 @@
 // The triangles over which the channels of a mesh are linear. Internal.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/space/mesh/face_corners.h"
 #include "plumb/space/mesh_arrays.h"
+#include "plumb/space/source_mesh.h"
 
 namespace plumb {
 
@@ -14,5 +16,11 @@ namespace plumb {
 /// other polygon is cut as Nef3::from_mesh() cuts it, so that its triangles have the same planes as
 /// the set. Triangles without area are left out. Throws the errors of the Context. O(n log n).
 std::vector<FaceTriangle> triangles_of_faces(const PolygonMesh& mesh, Context& context);
+
+/// Returns the same triangles for the mesh of a source. If it has polygons, they are kept while the
+/// source exists, because the pieces of a set (decompose.h) have the same sources. At most 64
+/// sources are remembered. Can be called from several threads at once.
+std::shared_ptr<const std::vector<FaceTriangle>> triangles_of_source(
+    const std::shared_ptr<const MeshSource>& source, Context& context);
 
 }  // namespace plumb

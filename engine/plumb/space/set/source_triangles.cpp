@@ -141,7 +141,8 @@ void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
   moves_.emplace_back();
   if (!is_identity(map)) moves_.back().emplace(map);
   add_exact_points(source, context);
-  for (const FaceTriangle& t : triangles_of_faces(mesh_source->mesh, context)) {
+  const auto triangles = triangles_of_source(mesh_source, context);
+  for (const FaceTriangle& t : *triangles) {
     triangles_.push_back({source, t.face, t.corner, {}, false});
   }
 }
@@ -339,17 +340,22 @@ void SourceTriangles::intern_planes(std::span<const std::uint32_t> triangles, Co
   for (std::size_t i = 0; i < planes.size(); ++i) set_plane(triangles_[by_inputs[i]], planes[i]);
 }
 
+/// Sorts the triangles by their planes. Triangles whose plane has no facet are left out.
 void SourceTriangles::sort_by_plane(std::size_t planes) {
+  std::vector<std::uint8_t> has_facet(planes, 0);
+  for (const PlaneId plane : complex_.get().facet_plane) has_facet[plane.value()] = 1;
   begin_.assign(planes + 1, 0);
-  const auto has_plane = [](const SourceTriangle& t) { return t.plane.is_valid(); };
+  const auto is_needed = [&](const SourceTriangle& t) {
+    return t.plane.is_valid() && has_facet[t.plane.value()] != 0;
+  };
   for (const SourceTriangle& t : triangles_) {
-    if (has_plane(t)) ++begin_[t.plane.value() + std::size_t{1}];
+    if (is_needed(t)) ++begin_[t.plane.value() + std::size_t{1}];
   }
   std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
   std::vector<SourceTriangle> sorted(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   for (const SourceTriangle& t : triangles_) {
-    if (has_plane(t)) sorted[next[t.plane.value()]++] = t;
+    if (is_needed(t)) sorted[next[t.plane.value()]++] = t;
   }
   triangles_ = std::move(sorted);
 }

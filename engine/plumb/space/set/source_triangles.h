@@ -48,7 +48,7 @@ using CornerPoints = std::array<const Point3*, 3>;
 /// Returns the index of the corner with these coordinates, or 3.
 std::size_t corner_index(const CornerPoints& corners, const Point3& p);
 
-/// The triangles of all sources that have an area, sorted by their planes, then by their sources
+/// The triangles of all sources in planes of facets, sorted by their planes, then by their sources
 /// and faces. Planes have ids in the order in which sets were made, so what belongs to neighbouring
 /// facets is close in memory. Points of a source get a place in the tables when they are asked for,
 /// because most of them never are.
@@ -61,7 +61,8 @@ class SourceTriangles {
 
   /// Returns a triangle.
   const SourceTriangle& operator[](std::uint32_t t) const { return triangles_[t]; }
-  /// Returns the triangles in a plane, in the order of their sources and faces.
+  /// Returns the triangles in a plane, in the order of their sources and faces. If no facet lies in
+  /// the plane, the range is empty.
   TriangleRange in_plane(PlaneId plane) const {
     if (plane.value() + std::size_t{1} >= begin_.size()) return {};
     return {begin_[plane.value()], begin_[plane.value() + std::size_t{1}]};
