@@ -13,9 +13,12 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "plumb/base/context.h"
 #include "plumb/space/mesh_arrays.h"
@@ -24,6 +27,40 @@
 
 #pragma GCC visibility push(default)
 namespace plumb {
+
+struct FaceTriangle;
+
+/// What mesh_with_attributes() computes once for a source and keeps for the next set with the same
+/// source: the triangles of its polygons. A copy of a source keeps nothing. Can be used from several
+/// threads at once.
+class SourceTrianglesCache {
+ public:
+  /// The triangles, or null.
+  using Triangles = std::shared_ptr<const std::vector<FaceTriangle>>;
+
+  SourceTrianglesCache() = default;
+  SourceTrianglesCache(const SourceTrianglesCache& /*other*/) {}
+  SourceTrianglesCache& operator=(const SourceTrianglesCache& /*other*/) {
+    set(nullptr);
+    return *this;
+  }
+  ~SourceTrianglesCache() = default;
+
+  /// Returns what set() was given last, or null.
+  Triangles get() const {
+    const std::lock_guard lock(mutex_);
+    return triangles_;
+  }
+  /// Keeps triangles in place of those that were kept before.
+  void set(Triangles triangles) {
+    const std::lock_guard lock(mutex_);
+    triangles_ = std::move(triangles);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  Triangles triangles_;
+};
 
 /// A source: a mesh from which a set was made. Several sets can share it, so it must not change.
 struct MeshSource {
@@ -34,6 +71,7 @@ struct MeshSource {
   /// plane. In this case the mesh is empty. The attributes describe a single face, and there are no
   /// channels.
   std::optional<Plane3> plane = {};
+  mutable SourceTrianglesCache triangles = {};  ///< Used by plumb alone.
 };
 
 /// Returns a copy of the mesh that a view describes. It is used to make a source from arrays. Cost:

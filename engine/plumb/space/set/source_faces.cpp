@@ -4,8 +4,7 @@
 // Tested by tests/space/mesh_with_attributes_test.cpp.
 #include "plumb/space/set/source_faces.h"
 
-#include <deque>
-#include <mutex>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -89,37 +88,6 @@ bool has_polygons(const PolygonMesh& mesh) {
   return false;
 }
 
-using SharedTriangles = std::shared_ptr<const std::vector<FaceTriangle>>;
-
-/// The triangles of sources that have polygons.
-class KnownTriangles {
- public:
-  /// Returns the triangles of a source, or null.
-  SharedTriangles find(const std::shared_ptr<const MeshSource>& source) {
-    const std::lock_guard lock(mutex_);
-    std::erase_if(known_, [](const Known& known) { return known.source.expired(); });
-    for (const Known& known : known_) {
-      if (known.source.lock() == source) return known.triangles;
-    }
-    return nullptr;
-  }
-  /// Remembers the triangles of a source, and forgets those of the oldest one if there are many.
-  void add(const std::shared_ptr<const MeshSource>& source, const SharedTriangles& triangles) {
-    constexpr std::size_t kMost = 64;
-    const std::lock_guard lock(mutex_);
-    if (known_.size() == kMost) known_.pop_front();
-    known_.push_back({source, triangles});
-  }
-
- private:
-  struct Known {
-    std::weak_ptr<const MeshSource> source;
-    SharedTriangles triangles;
-  };
-  std::mutex mutex_;
-  std::deque<Known> known_;
-};
-
 }  // namespace
 
 std::vector<FaceTriangle> triangles_of_faces(const PolygonMesh& mesh, Context& context) {
@@ -137,15 +105,12 @@ std::vector<FaceTriangle> triangles_of_faces(const PolygonMesh& mesh, Context& c
   return result;
 }
 
-std::shared_ptr<const std::vector<FaceTriangle>> triangles_of_source(
-    const std::shared_ptr<const MeshSource>& source, Context& context) {
-  static KnownTriangles all;
-  const bool is_kept = has_polygons(source->mesh);
-  SharedTriangles triangles = is_kept ? all.find(source) : nullptr;
-  if (triangles != nullptr) return triangles;
-  triangles =
-      std::make_shared<const std::vector<FaceTriangle>>(triangles_of_faces(source->mesh, context));
-  if (is_kept) all.add(source, triangles);
+SourceTrianglesCache::Triangles triangles_of_source(const MeshSource& source, Context& context) {
+  const bool is_kept = has_polygons(source.mesh);
+  if (auto kept = is_kept ? source.triangles.get() : nullptr) return kept;
+  auto triangles =
+      std::make_shared<const std::vector<FaceTriangle>>(triangles_of_faces(source.mesh, context));
+  if (is_kept) source.triangles.set(triangles);
   return triangles;
 }
 

@@ -1,7 +1,6 @@
 // The triangles over which the channels of a mesh are linear. Internal.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "plumb/base/context.h"
@@ -17,10 +16,9 @@ namespace plumb {
 /// the set. Triangles without area are left out. Throws the errors of the Context. O(n log n).
 std::vector<FaceTriangle> triangles_of_faces(const PolygonMesh& mesh, Context& context);
 
-/// Returns the same triangles for the mesh of a source. If it has polygons, they are kept while the
-/// source exists, because the pieces of a set (decompose.h) have the same sources. At most 64
-/// sources are remembered. Can be called from several threads at once.
-std::shared_ptr<const std::vector<FaceTriangle>> triangles_of_source(
-    const std::shared_ptr<const MeshSource>& source, Context& context);
+/// Returns the same triangles for the mesh of a source. If it has polygons, the source keeps them,
+/// because the pieces of a set (decompose.h) have the same sources. Can be called from several
+/// threads at once.
+SourceTrianglesCache::Triangles triangles_of_source(const MeshSource& source, Context& context);
 
 }  // namespace plumb

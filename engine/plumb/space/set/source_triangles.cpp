@@ -141,7 +141,7 @@ void SourceTriangles::add_triangles(std::uint32_t source, Context& context) {
   moves_.emplace_back();
   if (!is_identity(map)) moves_.back().emplace(map);
   add_exact_points(source, context);
-  const auto triangles = triangles_of_source(mesh_source, context);
+  const auto triangles = triangles_of_source(*mesh_source, context);
   for (const FaceTriangle& t : *triangles) {
     triangles_.push_back({source, t.face, t.corner, {}, false});
   }
