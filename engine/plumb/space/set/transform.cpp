@@ -142,8 +142,9 @@ class Images {
       const SpacePoint image = image_of_line_point(source, v);
       if (image.is_valid()) return image;
     } else {
-      return tables_->points.add((*this)(source.plane(0)).plane(), (*this)(source.plane(1)).plane(),
-                                 (*this)(source.plane(2)).plane());
+      std::array<PlaneId, 3> planes;
+      for (std::size_t i = 3; i-- > 0;) planes[i] = (*this)(source.plane(i)).plane();
+      return tables_->points.add(planes[0], planes[1], planes[2]);
     }
     return add_point(*tables_, whole_map_.image_of_point(homogeneous(points, p)));
   }
@@ -344,9 +345,7 @@ class Images {
   /// Maps the planes that define the image of a constructed point.
   void map_planes_of(const FixedMap& map, const PointSource& source, VertexId v, Block& block) {
     if (!source.is_line() || has_known_ends(source)) {
-      for (std::size_t i = 0; i < source.plane_count(); ++i) {
-        map_plane(map, source.plane(i), block);
-      }
+      for (std::size_t i = source.plane_count(); i-- > 0;) map_plane(map, source.plane(i), block);
       return;
     }
     const std::array<PlaneId, 2>* first = nullptr;
