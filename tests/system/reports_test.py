@@ -167,11 +167,11 @@ ROWS = [
     # A filled polygon of DXF is an area.
     Row("43-solid-of-dxf", "plane info solid.dxf -q", 0, "area 6\n", "warning"),
     # Rings whose last position is not the first one again: an edge closes them, which is told.
-    *[Row("45-ring-without-its-last-position", "plane info " + name, 0, ("area 6\n", "closed by an edge"))
+    *[Row("49-ring-without-its-last-position", "plane info " + name, 0, ("area 6\n", "closed by an edge"))
       for name in ("open.wkt", "open.geojson")],
-    Row("45-ring-without-its-last-position", "map check open.geojson", 0, ("1 feature, 0 overlaps", "closed by an edge")),
+    Row("49-ring-without-its-last-position", "map check open.geojson", 0, ("1 feature, 0 overlaps", "closed by an edge")),
     # Illustrator states fill rules and hides elements by style sheets.
-    Row("46-svg-style-sheet", "plane info classes.svg", 0, "area 9\n", "style sheet"),
+    Row("50-svg-style-sheet", "plane info classes.svg", 0, "area 9\n", "style sheet"),
     # A model without volume: told, also with -q.
     Row("44-empty-model", "solid csg flat.csg -q -o OUT.off", 0, "warning: the model is empty"),
     # Extrusions of OpenSCAD that name a drawing themselves.
