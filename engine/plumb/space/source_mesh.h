@@ -31,8 +31,8 @@ namespace plumb {
 struct FaceTriangle;
 
 /// What mesh_with_attributes() computes once for a source and keeps for the next set with the same
-/// source: the triangles of its polygons. A copy of a source keeps nothing. Can be used from several
-/// threads at once.
+/// source: the triangles of its polygons. A copy of a source keeps nothing. Several threads can use
+/// it at once.
 class SourceTrianglesCache {
  public:
   /// The triangles, or null.
