@@ -113,11 +113,11 @@ struct CsgTree {
   std::vector<Nef2> shapes;            ///< Sets of the plane that were read from files.
   std::string file;                    ///< The name of the file in messages; may be empty.
 
-  /// Returns the numbers of a node.
+  /// Returns the entries of `numbers` that belong to the node. CsgKind states their meaning.
   [[nodiscard]] std::span<const double> numbers_of(const Node& node) const {
     return std::span(numbers).subspan(node.first_number, node.number_count);
   }
-  /// Returns the indices of a node.
+  /// Returns the entries of `indices` that belong to the node. CsgKind states their meaning.
   [[nodiscard]] std::span<const std::uint32_t> indices_of(const Node& node) const {
     return std::span(indices).subspan(node.first_index, node.index_count);
   }

@@ -70,8 +70,9 @@ enum class CsgWork : std::uint8_t {
 
 /// A report about one node of an evaluated tree.
 struct CsgNodeReport {
-  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of the node's value.
-  CsgWork work = CsgWork::LeftOut;                 ///< The way in which the node's value was found.
+  /// Whether the node's value is a set of the plane, a set of space, or nothing.
+  CsgDimension dimension = CsgDimension::Nothing;
+  CsgWork work = CsgWork::LeftOut;  ///< The way in which the node's value was found.
   /// If `work` is Shared, the index of the node whose value was taken. Otherwise the index of this
   /// node.
   std::uint32_t same_as = 0;
@@ -84,7 +85,8 @@ struct CsgNodeReport {
 
 /// The value of a tree.
 struct CsgResult {
-  CsgDimension dimension = CsgDimension::Nothing;  ///< The kind of the value.
+  /// Whether the value is a set of the plane, a set of space, or nothing.
+  CsgDimension dimension = CsgDimension::Nothing;
   Nef2 shape;                        ///< The value, if it is a set of the plane; otherwise empty.
   Nef3 solid;                        ///< The value, if it is a set of space; otherwise empty.
   std::vector<CsgNodeReport> nodes;  ///< A report for each node.

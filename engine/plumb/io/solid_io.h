@@ -42,7 +42,9 @@ struct SolidReadOptions {
   /// number. If no rule is given, the rule is Positive. In this case, the reader first flips each
   /// component of the mesh that has a negative volume and lies in no other component.
   std::optional<WindingRule> rule;
-  bool surface = false;  ///< Whether the set of an open mesh is the union of its facets.
+  /// Whether the set is the union of the facets of the mesh, instead of the volumes that they
+  /// bound. The mesh may then be open.
+  bool surface = false;
   /// Whether a number with a decimal point or an exponent is read exactly. Otherwise such a number
   /// is rounded to the nearest double.
   bool exact_decimals = false;

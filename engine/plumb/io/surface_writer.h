@@ -23,7 +23,7 @@ using CellChoice = std::span<const std::uint8_t>;
 
 /// Writes the triangles of the chosen cells as OBJ. Coordinates are doubles. The triangles of a
 /// cell form a group; the group of cell 3 is `g cell_3`. `cells` is the number of all cells of the
-/// division.
+/// divided surface.
 void write_surface_obj(std::ostream& out, const SurfaceTriangulation& triangles, std::size_t cells,
                        CellChoice chosen);
 /// Writes the triangles of the chosen cells as text PLY. Coordinates are doubles. Each triangle has

@@ -27,7 +27,8 @@
 //
 // Middle: the middle of the drawing is determined as follows:
 //   - If the drawing has a viewBox, the middle is the middle of this box.
-//   - Otherwise, if width and height are both lengths, the middle is (width / 2, height / 2).
+//   - Otherwise, if width and height are given and neither is a percentage, the middle is
+//     (width / 2, height / 2).
 //   - In all other cases the middle is the origin of the drawing.
 #pragma once
 

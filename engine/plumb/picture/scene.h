@@ -43,7 +43,7 @@ enum class Paint : std::uint8_t {
   Region5,      ///< A region of a map.
   Region6,      ///< A region of a map.
   Surface,      ///< The mesh on which polygons lie. Used if no shown layer has tints.
-  Wire,         ///< A side of a triangle.
+  Wire,         ///< In the layer `slices` of a divided surface: a side of a triangle.
   Control,      ///< A control point of a polygon.
   Crossing,     ///< A point where polygons meet.
   Curve,        ///< A polygon on a surface. Six paints serve to distinguish shapes.

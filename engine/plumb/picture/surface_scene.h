@@ -24,7 +24,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// The layers of a picture of a division.
+/// The layers of the scene of a divided surface.
 enum class SurfaceLayer : std::uint8_t { Polygons, Slices, Cells, Labels, Result };
 /// Returns the bit that stands for a layer in Scene::shown.
 inline constexpr std::uint8_t bit(SurfaceLayer layer) {
@@ -37,9 +37,9 @@ inline constexpr std::array<std::string_view, 5> kSurfaceLayerNames{"polygons", 
 /// Returns the name of a layer, such as "polygons".
 std::string layer_name(SurfaceLayer layer);
 
-/// Returns the scene of a division with all its layers. The layer SurfaceLayer::Result exists only
-/// if `result` is not null. The patches of a cell form a group. The caller sets Scene::shown to
-/// select the layers that are shown. Cost: O(n log n) for n triangles.
+/// Returns the scene of a divided surface with all its layers. The layer SurfaceLayer::Result
+/// exists only if `result` is not null. The patches of a cell form a group. The caller sets
+/// Scene::shown to select the layers that are shown. Cost: O(n log n) for n triangles.
 Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& triangles,
                const SurfaceResult* result);
 /// Returns the scene of a division in which cells with equal labels have equal colours. If `result`
@@ -48,7 +48,8 @@ Scene scene_of(const SurfaceDivision& division, const SurfaceTriangulation& tria
 Scene labelled_scene(const SurfaceDivision& division, const SurfaceResult* result,
                      Context& context = unlimited_context());
 
-/// Returns facts about a division in one line, such as "3456 triangles, 12 segments, 4 cells".
+/// Returns facts about a divided surface in one line, such as "3456 triangles, 12 segments, 4
+/// cells".
 std::string facts_of(const SurfaceDivision& division);
 /// Returns the name of a shape in expressions. Shapes 0 to 25 are called "A" to "Z". The following
 /// shapes are called "s26", "s27" and so on.

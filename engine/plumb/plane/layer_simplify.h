@@ -13,7 +13,7 @@
 // conditions hold: the closed triangle u v w contains no other corner, and no edge joins u and w
 // already. The segment u w then replaces the segments u v and v w. Both conditions are decided
 // exactly. The removal then makes no borders cross or touch. By the first condition, no other edge
-// ends in the triangle. An edge without an end in the triangle that crosses u w would also cross u
+// ends in the triangle. An edge that crosses u w and has no end in the triangle would also cross u
 // v or v w. This is impossible, because edges of borders do not cross. So no polygon or hole
 // vanishes, features have the same neighbours as before, and every ring keeps at least three
 // corners. A corner where three or more borders meet is never removed.

@@ -177,8 +177,8 @@ struct MeshComplex {
   std::vector<std::pair<FacetId, FacetId>> crossings;
   /// For each vertex, 1 if find_fans() found that the corners at the vertex form a fan
   /// (mesh_topology.h), or if the mesh is star-shaped (star_shape.h), else 0. At such a vertex the
-  /// corners form one ring, and none of them cross. The list is empty after the volumes have been
-  /// found.
+  /// sectors of the facets form one ring, and no two of them cross. The list is empty after the
+  /// volumes have been found.
   std::vector<std::uint8_t> has_fan;
   // arrange() fills the next two fields.
   /// For each facet, the index in `sheet` at which its sheets start. The last entry is the size of

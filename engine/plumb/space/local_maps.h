@@ -1,8 +1,8 @@
 // Computes sphere maps. The sphere map at a vertex, edge or facet of a complex is the intersection
 // of the complex with a small sphere around a point of that cell.
 //
-//   vertex   the half-edges at the vertex are points of the map, the corners of facets are arcs,
-//            and the parts of volumes around the vertex are faces
+//   vertex   the half-edges at the vertex are points of the map, the sectors of facets at the
+//            vertex are arcs, and the parts of volumes around the vertex are faces
 //   edge     the map has two opposite points, which are joined by one half-circle for each edge use
 //            (an occurrence of the edge on the boundary of a facet, space_complex.h)
 //   facet    the map consists of a great circle (a loop) between two faces

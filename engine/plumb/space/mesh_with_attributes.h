@@ -91,7 +91,7 @@ struct FaceSource {
   /// The index of the face in the mesh of the source. If pieces were joined, this is the least of
   /// the indices of their faces.
   std::uint32_t face = kNone;
-  bool is_flipped = false;  ///< Whether the face and the face of the source have opposite sides.
+  bool is_flipped = false;  ///< Whether the face and its source face have opposite orientations.
   friend bool operator==(const FaceSource&, const FaceSource&) = default;
 };
 

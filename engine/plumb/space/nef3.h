@@ -253,7 +253,7 @@ class Nef3 {
   /// plane, or if a, b and c are all 0.
   [[nodiscard]] static Nef3 half_space(const Plane3& plane, const RationalPoint3& kept,
                                        Boundary boundary);
-  /// Returns the points of a plane. Throws Error{BadArgument} if a, b and c are all 0.
+  /// Returns the set of all points of a plane. Throws Error{BadArgument} if a, b and c are all 0.
   [[nodiscard]] static Nef3 plane(const Plane3& plane);
   /// Returns the intersection of any number of half-spaces. If there are no half-spaces, the result
   /// is the whole space.

@@ -40,7 +40,7 @@ struct SpaceFlaw {
 /// - Let k be the number of vertices, edges and holes that lie inside a facet or in its box. The
 ///   facet costs O(k) times the number of cycles whose boxes contain these vertices, edges and
 ///   holes.
-/// - A vertex of degree d costs O(d^2) if the corners around it do not form a fan
+/// - A vertex of degree d costs O(d^2) if the sectors of the facets at it do not form a fan
 ///   (mesh_topology.h).
 ///
 /// The audit takes about as much memory as the complex.

@@ -4,7 +4,7 @@
 // Main flow of mesh_of_complex():
 //  1. boundary_sides   finds the facets between a marked and an unmarked volume. Each of these
 //                      facets is seen from the side of the unmarked volume
-//  2. mesh_of_sides    groups the corners of facets around each vertex into cones. A cone is a part
+//  2. mesh_of_sides    groups the sectors of the facets at each vertex into cones. A cone is a part
 //                      of the solid near the vertex that touches the other parts only in the vertex
 //                      or in edges. Then the step makes the vertices of the mesh, and finally its
 //                      polygons or triangles

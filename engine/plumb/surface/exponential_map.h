@@ -73,7 +73,7 @@ class ExponentialMap {
 
  private:
   struct Line;
-  /// The corners around a vertex, counter-clockwise.
+  /// The sectors of the faces around a vertex, counter-clockwise.
   struct Fan {
     std::vector<HalfedgeId> halfedges;  ///< The half-edges that leave the vertex.
     /// For each half-edge, the angle from the first half-edge to this half-edge. The last entry is
@@ -103,7 +103,7 @@ class ExponentialMap {
   FaceId face_;
   std::array<double, 3> weights_;
   std::size_t corner_ = kInside;  // The corner of face_ that is the centre, or kInside.
-  Fan fan_;                       // The corners around the centre if it is a vertex.
+  Fan fan_;                       // The sectors of the faces around the centre if it is a vertex.
   double angle_before_ = 0;       // The angle of the corner `corner_` in fan_.
   Point2 x_axis_;                 // The x axis in the layout of face_.
 

@@ -25,7 +25,7 @@
 // segments may run along edges. Polygons may touch, overlap or coincide. A polygon may also turn
 // round and run back along itself.
 //
-// Cost of a division is the sum of:
+// The cost of making a SurfaceDivision is the sum of:
 // - O(n) for n faces,
 // - O((s + k) log(s + k)) for s segments and k crossings,
 // - the number of pairs of segments that lie in the same face and whose boxes meet,

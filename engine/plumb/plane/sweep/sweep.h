@@ -20,8 +20,9 @@
 // Infinity: ends of curves at infinity have no coordinates. The sweep treats them as follows:
 //   - Curves from the left infinity are in the status at the start. Of two such curves with
 //     different slopes, the curve with the greater slope is below the other.
-//   - A vertical curve from infinity below starts in an event before all points with the same x. A
-//     vertical curve to infinity above ends in an event after all points with the same x.
+//   - The event at which a vertical curve without a lower end starts comes before all points with
+//     the same x. The event at which a vertical curve without an upper end ends comes after all
+//     points with the same x.
 //   - Two curves to the right infinity cross before they reach infinity if and only if the lower
 //     curve has the greater slope.
 //
@@ -102,11 +103,11 @@ struct SweepCurve {
 
 /// The kinds of events. LeftInfinity can only be the first event, and RightInfinity only the last.
 enum class SweepPlace : std::uint8_t {
-  LeftInfinity,   ///< All curves from the left infinity start, as outgoing bundles.
-  VerticalStart,  ///< Coincident vertical curves from infinity below start, as one bundle.
+  LeftInfinity,   ///< All curves without a left end start, as outgoing bundles.
+  VerticalStart,  ///< A bundle of vertical curves starts. These curves have no lower end.
   Point,          ///< An end point, a stop (see sweep()) or a crossing.
-  VerticalEnd,    ///< Coincident vertical curves to infinity above end, as one bundle.
-  RightInfinity,  ///< All curves to the right infinity end, as incoming bundles.
+  VerticalEnd,    ///< A bundle of vertical curves ends. These curves have no upper end.
+  RightInfinity,  ///< All curves without a right end end here, as incoming bundles.
 };
 
 /// An event at a point or at infinity (SweepPlace), with the curves that start, end or pass there.

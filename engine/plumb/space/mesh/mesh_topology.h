@@ -94,11 +94,11 @@ MeshComponents find_components(const SpaceComplex& complex, std::span<const std:
 
 // Fans: vertices around which the facets of a complex cannot cross, found by a few comparisons.
 //
-// Seen along a coordinate axis, the corners around a vertex may lie side by side and go around it
-// once: a fan. The view of a fan is one to one: edges leave the vertex in different directions, no
-// corner holds another, and triangles, which lie within their corners, have only the vertex and the
-// edges between them in common. In most meshes most vertices have one, which spares the exact test
-// of some nine pairs of triangles for each.
+// The sectors at a vertex form a fan if, projected along some coordinate axis, they do not overlap
+// and together go around the vertex exactly once. The view of a fan is one to one: edges leave the
+// vertex in different directions, no corner holds another, and triangles, which lie within their
+// corners, have only the vertex and the edges between them in common. In most meshes most vertices
+// have one, which spares the exact test of some nine pairs of triangles for each.
 //
 // Main flow of find_fans(), for the three axes at once:
 //  1. sides  finds, from the plane's row, which side of each facet is seen along the axis

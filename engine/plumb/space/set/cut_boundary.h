@@ -25,7 +25,7 @@ enum class PieceCover : std::uint8_t {
 struct BoundaryPiece {
   FacetId facet;           ///< The facet of the set.
   std::uint32_t triangle;  ///< The triangle in SourceTriangles, or kNone.
-  bool is_flipped;         ///< Whether triangle and boundary have opposite sides.
+  bool is_flipped;         ///< Whether the piece and the triangle have opposite orientations.
   PieceCover cover;        ///< The relation of the piece and the triangle.
 };
 

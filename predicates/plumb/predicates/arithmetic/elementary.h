@@ -17,8 +17,8 @@ namespace plumb {
 [[nodiscard]] double sine(double angle);
 /// Returns the cosine of an angle in radians. Requires a finite angle.
 [[nodiscard]] double cosine(double angle);
-/// Returns the vector (cosine(angle), sine(angle)) in about the time of one of them. Requires a
-/// finite angle.
+/// Returns the vector (cosine(angle), sine(angle)). This takes about as long as sine(angle) alone.
+/// Requires a finite angle.
 [[nodiscard]] Point2 direction_at(double angle);
 /// Returns the tangent of an angle in radians. Requires a finite angle.
 [[nodiscard]] double tangent(double angle);

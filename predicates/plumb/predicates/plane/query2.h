@@ -12,7 +12,7 @@
 #pragma GCC visibility push(default)
 namespace plumb {
 
-/// A point of a query.
+/// A point of the plane that is passed to a query, with double or rational coordinates.
 class QueryPoint2 {
  public:
   /// Constructs a query point with double coordinates. Requires finite coordinates.

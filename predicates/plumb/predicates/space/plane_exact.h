@@ -119,7 +119,7 @@ struct Operand {
   int width;
 };
 
-/// Returns the operand of a plane.
+/// Returns the Operand for a plane, without computing its coefficients.
 Operand operand(const PlaneTable& table, const PlaneSource& source);
 inline Operand operand(const PlaneTable& table, PlaneId plane) {
   return operand(table, table.source(plane));

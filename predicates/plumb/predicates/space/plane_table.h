@@ -73,8 +73,8 @@ class OrientedPlane {
   constexpr PlaneId plane() const { return PlaneId(code_ >> 1); }
   /// Whether the normal is opposite to the canonical normal.
   constexpr bool is_opposite() const { return (code_ & 1) != 0; }
-  /// Returns a factor for sides of points. The side of the oriented plane on which a point lies is
-  /// orientation() times the side of plane() on which the point lies.
+  /// Returns Negative if is_opposite(), otherwise Positive. The side of the oriented plane on which
+  /// a point lies is orientation() times the side of plane() on which the point lies.
   constexpr Sign orientation() const { return is_opposite() ? Sign::Negative : Sign::Positive; }
   /// Returns the same plane with the other direction.
   constexpr OrientedPlane opposite() const { return {plane(), !is_opposite()}; }
