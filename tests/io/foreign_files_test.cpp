@@ -145,7 +145,7 @@ TEST(foreign_files, own_kinds_keep_their_messages) {
   Context context;
   for (const std::string text :
        {"CURVEPOLYGON (CIRCULARSTRING (0 0, 1 1, 2 0, 0 0), (0 0,POLYGON", "SRID = 1; POLYGON",
-        "polygon ((0 0, 1 0, 0 1))", "MULTISURFACE (POLYGON ((0 0,1 0)),POLYGON ((0 0,1 0)))"}) {
+        "polygon ((0 0, 1 0))", "MULTISURFACE (POLYGON ((0 0,1 0)),POLYGON ((0 0,1 0)))"}) {
     try {
       (void)read_plane_set(text, PlaneFormat::Wkt, named(), context);
       ADD_FAILURE() << "was read: " << text;

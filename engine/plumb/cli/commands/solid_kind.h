@@ -47,7 +47,7 @@ const char* name_of(SpaceItem::Kind kind);
 struct Solid {
   using Set = Nef3;
   using Input = SolidInput;
-  static constexpr const char* kHelp = "A mesh (.off .obj .stl .ply .glb .3mf .amf), .nef or -";
+  static constexpr const char* kHelp = "Mesh (.off .obj .stl .ply .glb .3mf .amf), .nef, -";
   static constexpr std::array<const char*, 3> kAxes{"X", "Y", "Z"};
 
   static ProgressStage reading() { return reading_solid(); }
