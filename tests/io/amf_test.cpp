@@ -119,7 +119,29 @@ TEST_F(Amf, RotationsAreAboutXThenYThenZ) {
   EXPECT_EQ(volume_of(amf(object(0) +
                           constellation(0, instance(0, "<scale>2</scale><scalex>3</scalex>")))),
             Rational(4));
-  EXPECT_TRUE(turned("<mirrorx>1</mirrorx><mirrory>0</mirrory>", {-tenth, tenth, tenth}));
+  EXPECT_TRUE(turned("<mirrorx>-1</mirrorx><mirrory>1</mirrory>", {-tenth, tenth, tenth}));
+  EXPECT_TRUE(turned("<mirrorx>1</mirrorx><mirrory>1</mirrory><mirrorz>1</mirrorz>",
+                     {tenth, tenth, tenth}));
+}
+
+// Slic3r and its descendants write radians with nine digits: a right angle is exact.
+TEST_F(Amf, Slic3rWritesRadians) {
+  const Rational tenth = Rational(1) / 10;
+  for (const std::string metadata : {R"(<metadata type="cad">Slic3r 1.3.0</metadata>)",
+                                     R"(<metadata type="cad">PrusaSlicer 2.6.0</metadata>)",
+                                     R"(<metadata type="slic3rpe_amf_version">5</metadata>)"}) {
+    const std::string text =
+        amf(metadata + object(0) + constellation(0, instance(0, "<rz>1.57079633</rz>")));
+    EXPECT_TRUE(contains(text, {-tenth, tenth, tenth})) << metadata;
+    EXPECT_FALSE(contains(text, {tenth, tenth, tenth})) << metadata;
+    EXPECT_EQ(volume_of(text), Rational(1) / 6) << metadata;
+  }
+  const std::string other = amf(R"(<metadata type="cad">OpenSCAD</metadata>)" + object(0) +
+                                constellation(0, instance(0, "<rz>90</rz>")));
+  EXPECT_TRUE(contains(other, {-tenth, tenth, tenth}));
+  // All settings of a program may be in one text.
+  const std::string settings = "<metadata type=\"slic3r.config\">" + std::string(3U << 20U, 'x');
+  EXPECT_EQ(volume_of(amf(settings + "</metadata>" + object(0))), Rational(1) / 6);
 }
 
 TEST_F(Amf, VolumesThatAreNoPartsAreLeftOut) {

@@ -71,6 +71,13 @@ TEST(CsgReader, ParametersHaveNamesPlacesAndDefaults) {
             (std::vector<double>{5, 1, 0, 0, 7, 12, 2}));
   EXPECT_EQ(numbers_of("sphere($fa = 0, $fs = -1, r = 3);"),
             (std::vector<double>{3, 0, 0.01, 0.01}));
+  // The number of chords that OpenSCAD makes: nan is no bound, and inf leaves five.
+  EXPECT_EQ(numbers_of("sphere($fa = nan, $fs = 2, r = 3);"),
+            (std::vector<double>{3, 0, 1e-200, 2}));
+  EXPECT_EQ(numbers_of("sphere($fa = nan, $fs = nan, r = 3);"),
+            (std::vector<double>{3, 0, 1e200, 1e-200}));
+  EXPECT_EQ(numbers_of("sphere($fa = inf, $fs = 2, r = 3);"),
+            (std::vector<double>{3, 0, 1e200, 2}));
   EXPECT_EQ(numbers_of("offset(delta = -2, chamfer = true);"),
             (std::vector<double>{-2, 2, 0, 12, 2}));
   EXPECT_EQ(numbers_of("multmatrix([[1, 2, 3, 4], [5, 6, 7, 8], [9, 10, 11, 12], [0, 0, 0, 1]]);"),

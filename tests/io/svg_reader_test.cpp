@@ -419,14 +419,24 @@ TEST(svg_reader, style_sheets_apply_to_the_whole_drawing) {
   EXPECT_EQ(shapes("style='display:inline'", "rect{display:none}"), 1U);
   EXPECT_EQ(shapes("style='display:inline'", "rect{display:none !important}"), 0U);
   EXPECT_EQ(shapes("style='display:inline!important'", "rect{display:none!important}"), 1U);
+  EXPECT_EQ(shapes("class='a'", ".A{display:none} .a{display:NONE}"), 0U);
+  EXPECT_EQ(
+      drawn("<style>svg{display:none}</style><g><rect width='1' height='1'/></g>").shape_count(),
+      0U);
   const SvgDrawing drawing = drawn(
       "<style>.e{fill-rule:evenodd}</style><g class='e'><rect width='1' height='1'/></g>"
       "<rect width='1' height='1'/><style media='print'>rect{display:none}</style>");
   EXPECT_EQ(drawing.is_even_odd, (std::vector<std::uint8_t>{1, 0}));
   EXPECT_TRUE(drawing.notes.empty());
-  EXPECT_EQ(drawn("<style>.a{fill:red}</style><style>g > .b{display:none}</style>").notes,
-            (std::vector<std::string>{
-                "a rule of the style sheet is not applied: 'g > .b' sets display"}));
+  for (const std::string child : {">", "&gt;", "&#62;"}) {
+    const SvgDrawing kept =
+        drawn("<style>.a{fill:red}</style><style>g " + child +
+              " .b{display:none}</style><rect class='b' width='1' height='1'/>");
+    EXPECT_EQ(kept.shape_count(), 1U) << child;
+    EXPECT_EQ(kept.notes, (std::vector<std::string>{
+                              "a rule of the style sheet is not applied: 'g > .b' sets display"}))
+        << child;
+  }
 }
 
 /// Old versions of Illustrator declare entities for name spaces.

@@ -93,7 +93,9 @@ TEST(SvgStyleSheet, reads_what_programs_write) {
         "<![CDATA[.a{fill-rule:evenodd}]]>", "@charset \"utf-8\";.a{fill-rule:evenodd}",
         "*.a{fill-rule:evenodd}", "@media print{.a{fill-rule:nonzero}}.a{fill-rule:evenodd}",
         ".a{fill-rule:evenodd}<!-- .a{fill-rule:nonzero} -->",
-        ".a{fill-rule:nonzero;fill-rule:evenodd}", ".a{;;clip-rule:nonzero;fill-rule:evenodd;;}"}) {
+        ".a{fill-rule:nonzero;fill-rule:evenodd}", ".a{;;clip-rule:nonzero;fill-rule:evenodd;;}",
+        ".a{FILL-Rule:nonzero;Fill-Rule:evenodd}",
+        ".a{fill-rule:evenodd ! IMPORTANT;fill-rule:nonzero}"}) {
     SvgStyleSheet rules;
     rules.add(sheet, unlimited_context());
     EXPECT_EQ(rules.value("fill-rule", {"path", "", "a"}).value, "evenodd") << sheet;
@@ -111,7 +113,7 @@ TEST(SvgStyleSheet, reads_what_programs_write) {
 TEST(SvgStyleSheet, names_the_selectors_that_are_not_applied) {
   SvgStyleSheet rules;
   rules.add(
-      "g .a, .b{display:none} a:hover{visibility:hidden} g>.c{fill:red} @media "
+      "g &gt; .x{fill:red} g .a, .b{display:none} a:hover{visibility:hidden} g>.c{fill:red} @media "
       "print{.b{fill-rule:nonzero}}",
       unlimited_context());
   const std::map<std::string_view, std::string_view> expected{

@@ -142,6 +142,7 @@ class SvgReader {
   // The elements by their ids, after a use has requested one.
   std::map<std::string_view, XmlScanner> elements_;
   bool has_ids_ = false;
+  bool is_undrawn_root_ = false;  // Whether nothing of the drawing is drawn.
   std::vector<Use> uses_;         // The uses that are being read. The innermost is last.
   std::uint64_t used_bytes_ = 0;  // The size of all elements that uses have placed.
   std::set<std::string_view> left_out_;
@@ -231,6 +232,7 @@ void SvgReader::start_root() {
   }
   sizes_.push_back({width, height});
   read_style_sheets();
+  is_undrawn_root_ = is_css_word(property("display"), "none");
   set_frame(x, y, width, height);
   even_odd_.push_back(is_even_odd(false) ? 1 : 0);
   hidden_.push_back(is_hidden(false) ? 1 : 0);
@@ -294,14 +296,14 @@ std::string_view SvgReader::property(std::string_view name) const {
 /// Returns whether the fill rule of the element that started last is evenodd.
 bool SvgReader::is_even_odd(bool inherited) const {
   const std::string_view rule = property("fill-rule");
-  if (rule == "evenodd") return true;
-  return rule == "nonzero" ? false : inherited;
+  if (is_css_word(rule, "evenodd")) return true;
+  return is_css_word(rule, "nonzero") ? false : inherited;
 }
 
 bool SvgReader::is_hidden(bool inherited) const {
   const std::string_view visibility = property("visibility");
-  if (visibility == "hidden" || visibility == "collapse") return true;
-  return visibility == "visible" ? false : inherited;
+  if (is_css_word(visibility, "hidden") || is_css_word(visibility, "collapse")) return true;
+  return is_css_word(visibility, "visible") ? false : inherited;
 }
 
 /// Reads all style sheets of the drawing but those for print and other media.
@@ -310,9 +312,9 @@ void SvgReader::read_style_sheets() {
   XmlScanner all = document_;
   for (auto event = all.next(); event != XmlScanner::Event::Done; event = all.next()) {
     if (event != XmlScanner::Event::Start || plain_name(all.element()) != "style") continue;
-    const std::string_view media = all.attribute("media").value_or("all");
+    const std::string_view media = trimmed_value(all.attribute("media").value_or(""));
     const bool is_for_screens =
-        media.find("all") != media.npos || media.find("screen") != media.npos;
+        media.empty() || is_css_word(media, "all") || is_css_word(media.substr(0, 6), "screen");
     const char* const begin = all.tag();
     while (all.next() == XmlScanner::Event::Start) {
     }
@@ -456,7 +458,8 @@ void SvgReader::start_element() {
                         name == "switch" || (name == "symbol" && is_used_root());
   const bool is_left_out = std::ranges::count(kLeftOut, name) > 0;
   if ((is_group || is_left_out || kind != kKinds.end()) && !is_chosen()) return skip_element();
-  if ((kind == kKinds.end() && !is_group) || property("display") == "none") {
+  if ((kind == kKinds.end() && !is_group) || is_undrawn_root_ ||
+      is_css_word(property("display"), "none")) {
     if (is_left_out) left_out_.insert(name);
     return skip_element();
   }

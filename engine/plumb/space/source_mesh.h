@@ -39,7 +39,7 @@ class SourceTrianglesCache {
   using Triangles = std::shared_ptr<const std::vector<FaceTriangle>>;
 
   SourceTrianglesCache() = default;
-  SourceTrianglesCache(const SourceTrianglesCache& /*other*/) {}
+  SourceTrianglesCache(const SourceTrianglesCache& /*other*/) noexcept {}
   SourceTrianglesCache& operator=(const SourceTrianglesCache& /*other*/) {
     set(nullptr);
     return *this;

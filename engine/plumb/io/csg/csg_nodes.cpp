@@ -433,10 +433,27 @@ void CsgNodes::count_entries(CsgTree::Node& node) const {
   node.index_count = static_cast<std::uint32_t>(tree_.indices.size() - node.first_index);
 }
 
+/// Bounds of chords that never decide, and that always leave the fewest chords.
+constexpr double kNoBound = 1e-200, kWeakestBound = 1e200;
+
 /// Zero or negative angles and lengths would divide a circle into endlessly many chords; OpenSCAD
 /// takes 0.01 instead.
 CircleDivision CsgNodes::division() {
-  return {fragments(), std::max(number("$fa", 12), 0.01), std::max(number("$fs", 2), 0.01)};
+  const double angle = bound_of_chords("$fa", 12), length = bound_of_chords("$fs", 2);
+  return {fragments(), std::max(angle, length) == kNoBound ? kWeakestBound : angle, length};
+}
+
+/// Returns $fa or $fs. As in OpenSCAD, nan is no bound, so the other one decides alone; inf is the
+/// weakest bound, so a circle has five chords.
+double CsgNodes::bound_of_chords(const char* name, double otherwise) {
+  constexpr double kLeast = 0.01;
+  const std::optional<CsgValue> value = find(name);
+  if (!value || value->kind != Kind::Number || std::isfinite(value->number)) {
+    return std::max(number(name, otherwise), kLeast);
+  }
+  add_warning(std::string(name) + " is not finite");
+  if (std::isnan(value->number)) return kNoBound;
+  return value->number > 0 ? kWeakestBound : kLeast;
 }
 
 /// Returns $fn. As in OpenSCAD, a number that is not finite counts as 3.

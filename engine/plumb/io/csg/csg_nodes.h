@@ -82,6 +82,7 @@ class CsgNodes {
   CircleDivision division();
   void empty_last_node();
   double fragments();
+  double bound_of_chords(const char* name, double otherwise);
   void note_unknown();
   void add_warning(const std::string& text);
   void add_note(const std::string& note);

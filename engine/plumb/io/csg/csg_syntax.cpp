@@ -30,7 +30,8 @@ bool is_modifier(char c) { return c == '#' || c == '%' || c == '!' || c == '*'; 
 constexpr std::uint64_t kNodesBetweenReports = 1024;
 /// Vectors are as deep as a matrix or a list of points, not much deeper.
 constexpr std::size_t kMostVectors = 64;
-constexpr double kNotFinite = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -249,7 +250,8 @@ void CsgScanner::read_scalar() {
   if (w == "true") return push(CsgValue::Kind::Boolean, 1, first);
   if (w == "false") return push(CsgValue::Kind::Boolean, 0, first);
   if (w == "undef") return push(CsgValue::Kind::Undefined, 0, first);
-  if (w == "inf" || w == "nan") return push(CsgValue::Kind::Number, kNotFinite, first);
+  if (w == "inf") return push(CsgValue::Kind::Number, kInfinity, first);
+  if (w == "nan") return push(CsgValue::Kind::Number, kNotANumber, first);
   p_ = first;
   if (at == end_) fail_unexpected("a value");
   fail_unexpected("a number, a vector, a text, true, false or undef");
@@ -265,7 +267,8 @@ void CsgScanner::read_number() {
   const std::string_view magnitude(digits + (*digits == '-' ? 1 : 0), last);
   if (magnitude == "inf" || magnitude == "nan") {
     p_ = last;
-    return push(CsgValue::Kind::Number, kNotFinite, first);
+    const double value = magnitude == "nan" ? kNotANumber : kInfinity;
+    return push(CsgValue::Kind::Number, *digits == '-' ? -value : value, first);
   }
   double value = 0;
   constexpr std::ptrdiff_t kMost = 64;  // Longer numbers are rare, and may be very long.

@@ -9,15 +9,18 @@
 // are in part 0 of the scene and constellations in part 1. An instance names an object, or, if
 // there is none of this id, a constellation. That is known when the file ends, as are materials.
 //
-// A rotation turns about x, then about y, then about z (ISO/ASTM 52915). Slic3r writes factors of
-// scales besides, which are applied first. Tested by tests/io/amf_test.cpp.
+// A rotation turns about x, then about y, then about z, by degrees (ISO/ASTM 52915). Slic3r and the
+// programs that descend from it write radians, and also factors of scales and of mirrors (-1
+// mirrors), which are applied first. Tested by tests/io/amf_test.cpp.
 #include "plumb/io/mesh/amf.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -52,7 +55,7 @@ enum class AmfElement : std::uint8_t {
   Volume,
   Triangle,
   Number,  // A text that is a number: a coordinate, a corner, a part of a colour or of a placement.
-  Metadata,  // Of an object or a volume.
+  Metadata,
   Color,
   Curved,  // What makes triangles curved.
   Skipped,
@@ -84,6 +87,7 @@ constexpr std::array kAmfGrammar{
     AmfRule{AmfElement::Mesh, "volume", AmfElement::Volume},
     AmfRule{AmfElement::Vertex, "normal", AmfElement::Curved},
     AmfRule{AmfElement::Vertices, "edge", AmfElement::Curved},
+    AmfRule{AmfElement::Root, "metadata", AmfElement::Metadata},
     AmfRule{AmfElement::Object, "metadata", AmfElement::Metadata},
     AmfRule{AmfElement::Volume, "metadata", AmfElement::Metadata},
     AmfRule{AmfElement::Material, "metadata", AmfElement::Metadata},
@@ -134,6 +138,15 @@ std::optional<std::uint32_t> amf_whole_number(std::string_view text) {
   return code == std::errc() && end == last && !text.empty() ? std::optional(value) : std::nullopt;
 }
 
+/// Returns an angle in degrees. Programs write nine digits of radians, so a right angle is exact if
+/// the digits are those of its multiple of pi / 2.
+double degrees_of_radians(double angle) {
+  constexpr double kRightAngle = std::numbers::pi / 2, kDigits = 1e-8;
+  const double turns = angle / kRightAngle, whole = std::round(turns);
+  return std::fabs(turns - whole) < kDigits * std::max(1.0, std::fabs(whole)) ? 90 * whole
+                                                                              : 90 * turns;
+}
+
 class AmfReader : public XmlListener {
  public:
   AmfReader(const ReadOptions& options, const std::string& entry, std::size_t bytes,
@@ -163,6 +176,8 @@ class AmfReader : public XmlListener {
     const AmfElement element = top();
     if (skipped_depth_ > 0) return;
     if (element != AmfElement::Number && element != AmfElement::Metadata) return;
+    // The metadata of a file may be all settings of a program, which are passed over.
+    if (element == AmfElement::Metadata) part = part.substr(0, kMostText - text_.size());
     if (text_.size() + part.size() > kMostText)
       fail(ErrorCode::ResourceLimit, "a text of more than 1 MiB");
     text_ += part;
@@ -170,10 +185,12 @@ class AmfReader : public XmlListener {
 
  private:
   using Color = std::array<double, 4>;
-  /// Triangles that have the look of a material.
-  struct MaterialRange {
+  /// The triangles of a volume without a colour. They have the look of its material, or else that
+  /// of the object, each of which the file may state later.
+  struct UnpaintedVolume {
     std::size_t first, end;
-    std::uint32_t material;
+    std::optional<std::uint32_t> material;
+    std::optional<std::uint32_t> entry_of_object;
   };
 
   AmfElement top() const { return open_.empty() ? AmfElement::Outside : open_.back(); }
@@ -195,6 +212,7 @@ class AmfReader : public XmlListener {
   void end_vertex();
   void end_triangle();
   void end_volume();
+  void end_object_color();
   void end_instance();
   void end_metadata();
   void end_color();
@@ -234,7 +252,9 @@ class AmfReader : public XmlListener {
   bool is_volume_left_out_ = false;
   std::map<std::uint32_t, std::uint32_t> entry_of_material_;
   std::map<Color, std::uint32_t> entry_of_color_;
-  std::vector<MaterialRange> material_ranges_;
+  std::vector<UnpaintedVolume> unpainted_;
+  std::size_t unpainted_before_ = 0;  // Those of the objects before the one that is open.
+  bool is_of_slic3r_ = false;         // Whether rotations are in radians.
 };
 
 // ---------------------------------------------------------------- elements
@@ -252,6 +272,7 @@ void AmfReader::start(const XmlTag& tag) {
       return start_root(tag);
     case AmfElement::Object:
       object_color_.reset();
+      unpainted_before_ = unpainted_.size();
       return start_object(tag, kObjects);
     case AmfElement::Constellation:
       return start_object(tag, kConstellations);
@@ -311,6 +332,8 @@ void AmfReader::end() {
     case AmfElement::Color:
       return end_color();
     case AmfElement::Object:
+      end_object_color();
+      [[fallthrough]];
     case AmfElement::Constellation:
       object().end_point = scene_.source.point_count();
       object().end_face = static_cast<std::uint32_t>(scene_.source.face_count());
@@ -457,23 +480,29 @@ void AmfReader::end_triangle() {
   if (const auto entry = entry_of(*triangle_color_)) paint(scene_.source.face_count() - 1, *entry);
 }
 
-/// Gives the triangles of the volume that have no colour that of the volume, or of its material, or
-/// of the object.
+/// Gives the triangles of the volume that have no colour that of the volume.
 void AmfReader::end_volume() {
   const std::size_t end = scene_.source.face_count();
   if (!scene_.looks.is_kept) {
     if (volume_material_) scene_.passed.insert("materials and colours");
     return;
   }
-  if (!volume_color_ && volume_material_) {
-    scene_.charge.add(2 * sizeof(MaterialRange), "the materials of the file");
-    material_ranges_.push_back({volume_begin_, end, *volume_material_});
+  if (!volume_color_) {
+    scene_.charge.add(2 * sizeof(UnpaintedVolume), "the materials of the file");
+    unpainted_.push_back({volume_begin_, end, volume_material_, {}});
     return;
   }
-  const std::optional<Color>& color = volume_color_ ? volume_color_ : object_color_;
-  if (!color) return;
-  const auto entry = entry_of(*color);
+  const auto entry = entry_of(*volume_color_);
   for (std::size_t f = volume_begin_; entry && f < end; ++f) paint(f, *entry);
+}
+
+/// Notes the colour of the object for its volumes. It may stand behind the mesh.
+void AmfReader::end_object_color() {
+  if (!object_color_) return;
+  const auto entry = entry_of(*object_color_);
+  for (std::size_t i = unpainted_before_; i < unpainted_.size(); ++i) {
+    unpainted_[i].entry_of_object = entry;
+  }
 }
 
 /// Reads the kind of a volume that Slic3r and PrusaSlicer state, and names of objects and
@@ -481,6 +510,14 @@ void AmfReader::end_volume() {
 void AmfReader::end_metadata() {
   const std::string_view value = amf_trimmed(text_);
   const AmfElement owner = top();
+  if (owner == AmfElement::Root) {
+    const bool is_known = value.starts_with("Slic3r") || value.starts_with("PrusaSlicer") ||
+                          value.starts_with("SuperSlicer");
+    is_of_slic3r_ =
+        is_of_slic3r_ || (name_ == "cad" && is_known) || name_ == "slic3rpe_amf_version";
+    scene_.passed.insert("metadata");
+    return;
+  }
   if (owner == AmfElement::Volume) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kKinds{{
         {"ParameterModifier", "modifier volumes"},
@@ -574,14 +611,18 @@ void AmfReader::paint(std::size_t face, std::uint32_t entry) {
 
 /// Materials may come after the objects. Each triangle is in one range at most.
 void AmfReader::paint_materials() {
-  for (const MaterialRange& range : material_ranges_) {
-    const auto known = entry_of_material_.find(range.material);
-    if (known == entry_of_material_.end()) {
-      if (range.material != 0) scene_.passed.insert("references to materials that are not read");
-      continue;
+  for (const UnpaintedVolume& volume : unpainted_) {
+    std::optional<std::uint32_t> entry = volume.entry_of_object;
+    if (volume.material) {
+      const auto known = entry_of_material_.find(*volume.material);
+      if (known != entry_of_material_.end()) {
+        entry = known->second;
+      } else if (*volume.material != 0) {
+        scene_.passed.insert("references to materials that are not read");
+      }
     }
     context_.check_limits("read");
-    for (std::size_t f = range.first; f < range.end; ++f) paint(f, known->second);
+    for (std::size_t f = volume.first; entry && f < volume.end; ++f) paint(f, *entry);
   }
 }
 
@@ -611,14 +652,15 @@ void AmfReader::end_instance() {
     Rational& factor = map.matrix[axis][axis];
     if (is_given(6)) factor *= value(6);
     if (is_given(7 + axis)) factor *= value(7 + axis);
-    if (value(10 + axis) != 0) factor = -factor;
+    if (value(10 + axis) < 0) factor = -factor;
   }
   if (determinant(map) == 0) fail(ErrorCode::BadShape, "a scale of 0 makes the object flat");
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!is_given(3 + axis)) continue;
     std::array<double, 3> direction{0, 0, 0};
     direction[axis] = 1;
-    map = composed(rotation(direction, nearest_double(value(3 + axis))), map);
+    const double angle = nearest_double(value(3 + axis));
+    map = composed(rotation(direction, is_of_slic3r_ ? degrees_of_radians(angle) : angle), map);
   }
   ThreeMfTransform m;
   for (std::size_t row = 0; row < 3; ++row) {

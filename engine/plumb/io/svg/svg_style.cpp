@@ -14,7 +14,33 @@ std::string_view take_part(std::string_view& text, char end) {
   return part;
 }
 
-/// Returns a style sheet without comments of CSS and XML, and without the marks of CDATA sections.
+/// Appends the character for a reference of XML at the front of `text`, and drops the reference.
+/// Returns false if there is none that CSS could contain.
+bool take_reference(std::string_view& text, std::string& kept) {
+  struct Reference {
+    std::string_view text;
+    char character;
+  };
+  constexpr std::array<Reference, 9> kReferences{{{"&gt;", '>'},
+                                                  {"&lt;", '<'},
+                                                  {"&amp;", '&'},
+                                                  {"&quot;", '"'},
+                                                  {"&apos;", '\''},
+                                                  {"&#62;", '>'},
+                                                  {"&#x3E;", '>'},
+                                                  {"&#x3e;", '>'},
+                                                  {"&#34;", '"'}}};
+  for (const Reference& reference : kReferences) {
+    if (!text.starts_with(reference.text)) continue;
+    kept += reference.character;
+    text.remove_prefix(reference.text.size());
+    return true;
+  }
+  return false;
+}
+
+/// Returns a style sheet without comments of CSS and XML, without the marks of CDATA sections, and
+/// with the characters in place of references outside of such sections.
 std::string without_comments(std::string_view text) {
   struct Mark {
     std::string_view begin, end;
@@ -23,7 +49,11 @@ std::string without_comments(std::string_view text) {
       {{"/*", "*/"}, {"<!--", "-->"}, {"<![CDATA[", ""}, {"]]>", ""}}};
   std::string kept;
   kept.reserve(text.size());
+  bool is_literal = false;  // Whether a CDATA section is open.
   while (!text.empty()) {
+    if (!is_literal && text.front() == '&' && take_reference(text, kept)) continue;
+    if (text.starts_with("<![CDATA[")) is_literal = true;
+    if (text.starts_with("]]>")) is_literal = false;
     const auto* const mark =
         std::ranges::find_if(kMarks, [&](const Mark& m) { return text.starts_with(m.begin); });
     if (mark == kMarks.end()) {
@@ -77,15 +107,21 @@ std::string_view trimmed_value(std::string_view text) {
   return text.substr(0, text.find_last_not_of(kCssBlanks) + 1);
 }
 
+bool is_css_word(std::string_view text, std::string_view lower_case) {
+  return std::ranges::equal(text, lower_case, [](char a, char b) {
+    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+  });
+}
+
 SvgDeclaration svg_declaration(std::string_view list, std::string_view name) {
   SvgDeclaration found;
   while (!list.empty()) {
     std::string_view declaration = take_part(list, ';');
     if (declaration.find(':') == declaration.npos) continue;
-    if (trimmed_value(take_part(declaration, ':')) != name) continue;
+    if (!is_css_word(trimmed_value(take_part(declaration, ':')), name)) continue;
     const std::size_t mark = declaration.find('!');
-    const bool is_important =
-        mark != declaration.npos && trimmed_value(declaration.substr(mark + 1)) == "important";
+    const bool is_important = mark != declaration.npos &&
+                              is_css_word(trimmed_value(declaration.substr(mark + 1)), "important");
     if (found.is_important && !is_important) continue;
     found = {trimmed_value(declaration.substr(0, mark)), is_important};
   }

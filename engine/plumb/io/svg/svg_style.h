@@ -34,6 +34,9 @@ inline constexpr std::array<std::string_view, 3> kSvgProperties{"display", "visi
 /// Returns a text without the blanks at its ends.
 std::string_view trimmed_value(std::string_view text);
 
+/// Whether two words of CSS are equal; capitals do not count.
+bool is_css_word(std::string_view text, std::string_view lower_case);
+
 /// A declaration that decides the value of a property.
 struct SvgDeclaration {
   std::string_view value;  ///< Empty if no declaration applies.
