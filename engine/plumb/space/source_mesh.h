@@ -39,7 +39,9 @@ class SourceTrianglesCache {
   using Triangles = std::shared_ptr<const std::vector<FaceTriangle>>;
 
   SourceTrianglesCache() = default;
+  /// Makes a cache without triangles.
   SourceTrianglesCache(const SourceTrianglesCache& /*other*/) noexcept {}
+  /// Forgets the triangles of this cache.
   SourceTrianglesCache& operator=(const SourceTrianglesCache& /*other*/) {
     set(nullptr);
     return *this;
