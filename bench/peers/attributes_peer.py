@@ -182,13 +182,13 @@ def run_manifold(operation, a, b, has_uv):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--library", required=True, help="the shared library of plumb")
+    parser.add_argument("--library", dest="shared_library", required=True, help="the shared library of plumb")
     parser.add_argument("--depth", type=int, nargs="*", default=[3, 4, 5],
                         help="spheres of 20 * 4**DEPTH triangles")
     parser.add_argument("--pair", nargs=2, action="append", default=[], metavar=("A", "B"))
     parser.add_argument("--rounds", type=int, default=9)
     options = parser.parse_args()
-    plumb = Plumb(options.library)
+    plumb = Plumb(options.shared_library)
     rows = [("spheres", [icosphere(depth, np.array(centre))
                          for centre in ((0, 0, 0), (0.53, 0.31, 0.17))])
             for depth in options.depth]

@@ -75,4 +75,5 @@ def main():
             print("| %s %s" % (title, judged("| mapshaper", theirs, before, seconds)[1:].strip()), flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -12,8 +12,6 @@ time of the command, reading and writing included. The exit code is 1 if a resul
 import argparse
 import json
 import os
-import resource
-import subprocess
 import sys
 import tempfile
 
@@ -22,6 +20,7 @@ from shapely.geometry import shape
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tests/system"))
 from coverage_judge import flaw, polygons_of  # noqa: E402
+from layer_peer import cpu  # noqa: E402
 
 FILE = "ch-combined.json"
 PAIRS = [(year, layer) for year in ("2024", "2010", "2021-04") for layer in ("districts", "cantons")]
@@ -35,13 +34,6 @@ def package_folder(folder):
                 if os.path.exists(os.path.join(path, "2024", FILE)):
                     return path
     sys.exit("%s has no package swiss-maps" % folder)
-
-
-def cpu(command):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, check=True, capture_output=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def overlaps_of(cells):

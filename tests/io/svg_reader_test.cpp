@@ -428,7 +428,7 @@ TEST(svg_reader, style_sheets_apply_to_the_whole_drawing) {
       "<rect width='1' height='1'/><style media='print'>rect{display:none}</style>");
   EXPECT_EQ(drawing.is_even_odd, (std::vector<std::uint8_t>{1, 0}));
   EXPECT_TRUE(drawing.notes.empty());
-  for (const std::string child : {">", "&gt;", "&#62;"}) {
+  for (const std::string child : {">", "&gt;", "&#62;", "&#x03E;"}) {
     const SvgDrawing kept =
         drawn("<style>.a{fill:red}</style><style>g " + child +
               " .b{display:none}</style><rect class='b' width='1' height='1'/>");

@@ -1,6 +1,9 @@
 #include "plumb/io/svg/svg_style.h"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <utility>
 
 namespace plumb {
 namespace {
@@ -14,29 +17,31 @@ std::string_view take_part(std::string_view& text, char end) {
   return part;
 }
 
-/// Appends the character for a reference of XML at the front of `text`, and drops the reference.
-/// Returns false if there is none that CSS could contain.
+/// Appends the ASCII character for a reference of XML at the front of `text`, and drops the
+/// reference. Returns false if there is none.
 bool take_reference(std::string_view& text, std::string& kept) {
-  struct Reference {
-    std::string_view text;
-    char character;
-  };
-  constexpr std::array<Reference, 9> kReferences{{{"&gt;", '>'},
-                                                  {"&lt;", '<'},
-                                                  {"&amp;", '&'},
-                                                  {"&quot;", '"'},
-                                                  {"&apos;", '\''},
-                                                  {"&#62;", '>'},
-                                                  {"&#x3E;", '>'},
-                                                  {"&#x3e;", '>'},
-                                                  {"&#34;", '"'}}};
-  for (const Reference& reference : kReferences) {
-    if (!text.starts_with(reference.text)) continue;
-    kept += reference.character;
-    text.remove_prefix(reference.text.size());
-    return true;
+  constexpr std::size_t kLongest = 12;
+  constexpr std::array<std::pair<std::string_view, char>, 5> kNamed{
+      {{"gt", '>'}, {"lt", '<'}, {"amp", '&'}, {"quot", '"'}, {"apos", '\''}}};
+  const std::size_t end = text.substr(0, kLongest).find(';');
+  if (end == text.npos) return false;
+  const std::string_view name = text.substr(1, end - 1);
+  unsigned code = 0;
+  if (name.starts_with('#')) {
+    const int base = name.starts_with("#x") ? 16 : 10;
+    const char* const last = name.data() + name.size();
+    const auto [read, error] =
+        std::from_chars(name.data() + (base == 16 ? 2 : 1), last, code, base);
+    if (error != std::errc() || read != last) return false;
+  } else {
+    const auto* const found =
+        std::ranges::find(kNamed, name, &std::pair<std::string_view, char>::first);
+    if (found != kNamed.end()) code = static_cast<unsigned char>(found->second);
   }
-  return false;
+  if (code == 0 || code >= 0x80) return false;
+  kept += static_cast<char>(code);
+  text.remove_prefix(end + 1);
+  return true;
 }
 
 /// Returns a style sheet without comments of CSS and XML, without the marks of CDATA sections, and
