@@ -111,7 +111,7 @@ TEST(LayerReader, reads_sequences_as_one_collection) {
 
 TEST(LayerReader, leaves_out_rings_without_three_positions) {
   const LayerFile file = read_layer(feature(
-      "", R"({"type":"Polygon","coordinates":[[[0,0],[0,0],[1,0],[0,0]],[],[[1,1],[1,1]]]})"));
+      "", R"({"type":"Polygon","coordinates":[[[0,0],[0,0],[1,0],[0,0]],[],[[1,1],[2,1]]]})"));
   EXPECT_EQ(file.layer.feature_count(), 1U);
   EXPECT_EQ(file.layer.polygon_count(), 0U);
   ASSERT_EQ(file.notes.size(), 1U);

@@ -320,13 +320,9 @@ void LayerReader::end_ring() {
     return p.x == q.x && p.y == q.y;
   };
   std::vector<std::uint32_t>& corners = layer.ring_corners;
-  if (corners.size() > first && !is_equal(corners[first], corners.back())) {
-    // Some programs leave the last position out, and published TopoJSON has rings whose ends are a
-    // quantum apart.
-    ++draft_.unclosed;
-    corners.push_back(corners[first]);
-  }
-  if (corners.size() > first) corners.pop_back();
+  // Some programs leave the last position out, and published TopoJSON has rings whose ends are a
+  // quantum apart.
+  const bool is_open = corners.size() > first && !is_equal(corners[first], corners.back());
   while (corners.size() > first + 1 && is_equal(corners[first], corners.back())) corners.pop_back();
   const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
   corners.erase(std::unique(begin, corners.end(), is_equal), corners.end());
@@ -335,6 +331,7 @@ void LayerReader::end_ring() {
     ++draft_.collapsed;
     return;
   }
+  if (is_open) ++draft_.unclosed;
   layer.end_ring();
 }
 
